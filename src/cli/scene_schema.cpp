@@ -59,6 +59,8 @@ std::string members_of(const ValueType& type) {
     if (!type.or_text.empty())
         members = fmt::format(R"("anyOf": [{{{}}}, {{"type": "string", "pattern": {}}}])", members,
                               json_string(type.or_pattern));
+    if (type.or_boolean)
+        members = fmt::format(R"("anyOf": [{{"type": "boolean"}}, {{{}}}])", members);
     if (!type.unit.empty()) members += fmt::format(R"(, "x-unit": {})", json_string(type.unit));
     return members;
 }
@@ -107,7 +109,10 @@ std::string members_of_table(const Node& table, const std::string& indent) {
     for (std::size_t i = 0; i < table.below.size(); ++i) {
         const Node& node = table.below[i];
         text += fmt::format("{}{}: ", deeper, json_string(node.name));
-        if (node.key != nullptr)
+        if (node.key != nullptr && !node.below.empty())
+            text += fmt::format("{{\"anyOf\": [{}, {{\n{}\n{}}}]}}", schema_of_key(*node.key),
+                                members_of_table(node, deeper + "  "), deeper);
+        else if (node.key != nullptr)
             text += schema_of_key(*node.key);
         else if (node.is_array)
             text += fmt::format("{{\"type\": \"array\", \"items\": {{\n{}\n{}}}}}",

@@ -124,6 +124,15 @@ std::string GivenValue::text() const {
                                                choose_instead(given, names)));
 }
 
+void GivenValue::check_names(const std::vector<std::string>& given) const {
+    const auto names = key_.type.names;
+    for (std::size_t i = 0; i < given.size() && !names.empty(); ++i)
+        if (std::find(names.begin(), names.end(), given[i]) == names.end())
+            throw SceneError(value_.where,
+                             fmt::format("{}[{}] is \"{}\"{}", name_, i, printable(given[i]),
+                                         choose_instead(given[i], names)));
+}
+
 const std::vector<TomlValue>& GivenValue::items(const TomlValue& value,
                                                 const std::string& name) const {
     if (value.type != TomlValue::Type::array) refuse_type(value, name);
@@ -165,12 +174,14 @@ std::vector<std::string> GivenValue::texts() const {
             texts.emplace_back(rest.substr(0, comma));
             rest.remove_prefix(std::min(comma + 1, rest.size()));
         }
+        check_names(texts);
         return texts;
     }
     if (value_.type != TomlValue::Type::array) refuse_type();
     for (const TomlValue& item : value_.items) {
         texts.push_back(text(item, fmt::format("{}[{}]", name_, texts.size())));
     }
+    check_names(texts);
     return texts;
 }
 

@@ -49,6 +49,8 @@ class GivenValue {
     double finite_number(const TomlValue& value, const std::string& name) const;
     double measured_number(const TomlValue& value, const std::string& name) const;
     std::string text(const TomlValue& value, const std::string& name) const;
+    // Throws for an item that is not among the type's names.
+    void check_names(const std::vector<std::string>& given) const;
     std::vector<double> numbers(const TomlValue& value, const std::string& name) const;
 
     const SceneKey& key_;

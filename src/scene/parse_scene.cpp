@@ -160,7 +160,11 @@ class Reader {
         for (const TomlEntry& entry : table.entries) {
             const std::string entry_path = joined(path, entry.key);
             const std::string entry_name = joined(name, entry.key);
-            if (const SceneKey* key = find_scene_key(entry_path)) {
+            // Some names are both a key and a table: labels = false, and [labels].
+            const bool is_table =
+                entry.value.type == TomlValue::Type::table && is_scene_table(entry_path);
+            const SceneKey* const key = is_table ? nullptr : find_scene_key(entry_path);
+            if (key != nullptr) {
                 draft_.scene.locations[entry_name] = entry.where;
                 key->read(GivenValue(*key, entry_name, item, entry.value), draft_);
             } else if (const SceneArray* array = find_scene_array(entry_path)) {

@@ -185,6 +185,8 @@ struct TimedCaptionSpec {
 // [symbols]: names of quantities in labels, as formulas; empty: the default names.
 struct SymbolsSpec {
     std::string omega, momentum, rho, e1, e2, e3;
+    // Names in words, with formulas between dollars, by the names in named_things.
+    std::map<std::string, std::string, std::less<>> things;
 };
 
 // [style] of one quantity or surface; values not given are the theme's.
@@ -260,6 +262,11 @@ struct Scene {
     std::vector<std::string> show;  // elements by name; empty: the defaults for this kind of motion
     bool labels = true;             // whether elements are labelled
     std::vector<std::string> unlabelled;  // elements without labels
+    // Which of named_things have names in the picture; absent: all that are shown.
+    std::optional<std::vector<std::string>> names;
+    // [labels]: how far labels are moved, x right and y down, points; by the names in named_things
+    // and named_quantities.
+    std::map<std::string, Eigen::Vector2d, std::less<>> label_offsets_pt;
     std::vector<MarkSpec> marks;
     GridSpec grid;
     std::vector<PanelSpec> panels;  // empty: the space panel alone

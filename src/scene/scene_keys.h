@@ -41,9 +41,13 @@ struct SceneKey {
 
     // Further properties of a row, set in the tables of keys.
     SceneKey&& from_list(std::string_view list) && { return with(type.list, list); }
+    SceneKey&& values_from(std::span<const std::string_view> names) && {
+        return with(type.names, names);
+    }
     SceneKey&& values_named(std::string_view names) && { return with(type.names_of_values, names); }
     SceneKey&& with_size(ValueType::Size size) && { return with(type.size, size); }
     SceneKey&& or_text(std::string_view words, std::string_view pattern) &&;
+    SceneKey&& or_boolean() && { return with(type.or_boolean, true); }
     SceneKey&& default_is(std::string_view words) && { return with(default_words, words); }
     SceneKey&& without_default() &&;
     SceneKey&& omitted_if_default() && { return with(omits_initial, true); }

@@ -53,6 +53,7 @@ std::string list_words(const ValueType& type) {
         return fmt::format("{}{} {}{}{}", rows, count(size.least), items,
                            type.names_of_values.empty() ? "" : " ", type.names_of_values);
     }
+    if (!type.names.empty()) return fmt::format("a list of {}", choice_of(type.names));
     const bool is_limited = size.most != ValueType::Size{}.most;
     return is_limited ? fmt::format("a list of {} to {} {}", size.least, size.most, items)
                       : fmt::format("a list of {}", items);
@@ -84,8 +85,8 @@ std::string Bounds::words() const {
 }
 
 std::string ValueType::words() const {
-    return fmt::format("{}{}{}{}{}", value_words(*this), unit.empty() ? "" : " in ", unit,
-                       or_text.empty() ? "" : " or ", or_text);
+    return fmt::format("{}{}{}{}{}{}", or_boolean ? "true, false or " : "", value_words(*this),
+                       unit.empty() ? "" : " in ", unit, or_text.empty() ? "" : " or ", or_text);
 }
 
 }  // namespace poinsot

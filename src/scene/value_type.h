@@ -53,6 +53,7 @@ struct ValueType {
     // A string that is accepted instead of the value, in words ("a ratio as a string") and as a
     // regular expression.
     std::string_view or_text{}, or_pattern{};
+    bool or_boolean = false;  // whether true and false are accepted, too
 
     bool may_be_text() const { return kind == Kind::text || !or_text.empty(); }
     // "three positive numbers in kg m²"

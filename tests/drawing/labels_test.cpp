@@ -32,15 +32,23 @@ class Labels : public testing::Test {
     GlyphMask mask;
 };
 
+LabelRules rules(double halo_px, const CurveGeometry* segment = nullptr) {
+    LabelRules rules;
+    rules.halo_px = halo_px;
+    rules.margin_px = 0.0;
+    rules.segment = segment;
+    return rules;
+}
+
 TEST_F(Labels, AreOnTheRequestedSide) {
-    place_labels({request(400, 300, 1, 0), request(100, 300, 0, -1)}, {}, 2.0, view);
+    place_labels({request(400, 300, 1, 0), request(100, 300, 0, -1)}, rules(2.0), view);
     EXPECT_GT(view.labels[0].top_left_px.x(), 400.0);
     EXPECT_LT(view.labels[1].top_left_px.y() + 20.0, 300.0);
 }
 
 TEST_F(Labels, DoNotOverlap) {
     place_labels({request(400, 300, 1, 0), request(404, 302, 1, 0.05), request(398, 301, 1, -0.05)},
-                 {}, 2.0, view);
+                 rules(2.0), view);
     for (std::size_t i = 0; i < 3; ++i) {
         for (std::size_t j = i + 1; j < 3; ++j) {
             const Eigen::Vector2d apart = (centre(i) - centre(j)).cwiseAbs();
@@ -50,7 +58,7 @@ TEST_F(Labels, DoNotOverlap) {
 }
 
 TEST_F(Labels, StayInsideTheView) {
-    place_labels({request(799, 300, 1, 0), request(0, 0, -1, -1)}, {}, 3.0, view);
+    place_labels({request(799, 300, 1, 0), request(0, 0, -1, -1)}, rules(3.0), view);
     for (const Label& label : view.labels) {
         EXPECT_GE(label.top_left_px.x(), 3.0);
         EXPECT_GE(label.top_left_px.y(), 3.0);
@@ -68,7 +76,7 @@ TEST_F(Labels, MoveContinuously) {
         view.labels.clear();
         place_labels(
             {request(400, 300, std::cos(angle), 0.3 * std::sin(angle)), request(430, 300, 1, 0)},
-            {}, 2.0, view);
+            rules(2.0), view);
         if (k > 0) largest = std::max(largest, (centre(0) - before).norm());
         before = centre(0);
     }
@@ -103,7 +111,7 @@ TEST_F(Labels, AvoidShaftsOfOtherArrows) {
         LabelRequest name = request(400, 300, 1, 0);
         name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
         name.side = side;
-        place_labels({name}, {}, 2.0, view, &segment);
+        place_labels({name}, rules(2.0, &segment), view);
         // The shaft points down in the picture: clockwise from it is left.
         const double beyond = -side * (centre(0).x() - 422.5);
         EXPECT_GT(beyond, 20.0) << side;
@@ -121,12 +129,12 @@ TEST_F(Labels, AvoidShaftsOfOtherArrows) {
     LabelRequest name = request(400, 300, 1, 0);
     name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
     name.side = 1;
-    place_labels({name}, {}, 2.0, view, &segment);
+    place_labels({name}, rules(2.0, &segment), view);
     const Eigen::Vector2d alone = centre(0);
     view.labels.clear();
     view.arrows = {shaft_at(395, 100, 400, 300), shaft_at(420, 400, 425, 500),
                    shaft_at(300, 250, 600, 350)};
-    place_labels({name}, {}, 2.0, view, &segment);
+    place_labels({name}, rules(2.0, &segment), view);
     EXPECT_EQ(centre(0), alone);
     EXPECT_TRUE(view.curves.empty());
 }
@@ -142,7 +150,7 @@ TEST_F(Labels, MoveContinuouslyAsAShaftPassesOverThem) {
         LabelRequest name = request(400, 300, 1, 0);
         name.at = Eigen::Vector3d(400.0, 300.0, 0.0);
         name.side = 1;
-        place_labels({name}, {}, 2.0, view);
+        place_labels({name}, rules(2.0), view);
         if (k > 0) largest = std::max(largest, (centre(0) - before).norm());
         before = centre(0);
     }

@@ -258,6 +258,25 @@ double least_type_px(const StageContext& stage) {
                                           : least * stage.scene.type_scale * stage.px;
 }
 
+double px_per_pt(const StageContext& stage) {
+    constexpr double slide_height_pt = 540.0;
+    return stage.options.px_per_pt > 0.0 ? stage.options.px_per_pt
+                                         : stage.options.height_px / slide_height_pt;
+}
+
+Eigen::Vector2d offset_of_label(const StageContext& stage, std::string_view name) {
+    const auto found = stage.scene.label_offsets_pt.find(name);
+    if (found == stage.scene.label_offsets_pt.end()) return Eigen::Vector2d::Zero();
+    return px_per_pt(stage) * found->second;
+}
+
+std::string_view name_of_label(const ShapeName& name) {
+    if (name.element == "axes" && name.number >= 1 && name.number <= 3)
+        return std::array<std::string_view, 3>{"e1", "e2",
+                                               "e3"}[static_cast<std::size_t>(name.number - 1)];
+    return name.element == "radius" ? "rho" : name.element;
+}
+
 Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
                 const Eigen::Vector3d& towards, double radius, double angle_rad,
                 const LineStyle& ink, double width_px) {

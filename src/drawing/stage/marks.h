@@ -103,6 +103,14 @@ Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const LineStyl
 // paper the value of the stage's options.
 double least_type_px(const StageContext& stage);
 
+// Pixels of the rendered picture for a point on paper, or 1/540 of a slide's height.
+double px_per_pt(const StageContext& stage);
+
+// How far [labels] moves the label of this name.
+Eigen::Vector2d offset_of_label(const StageContext& stage, std::string_view name);
+// The name in [labels] of the label of a vector; empty: it has none.
+std::string_view name_of_label(const ShapeName& name);
+
 // An arc of a circle about `centre` from the direction `from` towards the direction `towards`
 // (perpendicular unit vectors), over an angle from 0 to 2π; a whole circle from 2π on. Negative
 // angles are in the opposite sense. All arcs of a stage share one geometry.

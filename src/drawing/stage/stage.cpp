@@ -10,6 +10,7 @@
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/stage_context.h"
 #include "drawing/stage/stage_store.h"
+#include "drawing/stage/thing_names.h"
 #include "drawing/stage/type/label_fit.h"
 #include "drawing/stage/type/labels.h"
 #include "drawing/style/line_style.h"
@@ -21,9 +22,10 @@ struct Stage::Contents {
     StageContext context;
     StageStore store{context};
     std::deque<Panel> panels = make_panels(context, store);
-    std::vector<Drawer> overlays;    // title, caption, clock: over the whole picture
-    Quantities needs = omega_alone;  // what all panels together read of an instant
-    bool shows_comparison = false;   // whether one of them shows the comparison motion
+    std::vector<std::vector<ThingName>> names;  // of curves and surfaces, for each panel
+    std::vector<Drawer> overlays;               // title, caption, clock: over the whole picture
+    Quantities needs = omega_alone;             // what all panels together read of an instant
+    bool shows_comparison = false;              // whether one of them shows the comparison motion
 
     Contents(const Scene& scene, const Theme& theme, const Motion& motion,
              const StageOptions& options, const Motion* comparison)
@@ -37,6 +39,7 @@ struct Stage::Contents {
                              "no panel here shows the comparison method; add a panel " +
                                  panels_that_take(takes_comparison, "or"));
         }
+        for (const Panel& panel : panels) names.push_back(set_thing_names(panel, store));
         overlays = make_overlays(context, store, panels);
         check_targets(context, store, panels);
     }
@@ -104,10 +107,24 @@ Drawing Stage::at(const FilmTime& moment) const {
     drawing.width_px = context.options.width_px;
     drawing.height_px = context.options.height_px;
     drawing.background = ground;
+    // Title, caption and clock are in a view of their own over all panels.
+    ViewBuilder over;
+    over.view.width_px = drawing.width_px;
+    over.view.height_px = drawing.height_px;
+    over.view.background.alpha = 0.0;
+    for (const Drawer& draw : contents_->overlays) draw(instant, over);
+    LabelRules rules;
+    rules.halo = context.theme.halo;
+    rules.margin_px = 3.0 * px_per_pt(context);
+    rules.segment = contents_->store.unit_segment();
+    for (const Label& label : over.view.labels)
+        if (!label.mask->letters.empty()) rules.overlays.push_back(box_of(label));
+
     // Views own the text and curves made for this drawing alone; their shapes point to them, so
     // that views must not move once made.
     drawing.views.reserve(contents_->panels.size() + 1);
-    for (const Panel& panel : contents_->panels) {
+    for (std::size_t i = 0; i < contents_->panels.size(); ++i) {
+        const Panel& panel = contents_->panels[i];
         ViewBuilder builder = begun(panel, moment);
         View& view = builder.view;
         // Several panels share the picture's background.
@@ -123,18 +140,16 @@ Drawing Stage::at(const FilmTime& moment) const {
             for (LabelRequest& request : builder.requests)
                 if (request.at && (*request.at - ring->at).isZero(0.0))
                     request.gap_px += 2.0 * ring->opacity * ring->radius_px;
-        place_labels(builder.requests, context.theme.halo, 4.0 * panel.px, view,
-                     contents_->store.unit_segment());
+        for (LabelRequest& request : builder.requests)
+            request.offset_px = offset_of_label(context, name_of_label(request.name));
+        rules.halo_px = 4.0 * panel.px;
+        place_labels(builder.requests, rules, view);
+        for (const std::string_view name :
+             place_thing_names(panel, contents_->names[i], rules.overlays, view))
+            drawing.unnamed.push_back(name);
         follow_line_rules(line_rules(context, contents_->store), view);
         drawing.views.push_back(std::move(view));
     }
-
-    // Title, caption and clock are in a view of their own over all panels.
-    ViewBuilder over;
-    over.view.width_px = drawing.width_px;
-    over.view.height_px = drawing.height_px;
-    over.view.background.alpha = 0.0;
-    for (const Drawer& draw : contents_->overlays) draw(instant, over);
     if (!over.view.labels.empty()) drawing.views.push_back(std::move(over.view));
     if (context.options.least.type_px > 0.0) leave_out_type(drawing);
     return drawing;

@@ -13,6 +13,7 @@ struct StageOptions {
     int height_px = 1080;
     int samples = 1;          // samples × samples rendered pixels form one final pixel
     double line_scale = 0.0;  // pixels for a line of "one pixel at 1080 rows"; 0: height_px / 1080
+    double px_per_pt = 0.0;   // pixels of a point on paper; 0: height_px / 540, as on a slide
     double curve_px =
         0.0;  // largest distance of polylines from their curves; 0: from the scene's accuracy
     LeastSizes least{};         // on paper, of the picture drawn

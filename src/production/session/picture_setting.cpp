@@ -25,6 +25,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.height_px = session.scene.film.height_px * setting.samples;
     options.samples = setting.samples;
     options.line_scale = setting.line_scale * setting.samples;
+    options.px_per_pt = setting.px_per_pt * setting.samples;
     options.least = setting.least.times(setting.samples);
     options.first_time_s = span.first_time_s;
     options.last_time_s = span.last_time_s;

@@ -24,11 +24,13 @@ struct PictureSetting {
     double curve_tolerance = 1.0;  // in units of the scene's accuracy_px
     int samples = 1;               // supersampling: samples × samples per pixel
     double line_scale = 0.0;       // as in StageOptions, of the final picture
+    double px_per_pt = 0.0;        // as there
     LeastSizes least{};            // as in StageOptions, of the final picture
 
     // Uses the sizes of lines and text on paper.
     void put_on(const PrintSize& paper) {
         line_scale = paper.line_scale;
+        px_per_pt = paper.px_per_pt;
         least = paper.least;
     }
 };

@@ -63,6 +63,7 @@ std::optional<PrintSize> print_size_of(const PrintChoices& print, int scene_widt
     size.line_scale = print.type_pt.value_or(default_type_pt) / label_size * dpi / pt_per_inch;
     size.least = LeastSizes{print.least_type_pt, print.least_script_pt, print.least_line_pt}.times(
         dpi / pt_per_inch);
+    size.px_per_pt = dpi / pt_per_inch;
     size.pixels_per_metre = 1000.0 * dpi / mm_per_inch;
     return size;
 }

@@ -32,6 +32,7 @@ struct PrintSize {
     int width_px = 0, height_px = 0;
     double line_scale = 1.0;  // pixels for a line of "one pixel at 1080 rows"
     double pixels_per_metre = 0.0;
+    double px_per_pt = 0.0;
     LeastSizes least{};
 };
 

@@ -219,7 +219,11 @@ Drawing ChartSheet::drawing() const {
     view.curves = curves_;
     view.dots = dots_;
     view.labels = labels_;
-    place_labels(requests_, theme_->halo, 3.0 * px_, view);
+    LabelRules rules;
+    rules.halo = theme_->halo;
+    rules.halo_px = 3.0 * px_;
+    rules.margin_px = 0.0;
+    place_labels(requests_, rules, view);
 
     Drawing drawing;
     drawing.width_px = width_px_;

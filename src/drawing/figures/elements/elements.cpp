@@ -54,6 +54,7 @@ Drawer make_cones(const Panel& panel, StageStore&) {
         body.colour = panel.stage->theme.body_cone;
         body.reference = axes.col((cones.symmetry_axis + 1) % 3);
         body.rim_px = 2.0 * panel.px;
+        body.name = {"cones", 0, "body"};
         builder.view.cones.push_back(body);
 
         Cone space;
@@ -63,6 +64,7 @@ Drawer make_cones(const Panel& panel, StageStore&) {
         space.colour = panel.stage->theme.space_cone;
         space.reference = Eigen::Vector3d::UnitX();
         space.rim_px = 2.0 * panel.px;
+        space.name = {"cones", 0, "space"};
         builder.view.cones.push_back(space);
     };
 }

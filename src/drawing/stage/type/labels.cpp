@@ -31,6 +31,15 @@ struct PlacedBox {
     Eigen::Vector2d half;
 };
 
+// Moves a box off another that does not move, as far as both treated as ellipses overlap.
+void push_off(const PlacedBox& fixed, double opacity, PlacedBox& box) {
+    const Eigen::Vector2d sum = 1.2 * (fixed.half + box.half);
+    const Eigen::Vector2d between = box.centre - fixed.centre;
+    const double nearness = between.cwiseQuotient(sum).norm();
+    if (!(nearness < 1.0)) return;
+    box.centre += opacity * (1.0 - nearness) * between / std::max(nearness, 1e-3);
+}
+
 // An arrow's projection to the picture.
 struct Shaft {
     Eigen::Vector3d tip, direction;  // a unit vector
@@ -81,33 +90,6 @@ void keep_off(const std::vector<Shaft>& shafts, const LabelRequest& request, Pla
             std::min(reach * smooth_step(1.0 + 0.5 * aside / reach), std::max(reach - aside, 0.0));
         box.centre += company * move * smooth_step(beside / reach_along) * shaft.opacity * normal;
     }
-}
-
-// Adds a leader from the named point to the nearest point of the label's box, if their distance
-// exceeds the requested one.
-void add_leader(const LabelRequest& request, const PlacedBox& box, double before_px, double halo_px,
-                double opacity, const CurveGeometry* segment, View& view) {
-    const Eigen::Vector2d nearest =
-        request.anchor_px.cwiseMax(box.centre - box.half).cwiseMin(box.centre + box.half);
-    const Eigen::Vector2d way = nearest - request.anchor_px;
-    const double height = 2.0 * box.half.y();
-    const double presence = smooth_step((way.norm() - before_px - 0.35 * height) / (0.4 * height));
-    if (!(presence > 0.0)) return;
-    const Projected anchor = project(view, *request.at);
-    const Eigen::Matrix3d axes = camera_axes(view.camera);
-    const Eigen::Vector3d along =
-        units_per_pixel(view, anchor.depth) * (axes.col(0) * way.x() - axes.col(1) * way.y());
-    Curve line;
-    line.geometry = segment;
-    line.placement.linear() << along, along.norm() * axes.col(2).cross(along).normalized(),
-        along.norm() * axes.col(2);
-    line.placement.translation() = *request.at;
-    line.width_px = 0.4 * halo_px;
-    line.colour = request.colour;
-    line.opacity = 0.85 * presence * opacity;
-    line.occlusion = Occlusion::none;
-    line.name = {request.name.element, request.name.number, "leader"};
-    view.curves.push_back(line);
 }
 
 // Sets text at the given size, or larger, so that no sub- or superscript is smaller than
@@ -197,9 +179,67 @@ TextBlock TextCache::set_live(std::string_view text, const TypeStyle& style, Vie
     return set_among(view.live_masks, text, style);
 }
 
-void place_labels(const std::vector<LabelRequest>& requests, const Colour& halo, double halo_px,
-                  View& view, const CurveGeometry* segment) {
+LabelBox box_of(const Label& label) {
+    const Eigen::Vector2d half =
+        0.5 * Eigen::Vector2d(label.mask->width_px(), label.mask->height_px());
+    return {label.top_left_px + half, half, label.opacity};
+}
+
+void add_leader(const Leader& leader, double opacity, const CurveGeometry* segment, View& view) {
+    if (!(opacity > 0.0)) return;
+    const Eigen::Vector2d nearest = leader.from_px.cwiseMax(leader.to.centre_px - leader.to.half_px)
+                                        .cwiseMin(leader.to.centre_px + leader.to.half_px);
+    const Eigen::Vector2d way = nearest - leader.from_px;
+    if (!(way.norm() > 0.0)) return;
+    const Projected anchor = project(view, leader.at);
+    const Eigen::Matrix3d axes = camera_axes(view.camera);
+    const Eigen::Vector3d along =
+        units_per_pixel(view, anchor.depth) * (axes.col(0) * way.x() - axes.col(1) * way.y());
+    Curve line;
+    line.geometry = segment;
+    line.placement.linear() << along, along.norm() * axes.col(2).cross(along).normalized(),
+        along.norm() * axes.col(2);
+    line.placement.translation() = leader.at;
+    line.width_px = leader.width_px;
+    line.colour = leader.colour;
+    line.opacity = 0.85 * opacity;
+    line.occlusion = Occlusion::none;
+    line.name = leader.name;
+    view.curves.push_back(line);
+}
+
+namespace {
+
+// The leader of a vector's label: where its distance exceeds the requested one.
+void add_leader_of(const LabelRequest& request, const Label& label, double before_px,
+                   const LabelRules& rules, View& view) {
+    const LabelBox box = box_of(label);
+    const Eigen::Vector2d nearest = request.anchor_px.cwiseMax(box.centre_px - box.half_px)
+                                        .cwiseMin(box.centre_px + box.half_px);
+    const double distance = (nearest - request.anchor_px).norm();
+    const double height = 2.0 * box.half_px.y();
+    const double presence = smooth_step((distance - before_px - 0.35 * height) / (0.4 * height));
+    add_leader({.at = *request.at,
+                .from_px = request.anchor_px,
+                .to = box,
+                .colour = request.colour,
+                .width_px = 0.4 * rules.halo_px,
+                .name = {request.name.element, request.name.number, "leader"}},
+               presence * label.opacity, rules.segment, view);
+}
+
+}  // namespace
+
+void place_labels(const std::vector<LabelRequest>& requests, const LabelRules& rules, View& view) {
     const std::vector<Shaft> shafts = shafts_of(view);
+    // What labels are moved off: text that is placed already.
+    std::vector<std::pair<PlacedBox, double>> fixed;
+    for (const LabelBox& box : rules.overlays)
+        fixed.push_back({{box.centre_px, box.half_px}, box.opacity});
+    for (const Label& label : view.labels) {
+        const LabelBox box = box_of(label);
+        fixed.push_back({{box.centre_px, box.half_px}, box.opacity});
+    }
     std::vector<PlacedBox> boxes;
     std::vector<double> gaps;  // requested distance between the named point and the label
     boxes.reserve(requests.size());
@@ -239,12 +279,15 @@ void place_labels(const std::vector<LabelRequest>& requests, const Colour& halo,
                 boxes[j].centre += 0.5 * push;
             }
         }
+        for (PlacedBox& box : boxes)
+            for (const auto& [obstacle, opacity] : fixed) push_off(obstacle, opacity, box);
     }
 
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (requests[i].type.mask->width == 0) continue;
-        const double margin = halo_px + 2.0 * requests[i].type.mask->samples;
-        Eigen::Vector2d corner = boxes[i].centre - boxes[i].half;
+        const double margin =
+            std::max(rules.margin_px, rules.halo_px + 2.0 * requests[i].type.mask->samples);
+        Eigen::Vector2d corner = boxes[i].centre - boxes[i].half + requests[i].offset_px;
         const auto keep = [&](double value, double from, double size, double box) {
             return std::max(from + margin, std::min(value, from + size - box - margin));
         };
@@ -254,16 +297,15 @@ void place_labels(const std::vector<LabelRequest>& requests, const Colour& halo,
         label.mask = requests[i].type.mask;
         label.top_left_px = corner;
         label.colour = requests[i].colour;
-        label.halo_colour = halo;
-        label.halo_px = halo_px;
+        label.halo_colour = rules.halo;
+        label.halo_px = rules.halo_px;
         label.name = requests[i].name;
         label.at = requests[i].at;
         label.opacity = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
-        const PlacedBox placed{corner + boxes[i].half, boxes[i].half};
-        if (segment != nullptr && requests[i].at)
-            add_leader(requests[i], placed, gaps[i], halo_px, label.opacity, segment, view);
+        if (rules.segment != nullptr && requests[i].at)
+            add_leader_of(requests[i], label, gaps[i], rules, view);
     }
 }
 

@@ -31,15 +31,16 @@ struct TextBlock {
     double height_px() const { return mask->height_px(); }
 };
 
-// If text does not fit on paper, labels of higher rank are dropped first. Names in the picture are
+// If text does not fit on paper, labels of higher rank are dropped first. Names of vectors are
 // never dropped: if they do not fit, the picture is rejected.
 enum LabelRank {
-    rank_of_names = 0,
-    rank_of_headings = 1,
-    rank_of_title = 2,
-    rank_of_charts = 3,
-    rank_of_clock = 4,
-    rank_of_caption = 5
+    rank_of_names = 0,   // of vectors, angles and points
+    rank_of_things = 1,  // of curves and surfaces
+    rank_of_headings = 2,
+    rank_of_title = 3,
+    rank_of_charts = 4,
+    rank_of_clock = 5,
+    rank_of_caption = 6
 };
 
 // Text below this size, pixels per em, is omitted: its small letters would be one pixel high.
@@ -99,14 +100,41 @@ struct LabelRequest {
     // The side to which the label moves off another arrow's shaft through its position: 1,
     // clockwise from the shaft's direction, or -1; 0: it does not move off shafts.
     int side = 0;
+    // By which the placed label is moved, as the scene's [labels] says.
+    Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();
     ShapeName name{};
 };
 
+// The place of text in the picture, pixels.
+struct LabelBox {
+    Eigen::Vector2d centre_px, half_px;
+    double opacity = 1.0;
+};
+LabelBox box_of(const Label& label);
+
+// A line from a point to the label that names it.
+struct Leader {
+    Eigen::Vector3d at;       // the point, view axes
+    Eigen::Vector2d from_px;  // the same in the picture
+    LabelBox to;
+    Colour colour;
+    double width_px = 1.6;
+    ShapeName name{};
+};
+// `segment`: from the origin to x.
+void add_leader(const Leader& leader, double opacity, const CurveGeometry* segment, View& view);
+
 // Adds the requested labels to the view: each is placed, moved off the shafts of arrows that it
-// does not name, moved apart from labels that it overlaps, and kept inside the view. Labels that
-// end up away from their requested position get leaders: lines along `segment` (from the origin to
-// x; null: no leaders).
-void place_labels(const std::vector<LabelRequest>& requests, const Colour& halo, double halo_px,
-                  View& view, const CurveGeometry* segment = nullptr);
+// does not name, moved apart from labels that it overlaps and off the text in `overlays` and in the
+// view, and kept inside the view. Labels that end up away from their requested position get
+// leaders: lines along `segment` (from the origin to x; null: no leaders).
+struct LabelRules {
+    Colour halo;
+    double halo_px = 4.0;
+    double margin_px = 6.0;  // from the edges of the view
+    const CurveGeometry* segment = nullptr;
+    std::vector<LabelBox> overlays{};
+};
+void place_labels(const std::vector<LabelRequest>& requests, const LabelRules& rules, View& view);
 
 }  // namespace poinsot
