@@ -47,7 +47,7 @@ struct Drawing {
     // above the part; 0 rows: those of the picture.
     int background_top_px = 0, background_rows_px = 0;
     std::vector<View> views;
-    // Curves and surfaces that are shown without their names, since there is no room for these.
+    // What is shown without its name, since there is no room for it.
     std::vector<std::string_view> unnamed;
 };
 

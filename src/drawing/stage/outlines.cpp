@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "numerics/smooth_step.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -47,11 +48,6 @@ class Hiders {
     std::vector<Hider> hiders_;
 };
 
-double smooth_step(double u) {
-    const double v = std::clamp(u, 0.0, 1.0);
-    return v * v * (3.0 - 2.0 * v);
-}
-
 // How much of a point on an ellipsoid faces the eye: 0 behind the limb, and 1 a little before it.
 double facing(const Ellipsoid& ellipsoid, const Projection& projection, const Eigen::Vector3d& at) {
     const Eigen::Matrix3d to_sphere = ellipsoid.half_axes.inverse();
@@ -87,18 +83,20 @@ Outline outline_of(const View& view, const Curve& curve, int most) {
         std::max<std::size_t>(1, points.size() / static_cast<std::size_t>(most));
     const double last = std::min(curve.last, static_cast<double>(points.size()));
     Outline outline;
-    std::optional<Eigen::Vector2d> before;
+    Eigen::Vector2d before = Eigen::Vector2d::Zero();
+    bool is_joined = false;  // to the point before
     for (std::size_t i = 0; i < points.size(); i += step) {
         const auto index = static_cast<double>(i);
         if (index < curve.first || index > last) {
-            before.reset();
+            is_joined = false;
             continue;
         }
         const Eigen::Vector3d at = curve.placement * points[i];
         if (projection.depth(at) <= projection.near_depth) continue;
         const Eigen::Vector2d px = projection.place(at);
-        const double length = before ? (px - *before).norm() : 0.0;
+        const double length = is_joined ? (px - before).norm() : 0.0;
         before = px;
+        is_joined = true;
         double seen = std::clamp(curve.opacity, 0.0, 1.0);
         if (curve.fade_points > 0.0)
             seen *= std::clamp((last - index) / curve.fade_points, 0.0, 1.0);

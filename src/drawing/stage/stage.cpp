@@ -118,7 +118,7 @@ Drawing Stage::at(const FilmTime& moment) const {
     rules.margin_px = 3.0 * px_per_pt(context);
     rules.segment = contents_->store.unit_segment();
     for (const Label& label : over.view.labels)
-        if (!label.mask->letters.empty()) rules.overlays.push_back(box_of(label));
+        if (!label.mask->letters.empty()) rules.overlays.push_back(label_box(label));
 
     // Views own the text and curves made for this drawing alone; their shapes point to them, so
     // that views must not move once made.
@@ -143,7 +143,8 @@ Drawing Stage::at(const FilmTime& moment) const {
         for (LabelRequest& request : builder.requests)
             request.offset_px = offset_of_label(context, name_of_label(request.name));
         rules.halo_px = 4.0 * panel.px;
-        place_labels(builder.requests, rules, view);
+        for (const ShapeName& name : place_labels(builder.requests, rules, view))
+            drawing.unnamed.push_back(name_of_label(name));
         for (const std::string_view name :
              place_thing_names(panel, contents_->names[i], rules.overlays, view))
             drawing.unnamed.push_back(name);

@@ -6,6 +6,7 @@
 #include <array>
 #include <cmath>
 #include <complex>
+#include <cstddef>
 #include <numbers>
 #include <optional>
 #include <string>
@@ -14,6 +15,7 @@
 #include "drawing/stage/outlines.h"
 #include "drawing/style/colour_vision.h"
 #include "drawing/style/theme_roles.h"
+#include "numerics/smooth_step.h"
 #include "scene/named_things.h"
 #include "scene/scene_error.h"
 #include "shapes/projection.h"
@@ -97,11 +99,6 @@ constexpr std::array<NamedThing, named_things.size()> things{{
 
 constexpr double size_of_names = 0.8;  // of the names of vectors
 
-double smooth_step(double u) {
-    const double v = std::clamp(u, 0.0, 1.0);
-    return v * v * (3.0 - 2.0 * v);
-}
-
 // The colour of a thing, changed towards that of text until letters can be read on the ground.
 Colour readable(const Colour& colour, const Theme& theme) {
     constexpr double least = 4.5;
@@ -119,14 +116,14 @@ Colour readable(const Colour& colour, const Theme& theme) {
     return theme.text;
 }
 
-struct Box {
+struct NameBox {
     Eigen::Vector2d centre, half;
 
     // Distance of a point from the box along the worse of the axes; negative inside.
     double distance(const Eigen::Vector2d& px) const {
         return ((px - centre).cwiseAbs() - half).maxCoeff();
     }
-    double distance(const Box& other) const {
+    double distance(const NameBox& other) const {
         return ((other.centre - centre).cwiseAbs() - half - other.half).maxCoeff();
     }
     // Length of a segment inside the box.
@@ -149,7 +146,7 @@ struct Box {
 
 // What a name keeps away from.
 struct Surroundings {
-    std::vector<std::pair<Box, double>> labels;  // and their opacity
+    std::vector<std::pair<NameBox, double>> labels;  // and their opacity
     struct Shaft {
         Eigen::Vector2d tail, tip;
         double head_px, opacity;
@@ -168,7 +165,7 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
     for (const LabelBox& box : overlays)
         around.labels.push_back({{box.centre_px, box.half_px}, box.opacity});
     for (const Label& label : view.labels) {
-        const LabelBox box = box_of(label);
+        const LabelBox box = label_box(label);
         around.labels.push_back({{box.centre_px, box.half_px}, box.opacity});
     }
     const Projection projection(view);
@@ -189,7 +186,7 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
 }
 
 // How bad a place is: 0 for a free one, some 1 for one on a line, and 8 on another label.
-double cost_of(const Box& box, const Surroundings& around, bool keeps_off_bodies) {
+double cost_of(const NameBox& box, const Surroundings& around, bool keeps_off_bodies) {
     const double height = 2.0 * box.half.y();
     const auto within = [height](double distance) {
         return smooth_step((0.3 * height - distance) / (0.5 * height));
@@ -216,6 +213,7 @@ double cost_of(const Box& box, const Surroundings& around, bool keeps_off_bodies
     cost += 1.5 * smooth_step(length / (3.0 * height));
     if (keeps_off_bodies) {
         for (const Ellipsoid& ellipsoid : view.ellipsoids) {
+            if (ellipsoid.opacity < 0.4) continue;
             const double nearness = nearness_to_ellipsoid(view, ellipsoid, box.centre);
             cost += 1.2 * ellipsoid.presence * smooth_step((1.25 - nearness) / 0.3);
         }
@@ -227,7 +225,7 @@ double cost_of(const Box& box, const Surroundings& around, bool keeps_off_bodies
 struct Spot {
     Eigen::Vector3d at;
     Eigen::Vector2d anchor_px;
-    Box box;
+    NameBox box;
     double spread_px = 0.0;
 };
 
@@ -269,8 +267,9 @@ class Spots {
         if (plane_ != nullptr) return on_plane(way, level);
         const auto point = outermost(outline_, way, 2.0 * px_);
         if (!point) return std::nullopt;
-        const double reach = std::hypot(half_.x() * way.x(), half_.y() * way.y());
-        const double gap = (8.0 + 42.0 * level) * px_;
+        // Beyond the line through the point across the way.
+        const double reach = half_.dot(way.cwiseAbs());
+        const double gap = (9.0 + 40.0 * level) * px_;
         return Spot{
             point->at, point->px, {point->px + (gap + reach) * way, half_}, point->spread_px};
     }
@@ -285,7 +284,7 @@ class Spots {
         along.normalize();
         Eigen::Vector3d down = plane_->normal.cross(along);
         if (down.dot(projection.down) < 0.0) down = -down;
-        const double radius = plane_->radius * plane_->fade_from * (0.95 - 0.5 * level);
+        const double radius = plane_->radius * plane_->fade_from * (0.95 - 0.25 * level);
         const Eigen::Vector3d at = plane_->centre + radius * (way.x() * along + way.y() * down);
         if (projection.depth(at) <= projection.near_depth) return std::nullopt;
         const Eigen::Vector2d px = projection.place(at);
@@ -306,53 +305,87 @@ struct PlacedName {
     double room = 0.0;  // 1: enough, 0: none
 };
 
-// The place of a name: the mean of the best directions, which moves smoothly as costs change. Where
-// two distant directions are equally good, there is no such mean: while one replaces the other, the
-// name fades out and in again.
+// The costs of the directions around a thing, each at the level that is best there.
+struct Direction {
+    double angle = 0.0;
+    double level = 0.0;
+    double cost = 1e300;
+    double next_cost = 1e300;  // of the second-best level
+};
+
+// The place of a name: the mean of the best directions, which moves smoothly as costs change. Only
+// directions without a worse one between them are in one mean. While one such set replaces another,
+// the name fades out and in again.
 std::optional<PlacedName> best_place(const Spots& spots, const NamedThing& thing,
                                      const Surroundings& around) {
-    constexpr int n_directions = 24;
-    constexpr double softness = 0.07;  // of the mean, in units of cost
-    constexpr std::array<double, 2> levels{0.0, 1.0};
+    constexpr int n = 24;
+    // In units of cost: of the mean; the difference at which one place is clearly better; how much
+    // worse a direction between two others keeps them apart; the most that a place may have.
+    constexpr double softness = 0.07, clear = 0.05, least_barrier = 0.1, barrier = 0.4, most = 2.2;
     const double preferred = thing.preferred_deg * std::numbers::pi / 180.0;
     const auto cost_at = [&](const Spot& spot, double angle, double level) {
         // The second term breaks ties between the sides of the preferred direction.
         const double taste =
             0.35 * (1.0 - std::cos(angle - preferred)) + 0.12 * std::sin(angle - preferred) + 0.12;
         const double spread = 2.0 * smooth_step(spot.spread_px / (4.0 * spot.box.half.y()) - 0.5);
-        return taste + 0.6 * level + spread + cost_of(spot.box, around, thing.keeps_off_bodies);
+        return taste + 0.45 * level + spread + cost_of(spot.box, around, thing.keeps_off_bodies);
     };
-    struct Candidate {
-        double angle, level, cost;
-    };
-    std::vector<Candidate> candidates;
-    double least = 1e300;
-    for (int k = 0; k < n_directions; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / n_directions;
-        for (const double level : levels) {
-            const auto spot = spots.at(angle, level);
+    std::array<Direction, n> directions;
+    for (int k = 0; k < n; ++k) {
+        Direction& direction = directions[static_cast<std::size_t>(k)];
+        direction.angle = 2.0 * std::numbers::pi * k / n;
+        for (const double level : {0.0, 1.0, 2.5}) {
+            const auto spot = spots.at(direction.angle, level);
             if (!spot) continue;
-            candidates.push_back({angle, level, cost_at(*spot, angle, level)});
-            least = std::min(least, candidates.back().cost);
+            const double cost = cost_at(*spot, direction.angle, level);
+            direction.next_cost = std::min(direction.next_cost, std::max(cost, direction.cost));
+            if (cost >= direction.cost) continue;
+            direction.cost = cost;
+            direction.level = level;
         }
     }
-    std::complex<double> direction = 0.0;
+    const auto at = [&directions](int k) -> const Direction& {
+        return directions[static_cast<std::size_t>(((k % n) + n) % n)];
+    };
+    int best = 0;
+    for (int k = 1; k < n; ++k)
+        if (at(k).cost < at(best).cost) best = k;
+    const double least = at(best).cost;
+    if (!(least < most)) return std::nullopt;
+
+    std::complex<double> mean = 0.0;
     double sum = 0.0, level = 0.0;
-    for (const Candidate& candidate : candidates) {
-        const double weight = std::exp((least - candidate.cost) / softness);
-        direction += weight * std::polar(1.0, candidate.angle);
-        level += weight * candidate.level;
+    // 1 where another place is as good, and a worse direction lies between.
+    double conflict = 1.0 - smooth_step((at(best).next_cost - least) / clear);
+    std::array<double, n> way_to;  // the highest cost on the better way from the best direction
+    way_to.fill(1e300);
+    way_to[static_cast<std::size_t>(best)] = least;
+    for (const int sense : {1, -1}) {
+        double highest = least;
+        for (int step = sense; std::abs(step) < n; step += sense) {
+            highest = std::max(highest, at(best + step).cost);
+            double& way = way_to[static_cast<std::size_t>((((best + step) % n) + n) % n)];
+            way = std::min(way, highest);
+        }
+    }
+    for (int k = 0; k < n; ++k) {
+        const Direction& direction = at(k);
+        const double way = way_to[static_cast<std::size_t>(k)];
+        conflict = std::max(conflict, (1.0 - smooth_step((direction.cost - least) / clear)) *
+                                          smooth_step((way - direction.cost - least_barrier) /
+                                                      (barrier - least_barrier)));
+        if (way - least > barrier) continue;
+        const double weight = std::exp((least - direction.cost) / softness);
+        mean += weight * std::polar(1.0, direction.angle);
+        level += weight * direction.level;
         sum += weight;
     }
-    if (!(sum > 0.0)) return std::nullopt;
-    const double angle = std::arg(direction);
+    const double angle = std::arg(mean);
     level /= sum;
     const auto spot = spots.at(angle, level);
     if (!spot) return std::nullopt;
-    constexpr double most_cost = 2.2;
-    const double agreement = std::abs(direction) / sum;
-    const double room = smooth_step((agreement - 0.6) / 0.25) *
-                        smooth_step((most_cost - cost_at(*spot, angle, level)) / 0.5);
+    const double room =
+        (1.0 - conflict) * smooth_step((most - cost_at(*spot, angle, level)) / 0.25);
     return PlacedName{*spot, level, room};
 }
 
@@ -411,16 +444,16 @@ std::vector<std::string_view> place_thing_names(const Panel& panel,
         label.name = {name.thing->name, 0, ""};
         view.labels.push_back(label);
         if (!spots.has_leader()) continue;
-        const Box box{label.top_left_px + placed->spot.box.half, placed->spot.box.half};
+        const NameBox box{label.top_left_px + placed->spot.box.half, placed->spot.box.half};
         const Leader leader{.at = placed->spot.at,
                             .from_px = placed->spot.anchor_px,
-                            .to = box_of(label),
+                            .to = label_box(label),
                             .colour = name.colour,
                             .width_px = 1.6 * panel.px,
                             .name = {name.thing->name, 0, "leader"}};
         const double away_px = box.distance(leader.from_px);
         add_leader(leader,
-                   label.opacity * smooth_step((away_px - 12.0 * panel.px) / (14.0 * panel.px)),
+                   label.opacity * smooth_step((away_px - 20.0 * panel.px) / (14.0 * panel.px)),
                    panel.unit_segment, view);
     }
     return left_out;

@@ -165,6 +165,7 @@ void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressS
     const Scene& scene = session_.scene;
     tell_notes(session_, progress);
     tell_stage_notes(staging_.stage, progress);
+    tell_unnamed(staging_.stage, {&moment_, 1}, progress);
     OutputPlace place(request_.output, scene, ".png");
     if (is_vector_name(request_.output)) {
         draw_vectors(std::move(place), renderer, progress);

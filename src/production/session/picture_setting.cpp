@@ -1,6 +1,10 @@
 #include "production/session/picture_setting.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <set>
+#include <string_view>
 
 #include "drawing/stage/picture_quality.h"
 #include "drawing/stage/stage_store.h"
@@ -48,6 +52,23 @@ void tell_stage_notes(const Stage& stage, const ProgressSink& progress) {
         fmt::format("note: no installed font has {}: drawn as boxes; install a font that has them, "
                     "as fonts-noto or fonts-dejavu",
                     listed(missing)));
+}
+
+void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments,
+                  const ProgressSink& progress) {
+    std::set<std::string_view> unnamed, named;
+    for (const FilmTime& moment : moments) {
+        const Drawing drawing = stage.at(moment);
+        unnamed.insert(drawing.unnamed.begin(), drawing.unnamed.end());
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels) named.insert(label.name.element);
+    }
+    std::erase_if(unnamed, [&named](std::string_view name) { return named.contains(name); });
+    if (unnamed.empty()) return;
+    progress.say(
+        fmt::format("note: no room for the name of {}: make the picture larger or the camera "
+                    "nearer, or say in `names` which names to show",
+                    fmt::join(unnamed, ", ")));
 }
 
 PictureBound bound_of(const Session& session, const Stage& stage, int samples) {

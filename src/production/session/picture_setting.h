@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -44,6 +45,10 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
 // Reports substitutions: curves drawn as a ring, and characters drawn as boxes because no font has
 // them.
 void tell_stage_notes(const Stage& stage, const ProgressSink& progress);
+
+// Reports names that have no room at any of these instants.
+void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments,
+                  const ProgressSink& progress);
 
 // Upper bounds of position errors in the picture, in pixels of the final picture.
 struct PictureBound {

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "numerics/smooth_step.h"
 #include "shapes/identity.h"
 #include "shapes/projection.h"
 
@@ -21,11 +22,6 @@ double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
     return std::clamp(1.0 - outside_px / reach_px, 0.0, 1.0);
 }
 
-double smooth_step(double u) {
-    const double v = std::clamp(u, 0.0, 1.0);
-    return v * v * (3.0 - 2.0 * v);
-}
-
 struct PlacedBox {
     Eigen::Vector2d centre;
     Eigen::Vector2d half;
@@ -40,11 +36,27 @@ void push_off(const PlacedBox& fixed, double opacity, PlacedBox& box) {
     box.centre += opacity * (1.0 - nearness) * between / std::max(nearness, 1e-3);
 }
 
+// Moves a box off an arrow's head. The way is a smooth function of where the head is: a head that
+// passes right under the box leaves it in its place.
+void push_off_head(const PlacedBox& head, double opacity, PlacedBox& box) {
+    const Eigen::Vector2d sum = 1.2 * (head.half + box.half);
+    const Eigen::Vector2d between = box.centre - head.centre;
+    const double nearness = between.cwiseQuotient(sum).norm();
+    if (!(nearness < 1.0)) return;
+    box.centre += opacity * (1.0 - nearness) * between / std::max(nearness, 0.3);
+}
+
+// How far apart boxes are, or a negative depth if they overlap.
+double distance(const PlacedBox& a, const PlacedBox& b) {
+    return ((a.centre - b.centre).cwiseAbs() - a.half - b.half).maxCoeff();
+}
+
 // An arrow's projection to the picture.
 struct Shaft {
     Eigen::Vector3d tip, direction;  // a unit vector
     Eigen::Vector2d from, along;     // px; `along` is a unit vector
     double length_px = 0.0, half_px = 0.0, opacity = 1.0;
+    PlacedBox head;
 };
 
 std::vector<Shaft> shafts_of(const View& view) {
@@ -56,8 +68,17 @@ std::vector<Shaft> shafts_of(const View& view) {
         const double length = way.norm();
         if (!(length > 0.0)) continue;
         const Eigen::Vector3d direction = (arrow.tip - arrow.tail).stableNormalized();
-        shafts.push_back({arrow.tip, direction, from, way / length, length, 0.5 * arrow.shaft_px,
-                          std::clamp(arrow.opacity, 0.0, 1.0)});
+        const double head_px = std::min(arrow.head_length_px, length);
+        const double radius = 0.5 * std::max(arrow.head_px, head_px);
+        shafts.push_back(
+            {arrow.tip,
+             direction,
+             from,
+             way / length,
+             length,
+             0.5 * arrow.shaft_px,
+             std::clamp(arrow.opacity, 0.0, 1.0),
+             {from + (1.0 - 0.5 * head_px / length) * way, Eigen::Vector2d::Constant(radius)}});
     }
     return shafts;
 }
@@ -179,7 +200,7 @@ TextBlock TextCache::set_live(std::string_view text, const TypeStyle& style, Vie
     return set_among(view.live_masks, text, style);
 }
 
-LabelBox box_of(const Label& label) {
+LabelBox label_box(const Label& label) {
     const Eigen::Vector2d half =
         0.5 * Eigen::Vector2d(label.mask->width_px(), label.mask->height_px());
     return {label.top_left_px + half, half, label.opacity};
@@ -213,7 +234,7 @@ namespace {
 // The leader of a vector's label: where its distance exceeds the requested one.
 void add_leader_of(const LabelRequest& request, const Label& label, double before_px,
                    const LabelRules& rules, View& view) {
-    const LabelBox box = box_of(label);
+    const LabelBox box = label_box(label);
     const Eigen::Vector2d nearest = request.anchor_px.cwiseMax(box.centre_px - box.half_px)
                                         .cwiseMin(box.centre_px + box.half_px);
     const double distance = (nearest - request.anchor_px).norm();
@@ -230,14 +251,16 @@ void add_leader_of(const LabelRequest& request, const Label& label, double befor
 
 }  // namespace
 
-void place_labels(const std::vector<LabelRequest>& requests, const LabelRules& rules, View& view) {
+std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
+                                    const LabelRules& rules, View& view) {
+    std::vector<ShapeName> left_out;
     const std::vector<Shaft> shafts = shafts_of(view);
     // What labels are moved off: text that is placed already.
     std::vector<std::pair<PlacedBox, double>> fixed;
     for (const LabelBox& box : rules.overlays)
         fixed.push_back({{box.centre_px, box.half_px}, box.opacity});
     for (const Label& label : view.labels) {
-        const LabelBox box = box_of(label);
+        const LabelBox box = label_box(label);
         fixed.push_back({{box.centre_px, box.half_px}, box.opacity});
     }
     std::vector<PlacedBox> boxes;
@@ -259,6 +282,10 @@ void place_labels(const std::vector<LabelRequest>& requests, const LabelRules& r
         boxes.push_back({request.anchor_px + away * (nearness * (request.gap_px + reach)), half});
         gaps.push_back(nearness * request.gap_px);
         if (request.side != 0) keep_off(shafts, request, boxes.back());
+        constexpr int n_passes = 3;
+        for (int pass = 0; pass < n_passes; ++pass)
+            for (const Shaft& shaft : shafts)
+                push_off_head(shaft.head, shaft.opacity, boxes.back());
     }
 
     // Overlapping pairs are moved apart along the line between their centres; boxes are treated as
@@ -302,11 +329,26 @@ void place_labels(const std::vector<LabelRequest>& requests, const LabelRules& r
         label.name = requests[i].name;
         label.at = requests[i].at;
         label.opacity = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
+        // What cannot be moved apart: the later label fades out.
+        const PlacedBox placed{corner + boxes[i].half, boxes[i].half};
+        const double asked = label.opacity;
+        for (const Shaft& shaft : shafts) {
+            const PlacedBox core{shaft.head.centre, 0.3 * shaft.head.half};
+            label.opacity *=
+                1.0 -
+                shaft.opacity * (1.0 - smooth_step(distance(placed, core) / shaft.head.half.y()));
+        }
+        for (const auto& [other, opacity] : fixed)
+            label.opacity *=
+                1.0 - opacity * smooth_step(-distance(placed, other) / (0.5 * boxes[i].half.y()));
+        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back(requests[i].name);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
+        fixed.emplace_back(placed, label.opacity);
         if (rules.segment != nullptr && requests[i].at)
             add_leader_of(requests[i], label, gaps[i], rules, view);
     }
+    return left_out;
 }
 
 }  // namespace poinsot

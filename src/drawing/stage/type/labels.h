@@ -110,7 +110,7 @@ struct LabelBox {
     Eigen::Vector2d centre_px, half_px;
     double opacity = 1.0;
 };
-LabelBox box_of(const Label& label);
+LabelBox label_box(const Label& label);
 
 // A line from a point to the label that names it.
 struct Leader {
@@ -135,6 +135,9 @@ struct LabelRules {
     const CurveGeometry* segment = nullptr;
     std::vector<LabelBox> overlays{};
 };
-void place_labels(const std::vector<LabelRequest>& requests, const LabelRules& rules, View& view);
+// Returns the names of labels that fade out, because there is no room for them beside arrowheads
+// and other labels.
+std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
+                                    const LabelRules& rules, View& view);
 
 }  // namespace poinsot

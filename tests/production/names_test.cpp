@@ -1,0 +1,142 @@
+// Labels over the whole page: where they stand, and which are left out.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+#include "drawing/stage/stage.h"
+#include "drawing/stage/type/labels.h"
+#include "error/error.h"
+#include "places.h"
+#include "production/session/film_plan.h"
+#include "production/session/picture_setting.h"
+#include "production/session/session.h"
+#include "scene/files/load_scene.h"
+#include "shapes/projection.h"
+#include "typeset/files/installed_fonts.h"
+
+namespace poinsot::names_tests {
+namespace {
+
+using Box = Eigen::AlignedBox2d;
+
+struct Size {
+    int width_px, height_px;
+    std::optional<double> width_mm;
+};
+constexpr std::array<Size, 3> sizes{{{1920, 1080, {}}, {640, 360, {}}, {1920, 1080, 85.0}}};
+
+std::vector<std::filesystem::path> scene_files() {
+    std::vector<std::filesystem::path> files;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
+        if (entry.path().extension() == ".toml") files.push_back(entry.path());
+    std::sort(files.begin(), files.end());
+    return files;
+}
+
+Box box_of_label(const Label& label) {
+    return {label.top_left_px,
+            label.top_left_px + Eigen::Vector2d(label.mask->width_px(), label.mask->height_px())};
+}
+
+// What is wrong with the labels of a drawing, one line each.
+struct Faults {
+    std::vector<std::string> lines;
+    int n_labels = 0, n_unnamed = 0;
+};
+
+std::string name_of(const Label& label) {
+    return std::string(label.name.element) + std::to_string(label.name.number);
+}
+
+void look_at(const Drawing& drawing, double px_per_pt, const std::string& where, Faults& faults) {
+    std::vector<const Label*> labels;
+    for (const View& view : drawing.views)
+        for (const Label& label : view.labels)
+            if (label.opacity >= 0.5 && !label.mask->letters.empty()) labels.push_back(&label);
+    faults.n_labels += static_cast<int>(labels.size());
+    faults.n_unnamed += static_cast<int>(drawing.unnamed.size());
+    const auto fault = [&](const std::string& what) { faults.lines.push_back(where + what); };
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const Box box = box_of_label(*labels[i]);
+        for (std::size_t j = i + 1; j < labels.size(); ++j) {
+            const Box both = box.intersection(box_of_label(*labels[j]));
+            if (!both.isEmpty() &&
+                both.volume() > 0.02 * std::min(box.volume(), box_of_label(*labels[j]).volume()))
+                fault(name_of(*labels[i]) + " on " + name_of(*labels[j]));
+        }
+        const double edge =
+            std::min({box.min().x(), box.min().y(), drawing.width_px - box.max().x(),
+                      drawing.height_px - box.max().y()});
+        if (edge < 3.0 * px_per_pt - 0.5)
+            fault(name_of(*labels[i]) + " near the edge: " + std::to_string(edge / px_per_pt));
+    }
+    for (const View& view : drawing.views) {
+        const Projection projection(view);
+        for (const Arrow& arrow : view.arrows) {
+            if (arrow.opacity < 0.5 || projection.depth(arrow.tip) <= projection.near_depth)
+                continue;
+            const Eigen::Vector2d tip = projection.place(arrow.tip);
+            const Eigen::Vector2d tail = projection.place(arrow.tail);
+            const double length = (tip - tail).norm();
+            const Eigen::Vector2d middle =
+                tip - std::min(0.5 * length, 0.5 * arrow.head_length_px) * (tip - tail) /
+                          std::max(length, 1e-9);
+            for (const Label* label : labels)
+                if (box_of_label(*label).exteriorDistance(middle) < 0.15 * arrow.head_px)
+                    fault(name_of(*label) + " on the head of " + std::string(arrow.name.element) +
+                          std::to_string(arrow.name.number));
+        }
+    }
+}
+
+TEST(Names, StandClearOfEachOtherOfArrowheadsAndOfTheEdges) {
+    const FontSource fonts = installed_fonts();
+    Faults faults;
+    std::size_t turn = 0;
+    for (const auto& file : scene_files()) {
+        for (const Size& size : sizes) {
+            const Theme& theme = themes()[turn++ % themes().size()];
+            Scene scene = load_scene(file, {});
+            scene.theme = theme.name;
+            SessionRequest request;
+            request.fonts = fonts;
+            if (size.width_mm) request.print.width_mm = size.width_mm;
+            scene.film.width_px = size.width_px;
+            scene.film.height_px = size.height_px;
+            const Session session = session_of(scene, request);
+            const FilmPlan film = film_plan(session);
+            const PictureSetting setting = setting_of(session.scene, request.print);
+            const Stage stage =
+                stage_of(session, {.first_time_s = film.start_s, .last_time_s = film.last_time_s()},
+                         setting);
+            const double px_per_pt =
+                setting.px_per_pt > 0.0 ? setting.px_per_pt : session.scene.film.height_px / 540.0;
+            for (int k = 0; k < 12; ++k) {
+                const FilmTime moment = film.moment_of((film.n_frames - 1) * k / 11);
+                const std::string where = file.stem().string() + " " + std::string(theme.name) +
+                                          " " + std::to_string(session.scene.film.width_px) + " " +
+                                          std::to_string(moment.time_s) + ": ";
+                try {
+                    look_at(stage.at(moment), px_per_pt * setting.samples, where, faults);
+                } catch (const InputError& refused) {
+                    faults.lines.push_back(where + refused.what());
+                }
+            }
+        }
+    }
+    RecordProperty("labels", faults.n_labels);
+    RecordProperty("left out", faults.n_unnamed);
+    std::string all;
+    for (const std::string& line : faults.lines) all += line + "\n";
+    EXPECT_TRUE(faults.lines.empty()) << faults.lines.size() << " of " << faults.n_labels
+                                      << " labels, left out " << faults.n_unnamed << "\n"
+                                      << all;
+}
+
+}  // namespace
+}  // namespace poinsot::names_tests
