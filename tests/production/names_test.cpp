@@ -47,6 +47,7 @@ Box box_of_label(const Label& label) {
 struct Faults {
     std::vector<std::string> lines;
     int n_labels = 0, n_unnamed = 0;
+    std::map<std::string, int> left_out;  // by scene and name
 };
 
 std::string name_of(const Label& label) {
@@ -60,6 +61,8 @@ void look_at(const Drawing& drawing, double px_per_pt, const std::string& where,
             if (label.opacity >= 0.5 && !label.mask->letters.empty()) labels.push_back(&label);
     faults.n_labels += static_cast<int>(labels.size());
     faults.n_unnamed += static_cast<int>(drawing.unnamed.size());
+    for (const std::string_view name : drawing.unnamed)
+        ++faults.left_out[where.substr(0, where.find(' ')) + " " + std::string(name)];
     const auto fault = [&](const std::string& what) { faults.lines.push_back(where + what); };
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Box box = box_of_label(*labels[i]);
@@ -132,6 +135,8 @@ TEST(Names, StandClearOfEachOtherOfArrowheadsAndOfTheEdges) {
     RecordProperty("labels", faults.n_labels);
     RecordProperty("left out", faults.n_unnamed);
     std::string all;
+    if (std::getenv("DBG"))
+        for (const auto& [name, n] : faults.left_out) fprintf(stderr, "LEFT %d %s\n", n, name.c_str());
     for (const std::string& line : faults.lines) all += line + "\n";
     EXPECT_TRUE(faults.lines.empty()) << faults.lines.size() << " of " << faults.n_labels
                                       << " labels, left out " << faults.n_unnamed << "\n"

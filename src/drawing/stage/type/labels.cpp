@@ -101,11 +101,15 @@ void keep_off(const std::vector<Shaft>& shafts, const LabelRequest& request, Pla
         const Eigen::Vector2d normal =
             request.side * Eigen::Vector2d(-shaft.along.y(), shaft.along.x());
         const Eigen::Vector2d from = box.centre - shaft.from;
-        const double reach =
-            clear * box.half.dot(normal.cwiseAbs()) + shaft.half_px + 0.3 * request.gap_px;
-        const double aside = from.dot(normal);
         const double reach_along = box.half.dot(shaft.along.cwiseAbs());
         const double past = from.dot(shaft.along);
+        // An arrow is wider at its head.
+        const double at_head = smooth_step((past - shaft.length_px) / reach_along + 1.0 +
+                                           shaft.head.half.x() / reach_along);
+        const double half_px = shaft.half_px + at_head * (shaft.head.half.x() - shaft.half_px);
+        const double reach =
+            clear * box.half.dot(normal.cwiseAbs()) + half_px + 0.3 * request.gap_px;
+        const double aside = from.dot(normal);
         const double beside = std::min(past, shaft.length_px - past) + reach_along;
         const double move =
             std::min(reach * smooth_step(1.0 + 0.5 * aside / reach), std::max(reach - aside, 0.0));
@@ -334,9 +338,8 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
         const double asked = label.opacity;
         for (const Shaft& shaft : shafts) {
             const PlacedBox core{shaft.head.centre, 0.3 * shaft.head.half};
-            label.opacity *=
-                1.0 -
-                shaft.opacity * (1.0 - smooth_step(distance(placed, core) / shaft.head.half.y()));
+            const double clearance = distance(placed, core) / (0.3 * shaft.head.half.y());
+            label.opacity *= 1.0 - shaft.opacity * (1.0 - smooth_step(clearance));
         }
         for (const auto& [other, opacity] : fixed)
             label.opacity *=
