@@ -325,8 +325,9 @@ std::optional<PlacedName> best_place(const Spots& spots, const NamedThing& thing
     const double preferred = thing.preferred_deg * std::numbers::pi / 180.0;
     const auto cost_at = [&](const Spot& spot, double angle, double level) {
         // The second term breaks ties between the sides of the preferred direction.
-        const double taste =
-            0.35 * (1.0 - std::cos(angle - preferred)) + 0.12 * std::sin(angle - preferred) + 0.12;
+        const double from_preferred = std::remainder(angle - preferred, 2.0 * std::numbers::pi);
+        const double taste = 0.35 * (1.0 - std::cos(from_preferred)) +
+                             0.25 * (0.5 + 0.5 * from_preferred / std::numbers::pi);
         const double spread = 2.0 * smooth_step(spot.spread_px / (4.0 * spot.box.half.y()) - 0.5);
         return taste + 0.45 * level + spread + cost_of(spot.box, around, thing.keeps_off_bodies);
     };
