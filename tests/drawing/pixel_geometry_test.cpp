@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -138,33 +139,39 @@ TEST_P(LectureFilm, LabelsFollowTheirArrowsAndDoNotOverlap) {
     const double step_s = film.scene.film.speed / fps;
     const int n_frames =
         std::min(600, static_cast<int>((film.last_time_s - film.scene.film.start_s) / step_s));
-    // Positions of labels relative to their arrows' tips; labels and arrows are in the same order.
-    std::vector<Eigen::Vector2d> before;
+    // Positions of labels relative to their arrows' tips, by the names of the arrows.
+    using Name = std::pair<std::string_view, int>;
+    std::map<Name, Eigen::Vector2d> before;
     double largest_step_px = 0.0;
     double largest_share = 0.0;
+    int n_labels = 0;
     for (int k = 0; k < n_frames; ++k) {
         const Drawing drawing = staged.stage.at(film.scene.film.start_s + k * step_s);
         const View& view = drawing.views.at(0);
-        // A panel's heading precedes the names of its arrows, the names of a scale follow them.
-        const auto& show = film.scene.show;
-        const bool has_scale = std::find(show.begin(), show.end(), "levels") != show.end();
-        const std::size_t n_others =
-            view.labels.size() - view.arrows.size() - (has_scale ? 4u : 0u);
-        std::vector<Eigen::Vector2d> now;
-        for (std::size_t i = 0; i < view.arrows.size(); ++i) {
-            const Eigen::AlignedBox2d box = box_of(view.labels.at(n_others + i));
-            now.emplace_back(box.center() - project(view, view.arrows[i].tip).px);
-            if (k > 0) largest_step_px = std::max(largest_step_px, (now[i] - before[i]).norm());
-            for (std::size_t j = 0; j < i; ++j) {
-                const Eigen::AlignedBox2d other = box_of(view.labels.at(n_others + j));
+        std::map<Name, Eigen::Vector2d> now;
+        std::vector<Eigen::AlignedBox2d> boxes;
+        for (const Label& label : view.labels) {
+            if (label.opacity < 0.5 || label.mask->letters.empty()) continue;
+            const Eigen::AlignedBox2d box = box_of(label);
+            for (const Eigen::AlignedBox2d& other : boxes) {
                 const Eigen::AlignedBox2d both = box.intersection(other);
                 if (both.isEmpty()) continue;
                 largest_share =
                     std::max(largest_share, both.volume() / std::min(box.volume(), other.volume()));
             }
+            boxes.push_back(box);
+            const Name name{label.name.element, label.name.number};
+            for (const Arrow& arrow : view.arrows) {
+                if (Name{arrow.name.element, arrow.name.number} != name) continue;
+                ++n_labels;
+                now[name] = box.center() - project(view, arrow.tip).px;
+                if (const auto was = before.find(name); was != before.end())
+                    largest_step_px = std::max(largest_step_px, (now[name] - was->second).norm());
+            }
         }
         before = now;
     }
+    EXPECT_GT(n_labels, 3 * n_frames);
     RecordProperty("largest_step_px", std::to_string(largest_step_px));
     RecordProperty("largest_share", std::to_string(largest_share));
     // Measured: 24 px in the racket's turn and 23 px on the separatrix, shown at twice its speed,

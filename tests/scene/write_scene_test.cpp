@@ -195,6 +195,27 @@ TEST(RoundTrip, KeysWithoutATableAreWrittenFirst) {
     EXPECT_EQ(again.symbols.omega, "w");
 }
 
+TEST(RoundTrip, NamesAndMovedLabelsAreReadBack) {
+    const Scene scene = scene_of(
+        "names = [\"polhode\", \"body-cone\"]\n[symbols]\npolhode = \"p\"\n"
+        "body-cone = \"$K$\"\n[labels]\nomega.offset_pt = [1.5, -2.0]\n"
+        "invariable-plane.offset_pt = [0.0, 1e-3]\n" +
+        a_scene);
+    const Scene again = scene_of(to_toml(scene));
+    EXPECT_EQ(to_toml(again), to_toml(scene));
+    ASSERT_TRUE(again.names);
+    EXPECT_EQ(*again.names, (std::vector<std::string>{"polhode", "body-cone"}));
+    EXPECT_EQ(again.symbols.things.at("body-cone"), "$K$");
+    EXPECT_EQ(again.label_offsets_pt.at("omega"), Eigen::Vector2d(1.5, -2.0));
+    EXPECT_EQ(again.label_offsets_pt.at("invariable-plane"), Eigen::Vector2d(0.0, 1e-3));
+    EXPECT_EQ(again.label_offsets_pt.size(), 2u);
+    // true is the default, and false is no name at all.
+    EXPECT_FALSE(scene_of("names = true\n" + a_scene).names);
+    const Scene none = scene_of(to_toml(scene_of("names = false\n" + a_scene)));
+    ASSERT_TRUE(none.names);
+    EXPECT_TRUE(none.names->empty());
+}
+
 // A view's aim is not written together with a target, which contradicts it.
 TEST(RoundTrip, TargetsWithAViewAreReadBack) {
     for (const CameraView& view : camera_views()) {

@@ -18,6 +18,62 @@
 
 namespace poinsot {
 
+namespace {
+
+// A panel's view before anything is drawn.
+ViewBuilder begun(const Panel& panel, const FilmTime& moment) {
+    ViewBuilder builder;
+    View& view = builder.view;
+    view.x_px = panel.box.x_px;
+    view.y_px = panel.box.y_px;
+    view.width_px = panel.box.width_px;
+    view.height_px = panel.box.height_px;
+    view.name = panel.spec.kind;
+    view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
+    view.light = panel.light;
+    return builder;
+}
+
+// A panel's view at an instant, and the labels that it wants.
+ViewBuilder drawn(const Panel& panel, const FilmTime& moment, const FrameInput& instant) {
+    ViewBuilder builder = begun(panel, moment);
+    View& view = builder.view;
+    panel.draw(instant, builder);
+    const auto n_dots = static_cast<std::ptrdiff_t>(view.dots.size());
+    mark_arrows_at_viewer(panel, view);
+    // A label keeps its distance from the ring that replaces its arrow.
+    for (auto ring = view.dots.begin() + n_dots; ring != view.dots.end(); ++ring)
+        for (LabelRequest& request : builder.requests)
+            if (request.at && (*request.at - ring->at).isZero(0.0))
+                request.gap_px += 2.0 * ring->opacity * ring->radius_px;
+    for (LabelRequest& request : builder.requests)
+        request.offset_px = offset_of_label(*panel.stage, name_of_label(request.name));
+    return builder;
+}
+
+// Title, caption and clock.
+View drawn_over(const StageContext& context, const std::vector<Drawer>& overlays,
+                const FrameInput& instant) {
+    ViewBuilder over;
+    over.view.width_px = context.options.width_px;
+    over.view.height_px = context.options.height_px;
+    over.view.background.alpha = 0.0;
+    for (const Drawer& draw : overlays) draw(instant, over);
+    return std::move(over.view);
+}
+
+LabelRules label_rules(const StageContext& context, const StageStore& store, const View& over) {
+    LabelRules rules;
+    rules.halo = context.theme.halo;
+    rules.margin_px = 3.0 * px_per_pt(context);
+    rules.segment = store.unit_segment();
+    for (const Label& label : over.labels)
+        if (!label.mask->letters.empty()) rules.overlays.push_back(label_box(label));
+    return rules;
+}
+
+}  // namespace
+
 struct Stage::Contents {
     StageContext context;
     StageStore store{context};
@@ -42,6 +98,36 @@ struct Stage::Contents {
         for (const Panel& panel : panels) names.push_back(set_thing_names(panel, store));
         overlays = make_overlays(context, store, panels);
         check_targets(context, store, panels);
+        const StageOptions& of = context.options;
+        const bool is_still = of.first_shown_s && *of.first_shown_s == of.last_time_s;
+        if (!is_still) choose_sides_of_names();
+    }
+
+    // From instants all over the film, whichever part of it is made.
+    void choose_sides_of_names() {
+        constexpr int n_instants = 8;
+        const FilmClock clock(context.scene);
+        std::vector<std::vector<View>> views(panels.size());
+        std::vector<std::vector<PlacedLabels>> instants(panels.size());
+        for (std::vector<View>& each : views) each.reserve(n_instants);
+        for (int k = 0; k < n_instants; ++k) {
+            const double share = (k + 0.5) / n_instants;
+            const FilmTime moment = moment_of_time(
+                clock, context.film_first_s + share * (context.film_last_s - context.film_first_s));
+            const FrameInput instant = context.instant_at(moment, needs, shows_comparison);
+            const View over = drawn_over(context, overlays, instant);
+            LabelRules rules = label_rules(context, store, over);
+            for (std::size_t i = 0; i < panels.size(); ++i) {
+                if (names[i].empty()) continue;
+                ViewBuilder builder = drawn(panels[i], moment, instant);
+                rules.halo_px = 4.0 * panels[i].px;
+                place_labels(builder.requests, rules, builder.view);
+                views[i].push_back(std::move(builder.view));
+                instants[i].push_back({&views[i].back(), rules.overlays});
+            }
+        }
+        for (std::size_t i = 0; i < panels.size(); ++i)
+            choose_sides(panels[i], std::move(instants[i]), names[i]);
     }
 };
 
@@ -70,20 +156,6 @@ Drawing Stage::at(double time_s) const {
 
 namespace {
 
-// A panel's view before anything is drawn.
-ViewBuilder begun(const Panel& panel, const FilmTime& moment) {
-    ViewBuilder builder;
-    View& view = builder.view;
-    view.x_px = panel.box.x_px;
-    view.y_px = panel.box.y_px;
-    view.width_px = panel.box.width_px;
-    view.height_px = panel.box.height_px;
-    view.name = panel.spec.kind;
-    view.camera = panel.camera_at ? panel.camera_at(moment.film_s) : panel.camera;
-    view.light = panel.light;
-    return builder;
-}
-
 LineRules line_rules(const StageContext& stage, const StageStore& store) {
     const auto said = [](std::string_view by_scene, std::string_view by_theme) {
         return by_scene.empty() ? by_theme : by_scene;
@@ -108,40 +180,21 @@ Drawing Stage::at(const FilmTime& moment) const {
     drawing.height_px = context.options.height_px;
     drawing.background = ground;
     // Title, caption and clock are in a view of their own over all panels.
-    ViewBuilder over;
-    over.view.width_px = drawing.width_px;
-    over.view.height_px = drawing.height_px;
-    over.view.background.alpha = 0.0;
-    for (const Drawer& draw : contents_->overlays) draw(instant, over);
-    LabelRules rules;
-    rules.halo = context.theme.halo;
-    rules.margin_px = 3.0 * px_per_pt(context);
-    rules.segment = contents_->store.unit_segment();
-    for (const Label& label : over.view.labels)
-        if (!label.mask->letters.empty()) rules.overlays.push_back(label_box(label));
+    View over = drawn_over(context, contents_->overlays, instant);
+    LabelRules rules = label_rules(context, contents_->store, over);
 
     // Views own the text and curves made for this drawing alone; their shapes point to them, so
     // that views must not move once made.
     drawing.views.reserve(contents_->panels.size() + 1);
     for (std::size_t i = 0; i < contents_->panels.size(); ++i) {
         const Panel& panel = contents_->panels[i];
-        ViewBuilder builder = begun(panel, moment);
+        ViewBuilder builder = drawn(panel, moment, instant);
         View& view = builder.view;
         // Several panels share the picture's background.
         view.background = ground;
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
             view.background.alpha = 0.0;
         }
-        panel.draw(instant, builder);
-        const auto n_dots = static_cast<std::ptrdiff_t>(view.dots.size());
-        mark_arrows_at_viewer(panel, view);
-        // A label keeps its distance from the ring that replaces its arrow.
-        for (auto ring = view.dots.begin() + n_dots; ring != view.dots.end(); ++ring)
-            for (LabelRequest& request : builder.requests)
-                if (request.at && (*request.at - ring->at).isZero(0.0))
-                    request.gap_px += 2.0 * ring->opacity * ring->radius_px;
-        for (LabelRequest& request : builder.requests)
-            request.offset_px = offset_of_label(context, name_of_label(request.name));
         rules.halo_px = 4.0 * panel.px;
         for (const ShapeName& name : place_labels(builder.requests, rules, view))
             drawing.unnamed.push_back(name_of_label(name));
@@ -151,7 +204,7 @@ Drawing Stage::at(const FilmTime& moment) const {
         follow_line_rules(line_rules(context, contents_->store), view);
         drawing.views.push_back(std::move(view));
     }
-    if (!over.view.labels.empty()) drawing.views.push_back(std::move(over.view));
+    if (!over.labels.empty()) drawing.views.push_back(std::move(over));
     if (context.options.least.type_px > 0.0) leave_out_type(drawing);
     return drawing;
 }

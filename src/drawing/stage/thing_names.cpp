@@ -5,11 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <complex>
-#include <cstddef>
+#include <limits>
 #include <numbers>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "drawing/stage/marks.h"
 #include "drawing/stage/outlines.h"
@@ -158,7 +158,7 @@ struct Surroundings {
 };
 
 Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& overlays,
-                             double margin_px) {
+                             double margin_px, bool with_lines) {
     Surroundings around;
     around.view = &view;
     around.margin_px = margin_px;
@@ -178,7 +178,7 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
                                  std::clamp(arrow.opacity, 0.0, 1.0)});
     }
     for (const Curve& curve : view.curves) {
-        if (curve.opacity < 0.3 || curve.occlusion == Occlusion::none) continue;
+        if (!with_lines || curve.opacity < 0.3 || curve.occlusion == Occlusion::none) continue;
         const Outline outline = outline_of(view, curve, 96);
         around.lines.insert(around.lines.end(), outline.begin(), outline.end());
     }
@@ -189,7 +189,7 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
 double cost_of(const NameBox& box, const Surroundings& around, bool keeps_off_bodies) {
     const double height = 2.0 * box.half.y();
     const auto within = [height](double distance) {
-        return smooth_step((0.3 * height - distance) / (0.5 * height));
+        return smooth_step((0.6 * height - distance) / (0.8 * height));
     };
     double cost = 0.0;
     const View& view = *around.view;
@@ -198,7 +198,7 @@ double cost_of(const NameBox& box, const Surroundings& around, bool keeps_off_bo
                   box.centre.x() + box.half.x() + around.margin_px - view.x_px - view.width_px,
                   view.y_px + around.margin_px - (box.centre.y() - box.half.y()),
                   box.centre.y() + box.half.y() + around.margin_px - view.y_px - view.height_px});
-    cost += 8.0 * smooth_step(1.0 + outside / (0.5 * height));
+    cost += 8.0 * smooth_step(1.0 + outside / height);
     for (const auto& [other, opacity] : around.labels)
         cost += 8.0 * opacity * within(box.distance(other));
     for (const Surroundings::Shaft& shaft : around.shafts) {
@@ -232,7 +232,9 @@ struct Spot {
 // Where the name of a thing may stand: a direction in the picture, and a level from 0 (near) to 1.
 class Spots {
  public:
-    Spots(const View& view, const NamedThing& thing, const TextBlock& type, double px)
+    // `final`: the outline instead of that of the shapes, if it has points.
+    Spots(const View& view, const NamedThing& thing, const TextBlock& type, double px,
+          Outline final = {})
         : view_(view), half_(0.5 * Eigen::Vector2d(type.width_px(), type.height_px())), px_(px) {
         const auto is_own = [&thing](const auto& shape) {
             return shape.name.element == thing.element && shape.name.part == thing.part;
@@ -241,6 +243,11 @@ class Spots {
             outline_.insert(outline_.end(), outline.begin(), outline.end());
             opacity_ = std::max(opacity_, opacity);
         };
+        if (!final.empty()) {
+            outline_ = std::move(final);
+            opacity_ = 1.0;
+            return;
+        }
         constexpr int n_points = 512;
         for (const Curve& curve : view.curves)
             if (is_own(curve)) add(outline_of(view, curve, n_points), curve.opacity);
@@ -301,93 +308,73 @@ class Spots {
 
 struct PlacedName {
     Spot spot;
-    double level = 0.0;
     double room = 0.0;  // 1: enough, 0: none
 };
 
-// The costs of the directions around a thing, each at the level that is best there.
-struct Direction {
-    double angle = 0.0;
-    double level = 0.0;
-    double cost = 1e300;
-    double next_cost = 1e300;  // of the second-best level
-};
+// The places that are tried: directions in the picture, and distances.
+constexpr int n_directions = 24;
+constexpr std::array<double, 3> levels{0.0, 1.0, 2.5};
+constexpr double most_cost = 2.2;
 
-// The place of a name: the mean of the best directions, which moves smoothly as costs change. Only
-// directions without a worse one between them are in one mean. While one such set replaces another,
-// the name fades out and in again.
-std::optional<PlacedName> best_place(const Spots& spots, const NamedThing& thing,
-                                     const Surroundings& around) {
-    constexpr int n = 24;
-    // In units of cost: of the mean; the difference at which one place is clearly better; how much
-    // worse a direction between two others keeps them apart; the most that a place may have.
-    constexpr double softness = 0.07, clear = 0.05, least_barrier = 0.1, barrier = 0.4, most = 2.2;
-    const double preferred = thing.preferred_deg * std::numbers::pi / 180.0;
-    const auto cost_at = [&](const Spot& spot, double angle, double level) {
-        // The second term breaks ties between the sides of the preferred direction.
-        const double from_preferred = std::remainder(angle - preferred, 2.0 * std::numbers::pi);
-        const double taste = 0.35 * (1.0 - std::cos(from_preferred)) +
-                             0.25 * (0.5 + 0.5 * from_preferred / std::numbers::pi);
-        const double spread = 2.0 * smooth_step(spot.spread_px / (4.0 * spot.box.half.y()) - 0.5);
-        return taste + 0.45 * level + spread + cost_of(spot.box, around, thing.keeps_off_bodies);
-    };
-    std::array<Direction, n> directions;
-    for (int k = 0; k < n; ++k) {
-        Direction& direction = directions[static_cast<std::size_t>(k)];
-        direction.angle = 2.0 * std::numbers::pi * k / n;
-        for (const double level : {0.0, 1.0, 2.5}) {
-            const auto spot = spots.at(direction.angle, level);
-            if (!spot) continue;
-            const double cost = cost_at(*spot, direction.angle, level);
-            direction.next_cost = std::min(direction.next_cost, std::max(cost, direction.cost));
-            if (cost >= direction.cost) continue;
-            direction.cost = cost;
-            direction.level = level;
-        }
-    }
-    const auto at = [&directions](int k) -> const Direction& {
-        return directions[static_cast<std::size_t>(((k % n) + n) % n)];
-    };
-    int best = 0;
-    for (int k = 1; k < n; ++k)
-        if (at(k).cost < at(best).cost) best = k;
-    const double least = at(best).cost;
-    if (!(least < most)) return std::nullopt;
+double angle_of(int direction) { return 2.0 * std::numbers::pi * direction / n_directions; }
 
-    std::complex<double> mean = 0.0;
-    double sum = 0.0, level = 0.0;
-    // 1 where another place is as good, and a worse direction lies between.
-    double conflict = 1.0 - smooth_step((at(best).next_cost - least) / clear);
-    std::array<double, n> way_to;  // the highest cost on the better way from the best direction
-    way_to.fill(1e300);
-    way_to[static_cast<std::size_t>(best)] = least;
-    for (const int sense : {1, -1}) {
-        double highest = least;
-        for (int step = sense; std::abs(step) < n; step += sense) {
-            highest = std::max(highest, at(best + step).cost);
-            double& way = way_to[static_cast<std::size_t>((((best + step) % n) + n) % n)];
-            way = std::min(way, highest);
+// The cost of a place by itself: directions near the preferred one, and near places, are better.
+double taste(const NamedThing& thing, double angle, double level) {
+    const double from_preferred = std::remainder(
+        angle - thing.preferred_deg * std::numbers::pi / 180.0, 2.0 * std::numbers::pi);
+    // The second term breaks ties between the sides.
+    return 0.35 * (1.0 - std::cos(from_preferred)) +
+           0.25 * (0.5 + 0.5 * from_preferred / std::numbers::pi) + 0.45 * level;
+}
+
+double cost_at(const Spot& spot, const NamedThing& thing, const NameSide& side,
+               const Surroundings& around) {
+    const double spread = 2.0 * smooth_step(spot.spread_px / (4.0 * spot.box.half.y()) - 0.5);
+    return taste(thing, side.angle_rad, side.level) + spread +
+           cost_of(spot.box, around, thing.keeps_off_bodies);
+}
+
+// The side with the least sum of costs; `cost` of a side: infinite if it has no place.
+template <typename Cost>
+NameSide best_side(const Cost& cost) {
+    NameSide best;
+    double least = std::numeric_limits<double>::infinity();
+    for (int k = 0; k < n_directions; ++k)
+        for (const double level : levels) {
+            const NameSide side{angle_of(k), level};
+            const double found = cost(side);
+            if (!(found < least)) continue;
+            least = found;
+            best = side;
         }
-    }
-    for (int k = 0; k < n; ++k) {
-        const Direction& direction = at(k);
-        const double way = way_to[static_cast<std::size_t>(k)];
-        conflict = std::max(conflict, (1.0 - smooth_step((direction.cost - least) / clear)) *
-                                          smooth_step((way - direction.cost - least_barrier) /
-                                                      (barrier - least_barrier)));
-        if (way - least > barrier) continue;
-        const double weight = std::exp((least - direction.cost) / softness);
-        mean += weight * std::polar(1.0, direction.angle);
-        level += weight * direction.level;
-        sum += weight;
-    }
-    const double angle = std::arg(mean);
-    level /= sum;
-    const auto spot = spots.at(angle, level);
+    return best;
+}
+
+std::optional<PlacedName> placed_at(const Spots& spots, const NamedThing& thing,
+                                    const NameSide& side, const Surroundings& around) {
+    const auto spot = spots.at(side.angle_rad, side.level);
     if (!spot) return std::nullopt;
-    const double room =
-        (1.0 - conflict) * smooth_step((most - cost_at(*spot, angle, level)) / 0.25);
-    return PlacedName{*spot, level, room};
+    const double cost =
+        cost_at(*spot, thing, side, around) - taste(thing, side.angle_rad, side.level);
+    return PlacedName{*spot, smooth_step((most_cost - cost) / 0.5 + 0.5)};
+}
+
+// The outline of a curve that grows in time, as it may be in the end: what a film's side is chosen
+// for does not depend on how much of the curve is drawn.
+Outline final_outline(const View& view, const NamedThing& thing, const Panel& panel) {
+    if (thing.name == "polhode" && !view.ellipsoids.empty())
+        return outline_of(view, view.ellipsoids.front(), 96);
+    if (thing.name != "herpolhode" || view.planes.empty()) return {};
+    const Plane& plane = view.planes.front();
+    Cone ring;  // whose rim is the circle around the herpolhode
+    ring.apex = plane.centre - plane.normal;
+    ring.axis = plane.normal;
+    ring.half_angle_rad = std::atan(panel.stage->rolling->herpolhode_radius);
+    return outline_of(view, ring, 96);
+}
+
+double margin_of(const Panel& panel) {
+    return std::max(3.0 * px_per_pt(*panel.stage), 6.0 * panel.px);
 }
 
 }  // namespace
@@ -428,9 +415,13 @@ std::vector<std::string_view> place_thing_names(const Panel& panel,
         if (name.type.mask->width == 0) continue;
         const Spots spots(view, *name.thing, name.type, panel.px);
         if (!(spots.opacity() > 0.0)) continue;
-        const double margin_px = std::max(3.0 * px_per_pt(*panel.stage), 6.0 * panel.px);
-        const Surroundings around = surroundings_of(view, overlays, margin_px);
-        const auto placed = best_place(spots, *name.thing, around);
+        const Surroundings around = surroundings_of(view, overlays, margin_of(panel), true);
+        const NameSide side = name.side ? *name.side : best_side([&](const NameSide& each) {
+            const auto spot = spots.at(each.angle_rad, each.level);
+            return spot ? cost_at(*spot, *name.thing, each, around)
+                        : std::numeric_limits<double>::infinity();
+        });
+        const auto placed = placed_at(spots, *name.thing, side, around);
         if (!placed || placed->room < 0.5) left_out.push_back(name.thing->name);
         if (!placed || !(placed->room > 0.0)) continue;
         Label label;
@@ -458,6 +449,42 @@ std::vector<std::string_view> place_thing_names(const Panel& panel,
                    panel.unit_segment, view);
     }
     return left_out;
+}
+
+void choose_sides(const Panel& panel, std::vector<PlacedLabels> instants,
+                  std::vector<ThingName>& names) {
+    for (ThingName& name : names) {
+        if (name.type.mask->width == 0) continue;
+        struct Seen {
+            PlacedLabels* instant;
+            Spots spots;
+            Surroundings around;
+        };
+        std::vector<Seen> seen;
+        for (PlacedLabels& instant : instants) {
+            const View& view = *instant.view;
+            Spots spots(view, *name.thing, name.type, panel.px,
+                        final_outline(view, *name.thing, panel));
+            if (spots.opacity() > 0.0)
+                seen.push_back({&instant, std::move(spots),
+                                surroundings_of(view, instant.overlays, margin_of(panel), false)});
+        }
+        // The cost of each side, at most that of no room, added up over the instants.
+        name.side = best_side([&](const NameSide& side) {
+            double sum = taste(*name.thing, side.angle_rad, side.level);
+            for (const auto& [instant, spots, around] : seen) {
+                const auto spot = spots.at(side.angle_rad, side.level);
+                sum += spot ? std::min(most_cost, cost_at(*spot, *name.thing, side, around))
+                            : most_cost;
+            }
+            return sum;
+        });
+        // The names after it keep off it.
+        for (const auto& [instant, spots, around] : seen)
+            if (const auto placed = placed_at(spots, *name.thing, *name.side, around))
+                instant->overlays.push_back(
+                    {placed->spot.box.centre, placed->spot.box.half, placed->room});
+    }
 }
 
 }  // namespace poinsot

@@ -289,7 +289,8 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
         constexpr int n_passes = 3;
         for (int pass = 0; pass < n_passes; ++pass)
             for (const Shaft& shaft : shafts)
-                push_off_head(shaft.head, shaft.opacity, boxes.back());
+                if (!(request.at && (*request.at - shaft.tip).isZero(0.0)))
+                    push_off_head(shaft.head, shaft.opacity, boxes.back());
     }
 
     // Overlapping pairs are moved apart along the line between their centres; boxes are treated as
@@ -343,7 +344,7 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
         }
         for (const auto& [other, opacity] : fixed)
             label.opacity *=
-                1.0 - opacity * smooth_step(-distance(placed, other) / (0.5 * boxes[i].half.y()));
+                1.0 - opacity * smooth_step(-distance(placed, other) / (0.2 * boxes[i].half.y()));
         if (asked > 0.5 && label.opacity < 0.5) left_out.push_back(requests[i].name);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);

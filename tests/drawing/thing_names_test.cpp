@@ -1,0 +1,178 @@
+// The names of curves and surfaces: which are shown, what they say, and how they move.
+#include "drawing/stage/thing_names.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <deque>
+#include <map>
+#include <set>
+#include <string>
+
+#include "drawing/stage/marks.h"
+#include "scene/named_things.h"
+#include "scenes_by_hand.h"
+#include "text/languages.h"
+
+namespace poinsot::thing_names_tests {
+namespace {
+
+Scene rolling_scene() {
+    Scene scene = free_scene({4.0, 3.0, 1.5}, {1.2, 0.8, 2.4}, "space");
+    scene.names.reset();
+    scene.film.width_px = 1920;
+    scene.film.height_px = 1080;
+    return scene;
+}
+
+// The labels of things in a drawing, by name.
+std::map<std::string, Label> names_in(const Drawing& drawing) {
+    std::map<std::string, Label> found;
+    for (const View& view : drawing.views)
+        for (const Label& label : view.labels)
+            for (const std::string_view name : named_things)
+                if (label.name.element == name && label.mask->source.is_formula == false)
+                    found[std::string(name)] = label;
+    return found;
+}
+
+std::map<std::string, Label> names_of(const Scene& scene, double time_s = 5.0) {
+    static std::deque<StagedScene> staged;  // labels refer to their stage
+    return names_in(staged.emplace_back(scene, 10.0).stage.at(time_s));
+}
+
+// How often each name can be read at 20 instants of ten seconds.
+std::map<std::string, int> times_read(const Scene& scene) {
+    const StagedScene staged(scene, 10.0);
+    std::map<std::string, int> times;
+    for (int k = 0; k < 20; ++k)
+        for (const auto& [name, label] : names_in(staged.stage.at(0.5 * (k + 1))))
+            times[name] += label.opacity > 0.5;
+    return times;
+}
+
+TEST(ThingNames, AreShownByDefault) {
+    const auto times = times_read(rolling_scene());
+    for (const char* name : {"polhode", "herpolhode", "inertia-ellipsoid", "invariable-plane"}) {
+        ASSERT_TRUE(times.contains(name)) << name;
+        EXPECT_GE(times.at(name), 10) << name;
+    }
+    EXPECT_EQ(times.size(), 4u);
+}
+
+TEST(ThingNames, AreThoseThatTheSceneWants) {
+    Scene scene = rolling_scene();
+    scene.names = {"polhode"};
+    EXPECT_EQ(names_of(scene).size(), 1u);
+    scene.names.emplace();
+    EXPECT_TRUE(names_of(scene).empty());
+    scene.names.reset();
+    scene.unlabelled = {"herpolhode"};
+    EXPECT_EQ(names_of(scene).count("herpolhode"), 0u);
+    EXPECT_EQ(times_read(scene).size(), 3u);
+    scene.unlabelled.clear();
+    scene.labels = false;
+    EXPECT_TRUE(names_of(scene).empty());
+}
+
+TEST(ThingNames, NameConesAndSeparatrices) {
+    Scene cones = free_scene({2.0, 2.0, 0.8}, {0.8, 0.0, 2.0}, "space");
+    cones.names.reset();
+    cones.film.width_px = 1920;
+    cones.film.height_px = 1080;
+    const auto times = times_read(cones);
+    EXPECT_GE(times.at("body-cone"), 5);
+    EXPECT_GE(times.at("space-cone"), 5);
+    Scene body = rolling_scene();
+    body.panels[0].kind = "body";
+    EXPECT_TRUE(names_of(body).contains("separatrix"));
+}
+
+TEST(ThingNames, AreInTheLanguageOfTheSceneOrAsTheSceneSays) {
+    Scene scene = rolling_scene();
+    scene.language = "de";
+    EXPECT_EQ(names_of(scene).at("inertia-ellipsoid").mask->source.text, "Trägheitsellipsoid");
+    scene.symbols.things["inertia-ellipsoid"] = "Poinsots Ellipsoid";
+    EXPECT_EQ(names_of(scene).at("inertia-ellipsoid").mask->source.text, "Poinsots Ellipsoid");
+    scene.symbols.things["inertia-ellipsoid"] = "";
+    EXPECT_EQ(names_of(scene).count("inertia-ellipsoid"), 0u);
+    // Every thing has a name of its own in every language.
+    for (const std::string_view language : languages()) {
+        scene = rolling_scene();
+        scene.language = language;
+        std::set<std::string> texts;
+        const StagedScene staged(scene, 10.0);
+        StageStore store(staged.stage.context());
+        for (const ThingName& name : set_thing_names(staged.stage.panels().front(), store))
+            texts.insert(name.type.mask->source.text);
+        EXPECT_EQ(texts.size(), named_things.size()) << language;
+    }
+}
+
+TEST(ThingNames, AreMovedByHand) {
+    Scene scene = rolling_scene();
+    const auto before = names_of(scene);
+    scene.label_offsets_pt["inertia-ellipsoid"] = {-20.0, 10.0};
+    const auto after = names_of(scene);
+    // A screen is 540 points high.
+    const Eigen::Vector2d moved =
+        after.at("inertia-ellipsoid").top_left_px - before.at("inertia-ellipsoid").top_left_px;
+    EXPECT_LT((moved - Eigen::Vector2d(-40.0, 20.0)).norm(), 1e-9);
+    EXPECT_EQ(after.at("herpolhode").top_left_px, before.at("herpolhode").top_left_px);
+    // And so are labels of vectors.
+    const auto label_of = [](const Drawing& drawing, std::string_view element, int number) {
+        for (const Label& label : drawing.views[0].labels)
+            if (label.name.element == element && label.name.number == number)
+                return label.top_left_px;
+        return Eigen::Vector2d(-1e9, -1e9);
+    };
+    const StagedScene plain(rolling_scene(), 10.0);
+    scene.label_offsets_pt = {{"e3", {6.0, 3.0}}};
+    const StagedScene staged(scene, 10.0);
+    const Drawing was = plain.stage.at(5.0), is = staged.stage.at(5.0);
+    EXPECT_LT(
+        (label_of(is, "axes", 3) - label_of(was, "axes", 3) - Eigen::Vector2d(12.0, 6.0)).norm(),
+        1e-9);
+    EXPECT_EQ(label_of(is, "axes", 2), label_of(was, "axes", 2));
+}
+
+// Where a name can be read it moves at most a little faster than what it names: it does not jump.
+TEST(ThingNames, MoveSmoothly) {
+    const StagedScene staged(rolling_scene(), 10.0);
+    std::map<std::string, Label> before;
+    double largest_px = 0.0;
+    int n_seen = 0;
+    constexpr int n_frames = 600;
+    for (int k = 0; k < n_frames; ++k) {
+        const Drawing drawing = staged.stage.at(10.0 * k / n_frames);
+        auto now = names_in(drawing);
+        for (const auto& [name, label] : now) {
+            const auto was = before.find(name);
+            if (was == before.end() || std::min(was->second.opacity, label.opacity) < 0.5) continue;
+            ++n_seen;
+            largest_px = std::max(largest_px, (label.top_left_px - was->second.top_left_px).norm());
+        }
+        before = std::move(now);
+    }
+    EXPECT_GT(n_seen, 2.5 * n_frames);
+    // The outermost point of the polhode moves by up to 20 px.
+    EXPECT_LT(largest_px, 30.0);
+    RecordProperty("largest_px", static_cast<int>(largest_px));
+}
+
+TEST(ThingNames, WithoutRoomAreReported) {
+    Scene scene = rolling_scene();
+    scene.film.width_px = 240;
+    scene.film.height_px = 135;
+    const StagedScene staged(scene, 10.0);
+    const Drawing drawing = staged.stage.at(5.0);
+    const auto names = names_in(drawing);
+    std::set<std::string_view> told(drawing.unnamed.begin(), drawing.unnamed.end());
+    for (const char* name : {"polhode", "herpolhode", "inertia-ellipsoid", "invariable-plane"})
+        EXPECT_TRUE(told.contains(name) || (names.contains(name) && names.at(name).opacity >= 0.5))
+            << name;
+    EXPECT_FALSE(told.empty());
+}
+
+}  // namespace
+}  // namespace poinsot::thing_names_tests
