@@ -250,14 +250,14 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         add_arrow(arrow_to(panel, omega_at(panel, contact), theme.omega, 1.15), omega_type,
                   omega_label_turn_rad);
         name_shapes("omega", builder);
-        add_arrow(arrow_to(panel, momentum, theme.momentum, 1.15), momentum_type, 0.0);
-        name_shapes("momentum", builder);
         const Eigen::Vector3d velocity = velocity_at(panel, contact);
         if (!velocity.isZero(1e-12)) {
             add_arrow(arrow_between(panel, momentum, momentum + velocity, theme.potential, 1.0),
                       velocity_type, 0.0);
             name_shapes("velocity", builder);
         }
+        add_arrow(arrow_to(panel, momentum, theme.momentum, 1.15), momentum_type, 0.0);
+        name_shapes("momentum", builder);
         comparison(instant, builder);
         name_shapes("ghost", builder);
     };
