@@ -113,7 +113,7 @@ TEST(Marks, HaveAColourOrThatOfARole) {
     EXPECT_TRUE(mark("red").role.empty());
     EXPECT_EQ(mark("red").srgb, red);
     const Scene scene = scene_of(a_scene + "[[marks]]\nat = [1, 0, 0]\ncolour = \"omega\"\n");
-    EXPECT_NE(write_scene(scene).find("colour = \"omega\""), std::string::npos);
+    EXPECT_NE(to_toml(scene).find("colour = \"omega\""), std::string::npos);
     EXPECT_NE(refusal(a_scene + "[[marks]]\nat = [1, 0, 0]\ncolour = \"omgea\"\n").find("omgea"),
               std::string::npos);
 }
