@@ -58,7 +58,7 @@ TEST(Plots, RangesOfSimilarWidthAreNotChanged) {
 
 // The second motion may widen the chart by as much as the first one's chart, which may begin at 0.
 TEST(Plots, SecondMotionAtMostDoublesTheChart) {
-    PlotQuantity quantity;
+    PlotQuantity quantity{};
     quantity.from_zero = true;
     EXPECT_EQ(common_range(quantity, {6.0, 8.0}, {5.0, 30.0}), std::pair(0.0, 16.0));
     EXPECT_EQ(common_range(quantity, {6.0, 8.0}, {5.0, 10.0}), std::pair(0.0, 10.0));

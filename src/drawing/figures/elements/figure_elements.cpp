@@ -50,10 +50,12 @@ Drawer make_turn(const Panel& panel, StageStore& store) {
         if (!(turn.angle() > 0.0)) return;
         const LineStyle& colour = panel.stage->theme.angles[0];
         const Eigen::Vector3d axis = picture_of(panel).picture_from_body(instant) * turn.axis();
-        Curve line = line_between(panel, Eigen::Vector3d::Zero(), 1.3 * axis, colour, 2.0);
+        Curve line =
+            line_between(panel, Eigen::Vector3d::Zero(), turn_axis_length * axis, colour, 2.0);
         line.hidden_opacity = 0.6;
         builder.view.curves.push_back(line);
-        wish_beside(panel, 1.3 * axis, Eigen::Vector3d::Zero(), axis_type, colour, builder);
+        wish_beside(panel, turn_axis_length * axis, Eigen::Vector3d::Zero(), axis_type, colour,
+                    builder);
         const Eigen::Matrix3d given =
             picture_of(panel).picture_from_body(instant).toRotationMatrix();
         constexpr double reach = 1.12;
