@@ -210,7 +210,8 @@ struct MarkSpec {
     Eigen::Vector3d at{0.0, 0.0, 0.0};          // in the coordinates of its place
     std::string name;                           // as a formula; empty: none
     bool trail = false;                         // whether its path is shown
-    std::optional<std::array<double, 3>> srgb;  // absent: the colour of the contact point
+    std::optional<std::array<double, 3>> srgb;  // absent: of `role`
+    std::string role;  // of style_roles(), whose colour it has in every theme; empty: contact
 };
 
 // [[panels]]: one view of the motion, in cells of the grid.

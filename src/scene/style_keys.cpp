@@ -206,12 +206,19 @@ constexpr auto mark(Value MarkSpec::*member) {
     return in(&Scene::marks, member);
 }
 
+// A colour, or the name of a role, whose colour follows the theme.
 void read_mark_colour(const GivenValue& given, SceneDraft& draft) {
-    draft.scene.marks.at(given.item()).srgb = look_of(given, StyleKind::colour).srgb;
+    MarkSpec& read = draft.scene.marks.at(given.item());
+    const std::string text = given.text();
+    if (find_row(roles, text) != nullptr)
+        read.role = text;
+    else
+        read.srgb = look_of(given, StyleKind::colour).srgb;
 }
 std::string mark_colour_text(const Scene& scene, size_t item) {
-    const auto& srgb = scene.marks.at(item).srgb;
-    return srgb ? toml_text(std::string_view(colour_text(*srgb))) : "";
+    const MarkSpec& written = scene.marks.at(item);
+    const std::string colour = written.srgb ? colour_text(*written.srgb) : written.role;
+    return colour.empty() ? "" : toml_text(std::string_view(colour));
 }
 
 }  // namespace
@@ -267,7 +274,8 @@ std::span<const SceneKey> mark_keys() {
                 "whether the path of the point is drawn")
             .omitted_if_default(),
         row("marks[].colour", {.kind = ValueType::Kind::text}, R"("#cf4a12")",
-            "colour of the point")
+            "colour of the point, or a key of [style], such as \"omega\", whose colour it has in "
+            "every theme")
             .default_is("that of the contact point")
             .read_by(read_mark_colour)
             .written_by(mark_colour_text),

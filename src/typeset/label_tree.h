@@ -39,6 +39,7 @@ struct MathAtom {
         accent,    // combining character `symbol` over `body`
         overline,  // a rule over `body`
         fence,     // `body` between delimiters `open` and `close` of its height (0: no delimiter)
+        matrix,    // `rows` of cells
         space      // `space_mu`
     };
     // The style in which a fraction is set.
@@ -53,6 +54,7 @@ struct MathAtom {
     FractionStyle fraction_style = FractionStyle::automatic;
     TextRun text;
     MathList body, second;
+    std::vector<std::vector<MathList>> rows;
     bool has_subscript = false, has_superscript = false;
     MathList subscript, superscript;
 };

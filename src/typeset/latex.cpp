@@ -286,11 +286,27 @@ class LatexWriter {
             case MathAtom::Kind::fence:
                 return fmt::format("\\left{} {}\\right{} ", delimiter(atom.open),
                                    formula(atom.body), delimiter(atom.close));
+            case MathAtom::Kind::matrix:
+                return matrix(atom);
             case MathAtom::Kind::space:
                 return fmt::format("\\mskip{:g}mu ", atom.space_mu);
         }
         return {};
     }
+    // The array of the LaTeX kernel: pmatrix would need a package.
+    std::string matrix(const MathAtom& atom) {
+        std::size_t n_columns = 0;
+        std::string rows;
+        for (const std::vector<MathList>& row : atom.rows) {
+            n_columns = std::max(n_columns, row.size());
+            if (!rows.empty()) rows += "\\\\ ";
+            for (std::size_t i = 0; i < row.size(); ++i)
+                rows += (i > 0 ? " & " : "") + formula(row[i]);
+        }
+        return fmt::format("\\begin{{array}}{{{}}}{}\\end{{array}}", std::string(n_columns, 'c'),
+                           rows);
+    }
+
     LatexGaps& gaps_;
 };
 

@@ -146,6 +146,8 @@ class FormulaSetter {
                 return boxed(overline(atom, style));
             case MathAtom::Kind::fence:
                 return boxed(fence(atom, style));
+            case MathAtom::Kind::matrix:
+                return boxed(matrix(atom, style));
             case MathAtom::Kind::space:
                 break;
         }
@@ -307,6 +309,47 @@ class FormulaSetter {
         box.place(inside, box.width, 0.0);
         box.width += inside.width;
         delimiter(atom.close);
+        return box;
+    }
+
+    // Centred columns, as TeX's \matrix sets them: an em apart, lines of at least 1.2 em, centred
+    // on the math axis (The TeXbook, p. 361).
+    TypeBox matrix(const MathAtom& atom, MathStyle outer) {
+        MathStyle style = outer;
+        if (is_display(style)) style.level = Level::text;
+        const double em = size(style);
+        std::vector<std::vector<TypeBox>> cells;
+        std::vector<double> widths, heights, depths;
+        for (const std::vector<MathList>& row : atom.rows) {
+            cells.emplace_back();
+            heights.push_back(0.84 * em);
+            depths.push_back(0.36 * em);
+            widths.resize(std::max(widths.size(), row.size()), 0.0);
+            for (std::size_t i = 0; i < row.size(); ++i) {
+                const TypeBox& cell = cells.back().emplace_back(list(row[i], style));
+                widths[i] = std::max(widths[i], cell.width);
+                heights.back() = std::max(heights.back(), cell.height);
+                depths.back() = std::max(depths.back(), cell.depth);
+            }
+        }
+        double extent = 0.0;
+        for (std::size_t k = 0; k < cells.size(); ++k) extent += heights[k] + depths[k];
+
+        const double axis = constant(HB_OT_MATH_CONSTANT_AXIS_HEIGHT, style);
+        TypeBox box;
+        double y = axis + 0.5 * extent;
+        box.height = y;
+        box.depth = 0.5 * extent - axis;
+        for (std::size_t k = 0; k < cells.size(); ++k) {
+            y -= heights[k];
+            double x = 0.0;
+            for (std::size_t i = 0; i < cells[k].size(); ++i) {
+                box.place(cells[k][i], x + 0.5 * (widths[i] - cells[k][i].width), y);
+                x += widths[i] + em;
+            }
+            y -= depths[k];
+        }
+        for (std::size_t i = 0; i < widths.size(); ++i) box.width += widths[i] + (i > 0 ? em : 0.0);
         return box;
     }
 

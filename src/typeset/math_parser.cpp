@@ -83,16 +83,21 @@ bool MathParser::at(End end) const {
             return cursor_.peek() == U']';
         case End::dollar:
             return cursor_.peek() == U'$';
-        case End::right: {
-            constexpr std::u32string_view right_word = U"\\right";
-            for (std::size_t i = 0; i < right_word.size(); ++i) {
-                if (cursor_.peek(i) != right_word[i]) return false;
-            }
-            const char32_t after = cursor_.peek(right_word.size());
-            return !(after >= U'a' && after <= U'z') && !(after >= U'A' && after <= U'Z');
-        }
+        case End::right:
+            return at_command(U"\\right");
+        case End::cell:
+            return cursor_.peek() == U'&' || at_command(U"\\end") ||
+                   (cursor_.peek() == U'\\' && cursor_.peek(1) == U'\\');
     }
     return true;
+}
+
+bool MathParser::at_command(std::u32string_view command) const {
+    for (std::size_t i = 0; i < command.size(); ++i) {
+        if (cursor_.peek(i) != command[i]) return false;
+    }
+    const char32_t after = cursor_.peek(command.size());
+    return !(after >= U'a' && after <= U'z') && !(after >= U'A' && after <= U'Z');
 }
 
 MathList MathParser::list(End end, int opened_at) {
@@ -103,6 +108,7 @@ MathList MathParser::list(End end, int opened_at) {
             const char* close = end == End::brace     ? "}"
                                 : end == End::bracket ? "]"
                                 : end == End::dollar  ? "$"
+                                : end == End::cell    ? "\\end{pmatrix}"
                                                       : "\\right";
             cursor_.fail_expected(fmt::format("{} to close column {}", close, opened_at));
         }
@@ -183,6 +189,10 @@ MathAtom MathParser::run_command(const LabelCommand& command, int column) {
             return fence(column);
         case CommandKind::right:
             throw LabelError(column, "\\right without \\left; write \\left before its delimiter");
+        case CommandKind::begin:
+            return matrix(column);
+        case CommandKind::end:
+            throw LabelError(column, "\\end without \\begin; write \\begin{pmatrix} before it");
         case CommandKind::big:
         case CommandKind::integral:
             atom.kind =
@@ -278,6 +288,47 @@ MathAtom MathParser::fence(int column) {
     cursor_.take_command_name();
     atom.close = delimiter();
     return atom;
+}
+
+// \begin{pmatrix} has been read up to its name; the atom is a matrix between parentheses.
+MathAtom MathParser::matrix(int column) {
+    environment("\\begin");
+    MathAtom cells = make_atom(MathAtom::Kind::matrix, AtomClass::ord, column);
+    cells.rows.emplace_back();
+    for (;;) {
+        cells.rows.back().push_back(list(End::cell, column));
+        if (cursor_.peek() == U'&') {
+            cursor_.take();
+        } else if (at_command(U"\\end")) {
+            break;
+        } else {
+            cursor_.take();
+            cursor_.take();
+            cells.rows.emplace_back();
+        }
+    }
+    cursor_.take();
+    cursor_.take_command_name();
+    environment("\\end");
+    // \\ after the last row does not begin another one.
+    if (cells.rows.size() > 1 && cells.rows.back().size() == 1 && cells.rows.back()[0].empty())
+        cells.rows.pop_back();
+    MathAtom atom = make_atom(MathAtom::Kind::fence, AtomClass::inner, column);
+    atom.open = U'(';
+    atom.close = U')';
+    atom.body.push_back(std::move(cells));
+    return atom;
+}
+
+// The only environment.
+void MathParser::environment(const std::string& after) {
+    cursor_.skip_spaces();
+    constexpr std::u32string_view name = U"{pmatrix}";
+    for (std::size_t i = 0; i < name.size(); ++i) {
+        if (cursor_.peek(i) != name[i])
+            cursor_.fail_expected(fmt::format("{{pmatrix}} after {}", after));
+    }
+    for (std::size_t i = 0; i < name.size(); ++i) cursor_.take();
 }
 
 char32_t MathParser::delimiter() {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <string_view>
 
 #include "typeset/label_cursor.h"
 #include "typeset/label_tree.h"
@@ -12,7 +13,7 @@ namespace poinsot {
 class MathParser {
  public:
     // The delimiter at which a list ends; it is not consumed.
-    enum class End { label, brace, bracket, dollar, right };
+    enum class End { label, brace, bracket, dollar, right, cell };
 
     explicit MathParser(LabelCursor& cursor) : cursor_(cursor) {}
 
@@ -22,6 +23,7 @@ class MathParser {
 
  private:
     bool at(End end) const;
+    bool at_command(std::u32string_view command) const;
     MathAtom atom();
     MathAtom nucleus();
     MathAtom command();
@@ -30,6 +32,8 @@ class MathParser {
     MathAtom text(const LabelCommand& command, int column);
     MathAtom radical(int column);
     MathAtom fence(int column);
+    MathAtom matrix(int column);
+    void environment(const std::string& after);
     char32_t delimiter();
     MathAtom symbol(LabelCharacter character, AtomClass atom_class) const;
     MathList braced();

@@ -104,6 +104,13 @@ std::string plain(const MathAtom& atom) {
             text = (atom.open != 0 ? utf8_of(atom.open) : "") + plain(atom.body) +
                    (atom.close != 0 ? utf8_of(atom.close) : "");
             break;
+        case Kind::matrix:
+            for (std::size_t k = 0; k < atom.rows.size(); ++k) {
+                text += k > 0 ? "; " : "";
+                for (std::size_t i = 0; i < atom.rows[k].size(); ++i)
+                    text += (i > 0 ? ", " : "") + plain(atom.rows[k][i]);
+            }
+            break;
         case Kind::space:
             text = atom.space_mu > 0.0 ? " " : "";
             break;

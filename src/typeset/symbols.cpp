@@ -210,6 +210,8 @@ std::vector<LabelCommand> make_commands() {
         fraction("tfrac", MathAtom::FractionStyle::text),
         {.name = "left", .kind = Kind::left, .atom_class = AtomClass::inner},
         {.name = "right", .kind = Kind::right},
+        {.name = "begin", .kind = Kind::begin, .atom_class = AtomClass::inner},
+        {.name = "end", .kind = Kind::end},
         // Spaces in 1/18 em (The TeXbook, p. 167); "\ " is an interword space.
         space(",", 3),
         space(":", 4),

@@ -23,7 +23,9 @@ enum class CommandKind {
     fraction,       // two arguments
     space,          // no argument
     left,           // a delimiter, a formula, \right and another delimiter
-    right
+    right,
+    begin,  // {pmatrix}, cells between & and \\, \end{pmatrix}
+    end
 };
 
 struct LabelCommand {

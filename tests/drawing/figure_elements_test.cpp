@@ -120,6 +120,11 @@ TEST(FigureElements, DimensionLineSpansThePlaneDistance) {
     const double expected = std::sqrt(T2) / L * std::sqrt(moments.minCoeff());
     EXPECT_NEAR((view.arrows[0].tip - view.arrows[1].tip).norm(), expected, 1e-15);
     EXPECT_NEAR(view.arrows[1].tip.z(), view.planes.front().centre.z(), 1e-15);
+    // It ends at two level lines, from the centre and from the foot of L.
+    ASSERT_EQ(view.curves.size(), 2u);
+    EXPECT_LT(view.curves[0].placement.translation().norm(), 1e-15);
+    EXPECT_LT((view.curves[1].placement.translation() - view.planes.front().centre).norm(), 1e-15);
+    for (const Curve& level : view.curves) EXPECT_NEAR(level.placement.linear()(2, 0), 0.0, 1e-15);
 }
 
 TEST(FigureElements, PrecessionNeedsTwoEqualMoments) {

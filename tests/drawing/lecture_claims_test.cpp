@@ -101,6 +101,16 @@ TEST(LectureClaims, PrincipalAxesMakeTheTensorDiagonal) {  // pages 2–5
         EXPECT_NEAR(diagonal(i, (i + 1) % 3), 0.0, 1e-14);
     }
     EXPECT_NEAR(turn.determinant(), 1.0, 1e-14);
+    // An arc ends on each principal axis, before its tip.
+    n = 0;
+    for (const Arrow& head : view.arrows) {
+        if (!(head.colour == lecture.theme().angles[0])) continue;
+        const Vector3d e = principal.col(n);
+        EXPECT_NEAR(head.tip.normalized().dot(e), 1.0, 1e-12);
+        EXPECT_LT(head.tip.norm(), arrow_of(view, lecture.theme().axes[n]).tip.norm());
+        ++n;
+    }
+    EXPECT_EQ(n, 3);
     // The axis of the drawn rotation is invariant.
     const Vector3d axis = end_of(*curves_of(view, lecture.theme().angles[0]).front()).normalized();
     EXPECT_LT((given * (turn * (given.transpose() * axis)) - axis).norm(), 1e-13);
@@ -130,6 +140,54 @@ TEST(LectureClaims, MomentumRestsInSpaceAndMovesInTheBody) {  // pages 6, 8
             }
         }
     }
+}
+
+TEST(LectureClaims, MomentumMovesInTheBodyByMinusOmegaCrossL) {  // page 6
+    const Lecture lecture("momentum_sphere");
+    const auto view_at = [&](double t) { return lecture.staged.stage.at(t).views.front(); };
+    const auto momentum_at = [&](double t) {
+        return arrow_of(view_at(t), lecture.theme().momentum).tip;
+    };
+    double factor = 0.0;
+    for (const double t : lecture.instants()) {
+        const View view = view_at(t);
+        const Vector3d L = arrow_of(view, lecture.theme().momentum).tip;
+        const Arrow& arrow = arrow_of(view, lecture.theme().potential);
+        EXPECT_EQ(arrow.tail, L);
+        const Vector3d velocity = arrow.tip - arrow.tail;
+        // ω = L/I along its arrow, and −ω × L along the other.
+        const Vector3d omega = L.cwiseQuotient(lecture.moments());
+        EXPECT_GT(arrow_of(view, lecture.theme().omega).tip.normalized().dot(omega.normalized()),
+                  1.0 - 1e-14);
+        EXPECT_GT(velocity.normalized().dot(L.cross(omega).normalized()), 1.0 - 1e-14);
+        // The drawn L moves as this arrow says, with one scale for all instants.
+        constexpr double h = 1e-4;
+        const Vector3d moved = (momentum_at(t + h) - momentum_at(t - h)) / (2.0 * h);
+        if (factor == 0.0) factor = moved.norm() / velocity.norm();
+        EXPECT_LT((moved - factor * velocity).norm(), 1e-6 * factor);
+    }
+}
+
+TEST(LectureClaims, EnergyAndMomentumStayExceptByEulersMethod) {  // page 8
+    const Lecture lecture("euler_drift");
+    const StageContext& stage = lecture.staged.stage.context();
+    const PlotQuantity& quantity = plot_quantity_of(stage, lecture.scene.panels.back().quantity);
+    MotionProblem problem = problem_of(lecture.scene);
+    problem.method = *lecture.scene.beside;
+    const Motion euler(problem);
+    const Vector3d omega = lecture.scene.start.omega_rad_s;
+    const Vector3d momentum = lecture.moments().cwiseProduct(omega);
+    const double T = 0.5 * omega.dot(momentum);
+    for (const double t : lecture.instants()) {
+        FrameInput instant;
+        instant.state = lecture.staged.motion.at(t);
+        EXPECT_NEAR(quantity.values(stage, instant)[0], T, 4e-15 * T);
+        EXPECT_NEAR(quantity.values(stage, instant)[1], momentum.norm(), 4e-15 * momentum.norm());
+    }
+    FrameInput last;
+    last.state = euler.at(lecture.last_time_s);
+    EXPECT_GT(quantity.values(stage, last)[0], 1.5 * T);
+    EXPECT_GT(quantity.values(stage, last)[1], 1.2 * momentum.norm());
 }
 
 TEST(LectureClaims, TorqueAlongAPrincipalAxisChangesThatRateEvenly) {  // page 7
@@ -166,6 +224,12 @@ TEST(LectureClaims, PointsOfLengthOneOverRootIMakeTheEllipsoid) {  // pages 9–
         EXPECT_NEAR(form(view.ellipsoids.front(), rho), 1.0, 1e-14);
         const Arrow& axis = arrow_of(view, lecture.theme().text);
         EXPECT_LT(axis.tip.normalized().cross(n).norm(), 1e-14);
+        // The half-axes 1/√Iᵢ along e₁, e₂, e₃.
+        for (int i = 0; i < 3; ++i) {
+            const Vector3d end = end_of(*curves_of(view, lecture.theme().axes[i]).front());
+            const double half_axis = std::sqrt(lecture.moments().minCoeff() / lecture.moments()[i]);
+            EXPECT_LT((end - half_axis * Vector3d::Unit(i)).norm(), 1e-14);
+        }
         // The traced curve ends at the tip of ρ, on the surface.
         const Curve& trace = *curves_of(view, lecture.theme().polhode).front();
         const auto last = static_cast<std::size_t>(std::ceil(trace.last));
@@ -232,6 +296,10 @@ TEST(LectureClaims, MatterAtTheContactIsAtRest) {  // page 13
         EXPECT_LT(start_of(axis).normalized().cross(contact.normalized()).norm(), 1e-14);
         EXPECT_LT(start_of(axis).dot(contact), 0.0);
         EXPECT_GT(end_of(axis).norm(), contact.norm());
+        // "v = 0" is written there.
+        EXPECT_TRUE(std::any_of(view.labels.begin(), view.labels.end(), [&](const Label& label) {
+            return label.mask->source.text == "\\mathbf{v} = 0" && label.at == contact;
+        }));
         // The drawn velocities are ω × r of points of the ellipsoid, with a common factor.
         double factor = 0.0;
         int n = 0;

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 #include "drawing/figures/charts/plot_quantity.h"
 #include "drawing/style/theme.h"
@@ -53,6 +54,16 @@ TEST(Plots, RangesOfSimilarWidthAreNotChanged) {
     EXPECT_FALSE(is_ruined(omega_row, {0.0, 20.0}, {0.0, 10.0}));
     EXPECT_FALSE(is_ruined(omega_row, {0.0, 20.0}, {19.0, 20.0}));  // its axis includes 0
     EXPECT_FALSE(is_ruined(omega_row, {0.0, 20.0}, {0.0, 1e-3}));   // it comes to rest
+}
+
+// The second motion may widen the chart by as much as the first one's chart, which may begin at 0.
+TEST(Plots, SecondMotionAtMostDoublesTheChart) {
+    PlotQuantity quantity{};
+    quantity.from_zero = true;
+    EXPECT_EQ(common_range(quantity, {6.0, 8.0}, {5.0, 30.0}), std::pair(0.0, 16.0));
+    EXPECT_EQ(common_range(quantity, {6.0, 8.0}, {5.0, 10.0}), std::pair(0.0, 10.0));
+    quantity.from_zero = false;
+    EXPECT_EQ(common_range(quantity, {6.0, 8.0}, {5.0, 30.0}), std::pair(5.0, 10.0));
 }
 
 }  // namespace

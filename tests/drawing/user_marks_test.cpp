@@ -49,6 +49,23 @@ TEST(OwnMarks, FollowTheirObject) {
     }
 }
 
+TEST(OwnMarks, HaveTheColourOfTheirRoleInEveryTheme) {
+    for (const std::string_view name : {"light", "dark", "print"}) {
+        Scene scene = a_scene();
+        scene.theme = name;
+        MarkSpec mark;
+        mark.at = {0.0, 3.0, 0.0};
+        mark.role = "e2";
+        scene.marks = {mark};
+        const StagedScene staged(scene, 10.0);
+        const View view = staged.stage.at(1.0).views.at(0);
+        const Colour expected = theme_named(name).axes[1];
+        EXPECT_TRUE(std::any_of(view.dots.begin(), view.dots.end(), [&](const Dot& dot) {
+            return dot.colour == expected;
+        })) << name;
+    }
+}
+
 // The corner of a box, in metres, at the body's reach: it rotates with the body.
 TEST(OwnMarks, OnABodyAreInMetres) {
     Scene scene = a_scene("object");

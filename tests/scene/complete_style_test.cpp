@@ -103,6 +103,21 @@ TEST(ThemeFile, IsRefusedAtItsOwnPlace) {
         std::string::npos);
 }
 
+TEST(Marks, HaveAColourOrThatOfARole) {
+    const auto mark = [](const std::string& colour) {
+        return scene_of(a_scene + "[[marks]]\nat = [1, 0, 0]\ncolour = \"" + colour + "\"\n")
+            .marks.at(0);
+    };
+    EXPECT_EQ(mark("omega").role, "omega");
+    EXPECT_FALSE(mark("omega").srgb);
+    EXPECT_TRUE(mark("red").role.empty());
+    EXPECT_EQ(mark("red").srgb, red);
+    const Scene scene = scene_of(a_scene + "[[marks]]\nat = [1, 0, 0]\ncolour = \"omega\"\n");
+    EXPECT_NE(to_toml(scene).find("colour = \"omega\""), std::string::npos);
+    EXPECT_NE(refusal(a_scene + "[[marks]]\nat = [1, 0, 0]\ncolour = \"omgea\"\n").find("omgea"),
+              std::string::npos);
+}
+
 TEST(Marks, NeedAPlace) {
     EXPECT_EQ(refusal(a_scene + "[[marks]]\nname = \"P\"\n"),
               "scenes/a.toml:6:1: marks[0].at is missing; say where the mark is, as in at = [1, 0, "

@@ -64,6 +64,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"\\left x\\right)", 7, "expected a delimiter"},
         Mistake{"\\left(x\\right", 14, "expected a delimiter"},
         Mistake{"x\\right)", 2, "\\right without \\left"},
+        Mistake{"\\begin{array}x\\end{array}", 7, "expected {pmatrix} after \\begin"},
+        Mistake{"\\begin{pmatrix} x & y", 22, "expected \\end{pmatrix} to close column 1"},
+        Mistake{"\\begin{pmatrix}x\\end", 21, "expected {pmatrix} after \\end"},
+        Mistake{"x\\end{pmatrix}", 2, "\\end without \\begin"},
         Mistake{"a\\", 3, "expected a command's name after the backslash, found the end"},
         Mistake{"a\\\u00e9", 2, "unknown command after the backslash"},
         Mistake{"ab\xff", 3, "not valid UTF-8"}, Mistake{"ab\xc3", 3, "not valid UTF-8"},
@@ -87,9 +91,9 @@ INSTANTIATE_TEST_SUITE_P(
                     Mistake{"cost $x}$", 8, "} closes nothing"}));
 
 TEST(LabelLimits, NestingIsBoundedForEveryConstruct) {
-    const std::vector<std::string> openings{"{",      "\\sqrt{", "\\frac{",   "x_{",
-                                            "\\dot{", "\\left(", "\\mathbf{", "\\sqrt[",
-                                            "\\dot",  "\\sqrt",  "\\bar\\vec"};
+    const std::vector<std::string> openings{"{",      "\\sqrt{", "\\frac{",    "x_{",
+                                            "\\dot{", "\\left(", "\\mathbf{",  "\\sqrt[",
+                                            "\\dot",  "\\sqrt",  "\\bar\\vec", "\\begin{pmatrix}"};
     for (const std::string& opening : openings) {
         std::string label;
         while (label.size() + opening.size() < label_length_limit) label += opening;

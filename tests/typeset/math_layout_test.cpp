@@ -253,6 +253,26 @@ TEST_F(MathTable, FencesGrowAndStayOnTheAxis) {
     }
 }
 
+TEST_F(MathTable, MatrixHasColumnsOnCommonMiddlesAndEvenLinesAboutTheAxis) {
+    const TypeBox box = set("\\begin{pmatrix} 1 & 22 \\\\ 333 & 4 \\\\ 5 & 6 \\end{pmatrix}");
+    // The nine digits are between the two delimiters, which have as many parts.
+    const std::size_t first = (box.glyphs.size() - 9) / 2;
+    const auto at = [&box, first](std::size_t i) { return box.glyphs[first + i]; };
+    const auto middle = [&](std::size_t i, std::size_t last) {
+        return 0.5 * (at(i).x + at(last).x);
+    };
+    EXPECT_NEAR(middle(0, 0), middle(3, 5), 1e-9);
+    EXPECT_NEAR(middle(0, 0), middle(7, 7), 1e-9);
+    EXPECT_NEAR(middle(1, 2), middle(6, 6), 1e-9);
+    EXPECT_GT(at(1).x, at(5).x);
+    // Three lines of equal height, from the first to the last.
+    EXPECT_GT(at(0).y, at(3).y);
+    EXPECT_NEAR(at(0).y - at(3).y, at(3).y - at(7).y, 1e-9);
+    EXPECT_EQ(at(0).y, at(1).y);
+    const double axis = constant(HB_OT_MATH_CONSTANT_AXIS_HEIGHT);
+    EXPECT_NEAR(box.height - axis, box.depth + axis, 1e-9);
+}
+
 TEST_F(MathTable, LayoutIsLinearInTheSize) {
     const MathList atoms = parse_math("\\frac{d\\mathbf{L}}{dt} = \\sqrt{\\dot\\omega_1^2}");
     const MathStyle style{MathStyle::Level::display, false};

@@ -77,7 +77,11 @@ TEST(Labels, EveryCommandOfTheTableIsInTheFonts) {
         switch (command.kind) {
             case CommandKind::space:
             case CommandKind::right:
+            case CommandKind::end:
                 continue;
+            case CommandKind::begin:
+                text = "\\begin{pmatrix}x\\end{pmatrix}";
+                break;
             case CommandKind::left:
                 text = "\\left(x\\right)";
                 break;

@@ -28,6 +28,11 @@ constexpr double longest_arrow_length = 1.42;
 // Length of the arrows along e1, e2, e3 outside of the ellipsoid, in the same units.
 constexpr double axis_overhang = 0.28;
 
+// Lengths of the arrows along x, y, z, and of the axis of the turn from there to e1, e2, e3, in the
+// same units.
+constexpr double given_axis_length = 1.25;
+constexpr double turn_axis_length = 1.3;
+
 // Tip of the arrow along ω, which pierces the ellipsoid at ρ = ω/√(2T): 1.3 |ρ|, at least 1.3. For
 // views that show nothing at the tip of ρ.
 Eigen::Vector3d omega_tip(const Eigen::Vector3d& rho);

@@ -112,6 +112,17 @@ PlotValues momentum_values(const StageContext& stage, const FrameInput& instant)
     return {momentum[0], momentum[1], momentum[2], momentum.stableNorm()};
 }
 
+constexpr PlotCurve invariant_curves[] = {
+    {formula("T"), energy_colour, DashPattern::solid},
+    {formula("L"), momentum_colour, DashPattern::dashed},
+};
+// T and |L|, which a free motion conserves.
+PlotValues invariant_values(const StageContext& stage, const FrameInput& instant) {
+    const Eigen::Vector3d& omega = instant.state.omega_body;
+    const Eigen::Vector3d momentum = stage.motion.motion().problem().inertia.matrix_body() * omega;
+    return {0.5 * omega.dot(momentum), momentum.stableNorm()};
+}
+
 constexpr PlotCurve tilt_curves[] = {
     {formula("\\mathbf{e}_1"), axis_colour<0>, DashPattern::solid},
     {formula("\\mathbf{e}_2"), axis_colour<1>, DashPattern::dashed},
@@ -188,6 +199,9 @@ constexpr PlotQuantity quantity_rows[] = {
      energy_values},
     {"momentum", "L1, L2, L3 along the principal axes, and L", formula("$L_i$, $L$"), "kg m²/s",
      false, false, true, omega_alone, any_motion, "", momentum_curves, momentum_values},
+    {"invariants", "T and L, which are constant without torque", formula("$T$ / J;  $L$"),
+     "kg m²/s", false, false, true, omega_alone, any_motion, "", invariant_curves,
+     invariant_values},
     {"tilt", "angles of the principal axes e1, e2, e3 from L", angle_title, "rad", false, false,
      true, omega_alone, keeps_momentum,
      "a body that turns without torque; friction inside is allowed", tilt_curves, tilt_values},

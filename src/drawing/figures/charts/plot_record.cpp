@@ -60,6 +60,7 @@ bool is_ruined(const PlotQuantity& quantity, std::pair<double, double> whole,
 std::pair<double, double> common_range(const PlotQuantity& quantity,
                                        std::pair<double, double> first,
                                        std::pair<double, double> beside) {
+    if (quantity.from_zero) first = {std::min(first.first, 0.0), std::max(first.second, 0.0)};
     const double most_added = quantity.decades ? INFINITY : first.second - first.first;
     return {std::min(first.first, std::max(beside.first, first.first - most_added)),
             std::max(first.second, std::min(beside.second, first.second + most_added))};

@@ -6,26 +6,26 @@
 
 namespace poinsot {
 
-void place_names(PlottedChart& plotted, const std::vector<TextBlock>& types, const Panel& panel) {
+void place_names(PlottedChart& plotted, const std::vector<EndName>& names, const Panel& panel) {
     std::vector<double> ends;
     std::vector<double> heights;
-    for (const PlottedCurve& curve : plotted.curves) {
-        ends.push_back(curve.end_y);
-        heights.push_back(types[curve.value].height_px());
+    for (const EndName& name : names) {
+        ends.push_back(name.end_y);
+        heights.push_back(name.type.height_px());
     }
     const ChartArea& area = plotted.chart.area();
     const double margin = 0.3 * chart_name_size * panel.type_px;
     const std::vector<double> middles =
         spread_apart(ends, heights, 8.0 * panel.px, area.bottom - margin, area.top + margin);
     const double left = area.right + 12.0 * panel.px;
-    for (std::size_t i = 0; i < plotted.curves.size(); ++i) {
-        const PlottedCurve& curve = plotted.curves[i];
-        plotted.names.push_back(chart_label(panel, types[curve.value], left, middles[i],
-                                            Anchor::left_middle, curve.curve.colour));
+    for (std::size_t i = 0; i < names.size(); ++i) {
+        const Colour& colour = names[i].colour;
+        plotted.names.push_back(
+            chart_label(panel, names[i].type, left, middles[i], Anchor::left_middle, colour));
         if (std::abs(middles[i] - ends[i]) < 0.5 * heights[i]) continue;
         plotted.leaders.push_back(
             PlotFrame::line(panel, {area.right + 1.0 * panel.px, ends[i], 0.0},
-                            {left - 3.0 * panel.px, middles[i], 0.0}, curve.curve.colour, 1.4));
+                            {left - 3.0 * panel.px, middles[i], 0.0}, colour, 1.4));
     }
 }
 

@@ -16,6 +16,13 @@ struct PlottedCurve {
     double end_y = 0.0;  // height of its end, in the chart's pixels
 };
 
+// A name at the right end of a curve.
+struct EndName {
+    TextBlock type;
+    double end_y = 0.0;
+    Colour colour;
+};
+
 struct PlottedChart {
     PlotFrame chart;
     std::vector<PlottedCurve> curves;
@@ -25,9 +32,8 @@ struct PlottedChart {
     bool begins_outside = false;  // whether its range excludes the first instants
 };
 
-// Places the names beside the ends of their curves, and moves them apart if the ends lie close;
-// `types` are in the order of the quantity's curves.
-void place_names(PlottedChart& plotted, const std::vector<TextBlock>& types, const Panel& panel);
+// Places the names beside the ends of their curves, and moves them apart if the ends lie close.
+void place_names(PlottedChart& plotted, const std::vector<EndName>& names, const Panel& panel);
 
 // Adds the chart with a cursor at this time and a dot on every curve.
 void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,

@@ -233,9 +233,13 @@ Drawer make_distance(const Panel& panel, StageStore& store) {
         const Eigen::Vector3d from = aside * right_of(builder);
         const Eigen::Vector3d to = from + picture_of(panel).foot(instant);
         const LineStyle& colour = panel.stage->theme.text;
-        Curve level = line_between(panel, Eigen::Vector3d::Zero(), 1.06 * from, colour, 1.6);
-        level.hidden_opacity = 0.5;
-        builder.view.curves.push_back(level);
+        // From the centre, and in the plane from the foot of L.
+        for (const Eigen::Vector3d& height :
+             {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(to - from)}) {
+            Curve level = line_between(panel, height, height + 1.06 * from, colour, 1.6);
+            level.hidden_opacity = 0.5;
+            builder.view.curves.push_back(level);
+        }
         const Eigen::Vector3d middle = 0.5 * (from + to);
         for (const Eigen::Vector3d& end : {from, to}) {
             Arrow arrow = arrow_between(panel, middle, end, colour, 0.6);
@@ -330,8 +334,10 @@ Drawer make_levels(const Panel& panel, StageStore& store) {
 // zero, to the other end of the axis of rotation. The arc is rotated about the axis out of the
 // plane of the line of sight, in which it would cover the axis.
 Drawer make_velocity(const Panel& panel, StageStore& store) {
-    const TextBlock type = set_label(panel, store, "\\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
-    return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
+    const TextBlock type =
+        set_label(panel, store, "\\mathbf{v} = \\boldsymbol{\\omega}\\times\\mathbf{r}", 0.85);
+    const TextBlock rest_type = set_label(panel, store, "\\mathbf{v} = 0", 0.85);
+    return [&panel, type, rest_type](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = picture_of(panel);
         const Eigen::Vector3d rho = picture.contact(instant);
         const Eigen::Vector3d axis = rho.stableNormalized();
@@ -364,6 +370,9 @@ Drawer make_velocity(const Panel& panel, StageStore& store) {
             builder.view.dots.push_back(dot_at(panel, point, colour, 3.0));
             if (k == named) wish_at_tip(panel, arrow, type, builder);
         }
+        // On the side to which the matter above moves: away from the names of L and ω.
+        wish_beside(panel, rho, rho - 1.5 * sideways - picture.normal, rest_type, colour, builder);
+        builder.requests.back().gap_px = 14.0 * panel.px;
     };
 }
 

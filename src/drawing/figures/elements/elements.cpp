@@ -21,10 +21,13 @@ Drawer make_ellipsoid(const Panel& panel, StageStore&) {
 
 Drawer make_axes(const Panel& panel, StageStore& store) {
     const std::array<TextBlock, 3> types = set_axis_labels(panel, store);
-    return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
+    // The arcs of the turn end on the principal axes.
+    const double least_length = is_shown(*panel.stage, "turn") ? given_axis_length : 0.0;
+    return [&panel, types, least_length](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
         for (int i = 0; i < 3; ++i) {
-            const double length = picture_of(panel).half_axes[i] + axis_overhang;
+            const double length =
+                std::max(picture_of(panel).half_axes[i] + axis_overhang, least_length);
             const Arrow arrow =
                 arrow_to(panel, axes.col(i) * length, panel.stage->theme.axes[i], 0.85);
             builder.view.arrows.push_back(arrow);

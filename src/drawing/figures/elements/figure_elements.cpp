@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -26,7 +27,8 @@ Drawer make_given_axes(const Panel& panel, StageStore& store) {
         const Eigen::Matrix3d axes =
             picture_of(panel).picture_from_body(instant).toRotationMatrix();
         for (int i = 0; i < 3; ++i) {
-            Arrow arrow = arrow_to(panel, 1.25 * axes.col(i), panel.stage->theme.potential, 0.65);
+            Arrow arrow = arrow_to(panel, given_axis_length * axes.col(i),
+                                   panel.stage->theme.potential, 0.65);
             arrow.opacity = 0.85;
             builder.view.arrows.push_back(arrow);
             wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], builder);
@@ -34,7 +36,7 @@ Drawer make_given_axes(const Panel& panel, StageStore& store) {
     };
 }
 
-// The rotation from x, y, z to e1, e2, e3: about its axis, an arc from each old to each new axis,
+// The rotation from x, y, z to e1, e2, e3: about its axis u, an arc from each old to each new axis,
 // with the angle at the longest arc.
 Drawer make_turn(const Panel& panel, StageStore& store) {
     // The rotation that takes x, y, z to e1, e2, e3: about one axis by one angle (Euler's theorem).
@@ -43,13 +45,17 @@ Drawer make_turn(const Panel& panel, StageStore& store) {
     const std::string number = with_decimal_mark(
         fmt::format("{:.1f}°", degrees), decimal_mark_in_formula(panel.stage->scene.language));
     const TextBlock type = set_label(panel, store, number, 0.85);
-    return [&panel, turn, type](const FrameInput& instant, ViewBuilder& builder) {
+    const TextBlock axis_type = set_label(panel, store, "\\mathbf{u}", 0.85);
+    return [&panel, turn, type, axis_type](const FrameInput& instant, ViewBuilder& builder) {
         if (!(turn.angle() > 0.0)) return;
         const LineStyle& colour = panel.stage->theme.angles[0];
         const Eigen::Vector3d axis = picture_of(panel).picture_from_body(instant) * turn.axis();
-        Curve line = line_between(panel, Eigen::Vector3d::Zero(), 1.3 * axis, colour, 2.0);
+        Curve line =
+            line_between(panel, Eigen::Vector3d::Zero(), turn_axis_length * axis, colour, 2.0);
         line.hidden_opacity = 0.6;
         builder.view.curves.push_back(line);
+        wish_beside(panel, turn_axis_length * axis, Eigen::Vector3d::Zero(), axis_type, colour,
+                    builder);
         const Eigen::Matrix3d given =
             picture_of(panel).picture_from_body(instant).toRotationMatrix();
         constexpr double reach = 1.12;
@@ -68,25 +74,36 @@ Drawer make_turn(const Panel& panel, StageStore& store) {
             middle = centre + Eigen::AngleAxisd(0.5 * turn.angle(), axis) * from;
         }
         wish_beside(panel, middle, Eigen::Vector3d::Zero(), type, colour, builder);
+        builder.requests.back().gap_px = 18.0 * panel.px;
     };
+}
+
+void add_half_axes(const Panel& panel, const Eigen::Matrix3d& principal_axes,
+                   const Eigen::Vector3d& half_axes, const std::array<TextBlock, 3>& types,
+                   ViewBuilder& builder) {
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d end = principal_axes.col(i) * half_axes[i];
+        const LineStyle& colour = panel.stage->theme.axes[i];
+        Curve line = line_between(panel, Eigen::Vector3d::Zero(), end, colour, 5.0);
+        line.hidden_opacity = 0.75;
+        builder.view.curves.push_back(line);
+        builder.view.dots.push_back(dot_at(panel, end, colour, 5.0));
+        // The label is at the end, since beside the middle it would be too near to that of ρ, and
+        // beside the line, which may continue as the arrow of the axis.
+        wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)],
+                    panel.stage->theme.text, builder);
+        constexpr double turn_rad = 1.1;
+        Eigen::Vector2d& away = builder.requests.back().away;
+        away = Eigen::Rotation2Dd(turn_rad) * away;
+    }
 }
 
 // The half-axes from the centre to the surface along e1, e2, e3, labelled 1/√I.
 Drawer make_half_axes(const Panel& panel, StageStore& store) {
     const std::array<TextBlock, 3> types = set_half_axis_labels(panel, store, 0.8);
     return [&panel, types](const FrameInput& instant, ViewBuilder& builder) {
-        const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
-        for (int i = 0; i < 3; ++i) {
-            const Eigen::Vector3d end = axes.col(i) * picture_of(panel).half_axes[i];
-            const LineStyle& colour = panel.stage->theme.axes[i];
-            Curve line = line_between(panel, Eigen::Vector3d::Zero(), end, colour, 5.0);
-            line.hidden_opacity = 0.75;
-            builder.view.curves.push_back(line);
-            builder.view.dots.push_back(dot_at(panel, end, colour, 5.0));
-            // The label is at the end: beside the middle it would be too near to that of ρ.
-            wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)],
-                        panel.stage->theme.text, builder);
-        }
+        add_half_axes(panel, picture_of(panel).principal_axes(instant), picture_of(panel).half_axes,
+                      types, builder);
     };
 }
 

@@ -30,7 +30,8 @@ void add_outermost(const std::vector<Circle>& circles, std::vector<Circle>& to) 
 
 }  // namespace
 
-std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, double azimuth_rad,
+std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture,
+                                          const SweptShapes& shapes, double azimuth_rad,
                                           double beyond) {
     const InertiaTensor& inertia = picture.construction.inertia();
     const Eigen::Vector3d moments = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
@@ -59,8 +60,10 @@ std::vector<Eigen::Vector3d> swept_points(const ConstructionPicture& picture, do
             const double length = picture.half_axes[i] + axis_overhang + beyond;
             circles.push_back(circle_of(length * Eigen::Vector3d::Unit(i)));
         }
-        // The axis of rotation, outside of the ellipsoid on both sides.
-        circles.push_back(circle_of(-spin_axis_end(rho)));
+        for (const Eigen::Vector3d& tip : shapes.tips)
+            circles.push_back(circle_of(tip + beyond * tip.stableNormalized()));
+        // The axis of rotation, outside of the ellipsoid.
+        if (shapes.spin_axis) circles.push_back(circle_of(-spin_axis_end(rho)));
         circles.push_back(circle_of(past_contact(rho) + beyond * rho.stableNormalized()));
     }
 

@@ -10,6 +10,7 @@
 #include "construction/timed_path.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/marks.h"
+#include "drawing/style/theme_roles.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
@@ -83,6 +84,9 @@ Drawer make_user_marks(Panel& panel, StageStore& store, const MarkPlace& place) 
         if (mark.spec->srgb) {
             const auto [r, g, b] = *mark.spec->srgb;
             mark.ink = Colour{r, g, b};
+        } else if (!mark.spec->role.empty()) {
+            Theme theme = stage.theme;
+            mark.ink = *look_of(theme, mark.spec->role).colour;
         }
         if (!mark.spec->name.empty()) mark.name = name_of(panel, store, i);
         if (mark.spec->trail) add_trail(panel, store, place, mark);

@@ -35,6 +35,35 @@ Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_b
     return moments.cwiseProduct(principal_from_body(panel) * contact_body).stableNormalized();
 }
 
+// −ω × L at a point ρ of the polhode, where L has length 1: the velocity of L in the body. Its
+// length is that of ω × L with the unit of ω in which the longest half-axis is ρ.
+Eigen::Vector3d velocity_at(const Panel& panel, const Eigen::Vector3d& contact_body) {
+    constexpr double per_rate = 0.75;
+    const Eigen::Vector3d rho =
+        principal_from_body(panel) * contact_body * panel.stage->rolling->picture_per_rho;
+    return per_rate * momentum_at(panel, contact_body).cross(rho);
+}
+
+// The arrow along ω, with the same length as in other panels.
+Eigen::Vector3d omega_at(const Panel& panel, const Eigen::Vector3d& contact_body) {
+    return omega_tip(principal_from_body(panel) * contact_body *
+                     panel.stage->rolling->picture_per_rho);
+}
+
+// Tips of these arrows over the motion, for the frame.
+std::vector<Eigen::Vector3d> tips_of_arrows(const Panel& panel) {
+    const Polhode& polhode = panel.stage->rolling->polhode;
+    std::vector<Eigen::Vector3d> tips;
+    constexpr int n = 48;
+    for (int k = 0; k <= n; ++k) {
+        const Eigen::Vector3d rho = polhode.at(
+            polhode.first_chi_rad() + (polhode.last_chi_rad() - polhode.first_chi_rad()) * k / n);
+        tips.push_back(omega_at(panel, rho));
+        tips.push_back(momentum_at(panel, rho) + velocity_at(panel, rho));
+    }
+    return tips;
+}
+
 // One of the curves in which sphere and ellipsoid meet; its mirror image in the centre is the
 // other.
 const CurveGeometry* keep_meeting_curve(const Panel& panel, StageStore& store) {
@@ -147,6 +176,7 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
     }
     const Eigen::Vector3d axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
     for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
+    for (const Eigen::Vector3d& tip : tips_of_arrows(panel)) points.push_back(tip);
     const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
     const std::vector<Label> legend = legend_of(panel, store);
     const Margins margins{margin, margin, margin + panel.header_px,
@@ -157,8 +187,10 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
     sphere.colour = panel.stage->theme.sphere;
     sphere.section_px = 0.0;
     sphere.ruling_px = 0.0;
-    sphere.opacity = 0.26;
+    // Each surface keeps its tint where the other one covers it.
+    sphere.opacity = 0.6;
     Ellipsoid energy = ellipsoid_of(panel);
+    energy.opacity *= 0.6;
     energy.half_axes = half_axes.asDiagonal();
     energy.section_px = 0.8 * panel.px;
     energy.ruling_px = 0.0;
@@ -181,10 +213,14 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
 
     const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
+    const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
+    const TextBlock velocity_type =
+        set_label(panel, store, "-\\boldsymbol{\\omega}\\times\\mathbf{L}", 0.85);
     const Drawer comparison = make_momentum_comparison(panel, store);
     const Drawer spiral = dissipates ? make_momentum_spiral(panel, store) : Drawer();
     panel.draw = [&panel, spiral, sphere, energy, curves, axis_lengths, axis_types, momentum_type,
-                  legend, comparison](const FrameInput& instant, ViewBuilder& builder) {
+                  omega_type, velocity_type, legend,
+                  comparison](const FrameInput& instant, ViewBuilder& builder) {
         const Theme& theme = panel.stage->theme;
         builder.view.labels = legend;
         builder.view.ellipsoids = {sphere, energy};
@@ -204,12 +240,23 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         }
         name_shapes("axes", builder);
         const PoinsotConstruction& construction = panel.stage->rolling->construction;
-        const Eigen::Vector3d momentum =
-            momentum_at(panel, construction.contact_body(instant.state.omega_body));
-        Arrow arrow = arrow_to(panel, momentum, theme.momentum, 1.15);
-        arrow.hidden_opacity = 0.7;
-        builder.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, momentum_type, builder);
+        const Eigen::Vector3d contact = construction.contact_body(instant.state.omega_body);
+        const Eigen::Vector3d momentum = momentum_at(panel, contact);
+        const auto add_arrow = [&](Arrow arrow, const TextBlock& type, double turn_rad) {
+            arrow.hidden_opacity = 0.7;
+            builder.view.arrows.push_back(arrow);
+            wish_at_tip(panel, arrow, type, builder, turn_rad);
+        };
+        add_arrow(arrow_to(panel, omega_at(panel, contact), theme.omega, 1.15), omega_type,
+                  omega_label_turn_rad);
+        name_shapes("omega", builder);
+        const Eigen::Vector3d velocity = velocity_at(panel, contact);
+        if (!velocity.isZero(1e-12)) {
+            add_arrow(arrow_between(panel, momentum, momentum + velocity, theme.potential, 1.0),
+                      velocity_type, 0.0);
+            name_shapes("velocity", builder);
+        }
+        add_arrow(arrow_to(panel, momentum, theme.momentum, 1.15), momentum_type, 0.0);
         name_shapes("momentum", builder);
         comparison(instant, builder);
         name_shapes("ghost", builder);

@@ -131,10 +131,20 @@ class PlotMaker {
     }
 
     void set_names() {
+        const auto set = [this](const std::string& name) {
+            const TextBlock type =
+                set_chart_type(*panel_, *store_, name, TypeMode::math, chart_name_size);
+            widest_name_ = std::max(widest_name_, type.width_px());
+            return type;
+        };
         for (const PlotCurve& curve : quantity_->curves) {
-            names_.push_back(set_chart_type(*panel_, *store_, named_label(curve.label),
-                                            TypeMode::math, chart_name_size));
-            widest_name_ = std::max(widest_name_, names_.back().width_px());
+            const std::string name = named_label(curve.label);
+            names_.push_back(set(name));
+            // Residuals of both motions have the same name: the title says which lines are which.
+            if (comparison_ && !quantity_->decades)
+                names_beside_.push_back(
+                    set(fmt::format("{{{}}}_{{\\mathrm{{{}}}}}", name,
+                                    panel_->stage->comparison->motion().problem().method.name)));
         }
     }
 
@@ -213,11 +223,18 @@ class PlotMaker {
                              {},
                              {},
                              place.begins_outside};
+        std::vector<EndName> names;
         for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
             add_curve(plotted, i);
-            if (comparison_) add_curve_beside(plotted, i);
+            const PlottedCurve& curve = plotted.curves.back();
+            names.push_back({names_[i], curve.end_y, curve.curve.colour});
+            if (!comparison_) continue;
+            // A curve that leaves the chart has no name.
+            const std::optional<double> end_y = add_curve_beside(plotted, i);
+            if (end_y && !names_beside_.empty())
+                names.push_back({names_beside_[i], *end_y, curve.curve.colour});
         }
-        place_names(plotted, names_, *panel_);
+        place_names(plotted, names, *panel_);
         return plotted;
     }
 
@@ -275,8 +292,9 @@ class PlotMaker {
         plotted.curves.push_back(curve);
     }
 
-    // Adds the same quantity of the comparison motion, up to where it leaves the chart.
-    void add_curve_beside(PlottedChart& plotted, std::size_t i) {
+    // Adds the same quantity of the comparison motion, up to where it leaves the chart; returns the
+    // height of its end if it does not.
+    std::optional<double> add_curve_beside(PlottedChart& plotted, std::size_t i) {
         const ChartArea& area = plotted.chart.area();
         std::vector<CurveSample> samples = sampled(plotted.chart, *comparison_, i);
         const auto inside = [&area](const CurveSample& sample) {
@@ -285,12 +303,16 @@ class PlotMaker {
         };
         if (plotted.begins_outside)
             samples.erase(samples.begin(), std::find_if(samples.begin(), samples.end(), inside));
-        samples.erase(std::find_if_not(samples.begin(), samples.end(), inside), samples.end());
-        if (samples.size() < 2) return;
+        const auto outside = std::find_if_not(samples.begin(), samples.end(), inside);
+        const bool leaves = outside != samples.end();
+        samples.erase(outside, samples.end());
+        if (samples.size() < 2) return std::nullopt;
         Curve curve = line_of(quantity_->curves[i], beside_width);
         curve.opacity = beside_opacity;
         curve.geometry = keep(samples);
         plotted.comparison.push_back(curve);
+        if (leaves) return std::nullopt;
+        return samples.back().point.y();
     }
 
     const Panel* panel_;
@@ -300,6 +322,7 @@ class PlotMaker {
     std::optional<PlotRecord> comparison_;
     int n_pieces_ = 16;
     std::vector<TextBlock> names_;
+    std::vector<TextBlock> names_beside_;  // of the comparison motion
     double widest_name_ = 0.0;
 };
 

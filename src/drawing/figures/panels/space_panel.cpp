@@ -41,14 +41,22 @@ std::vector<Eigen::Vector3d> points_aside(const Panel& panel, double azimuth_deg
         }
     }
     if (is_shown(stage, "distance")) points.emplace_back(1.6 * right);
-    // The given axes and their rotation may point in any direction.
-    if (is_shown(stage, "given-axes") || is_shown(stage, "turn")) {
-        constexpr double reach = 1.36;  // of an axis with its name
-        for (const double colatitude_deg : {0.0, 45.0, 90.0, 135.0, 180.0})
-            for (double turn_deg = 0.0; turn_deg < 360.0; turn_deg += 30.0)
-                points.emplace_back(reach * direction_of(turn_deg, 90.0 - colatitude_deg));
-    }
     return points;
+}
+
+SweptShapes swept_shapes(const Panel& panel) {
+    const StageContext& stage = *panel.stage;
+    SweptShapes shapes;
+    shapes.spin_axis = is_shown(stage, "spin-axis");
+    const bool turn = is_shown(stage, "turn");
+    const Eigen::Matrix3d& axes = stage.rolling->construction.inertia().body_from_principal();
+    for (int i = 0; i < 3; ++i) {
+        if (turn || is_shown(stage, "given-axes"))
+            shapes.tips.emplace_back(given_axis_length * axes.row(i).transpose());
+        if (turn) shapes.tips.emplace_back(given_axis_length * Eigen::Vector3d::Unit(i));
+    }
+    if (turn) shapes.tips.emplace_back(turn_axis_length * Eigen::AngleAxisd(axes).axis());
+    return shapes;
 }
 
 // A camera towards the figure, aimed so that the figure is above the caption, and moved back if the
@@ -61,7 +69,8 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
     const double per_px = 2.0 * pose.distance * std::tan(0.5 * field_rad) / panel.box.height_px;
     const double label = 1.4 * label_size * panel.type_px * per_px;
     std::vector<Eigen::Vector3d> points =
-        swept_points(*panel.stage->rolling, pose.azimuth_deg * std::numbers::pi / 180.0, label);
+        swept_points(*panel.stage->rolling, swept_shapes(panel),
+                     pose.azimuth_deg * std::numbers::pi / 180.0, label);
     for (const Eigen::Vector3d& point : points_aside(panel, pose.azimuth_deg)) {
         points.push_back(point);
     }

@@ -17,6 +17,7 @@
 
 #include "construction/adaptive_curve.h"
 #include "drawing/figures/elements/construction_lines.h"
+#include "drawing/figures/elements/figure_elements.h"
 #include "drawing/figures/elements/object_shapes.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
@@ -140,14 +141,15 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
     const Trace trace = trace_of(panel, store, half_axes);
     const Drawer body = resting_body(panel, store);
     const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
+    const std::array<TextBlock, 3> half_types = set_half_axis_labels(panel, store, 0.8);
     const TextBlock n_type = set_label(panel, store, "\\mathbf{n}");
     const TextBlock rho_type = set_label(panel, store, "\\boldsymbol{\\rho}");
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.half_axes = half_axes.asDiagonal();
     ellipsoid.casts_shadow = false;
-    panel.draw = [&panel, half_axes, trace, body, axis_types, n_type, rho_type, ellipsoid,
-                  &text = std::as_const(store).text()](const FrameInput& instant,
-                                                       ViewBuilder& builder) {
+    panel.draw = [&panel, half_axes, trace, body, axis_types, half_types, n_type, rho_type,
+                  ellipsoid, &text = std::as_const(store).text()](const FrameInput& instant,
+                                                                  ViewBuilder& builder) {
         const StageContext& stage = *panel.stage;
         const Theme& theme = stage.theme;
         const double share = share_at(stage, instant);
@@ -160,8 +162,9 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
         // Nearly transparent until its points have been traced, but hiding objects behind it.
         builder.view.ellipsoids.push_back(ellipsoid);
         Ellipsoid& shown = builder.view.ellipsoids.back();
-        constexpr double faint = 0.16;
-        shown.opacity = (faint + (1.0 - faint) * stands) * ellipsoid.opacity;
+        // At this opacity a surface begins to hide completely.
+        constexpr double faint = 0.25;
+        shown.opacity = std::max(stands * ellipsoid.opacity, std::min(faint, ellipsoid.opacity));
         shown.section_px *= stands;
         shown.ruling_px *= stands;
         name_shapes("ellipsoid", builder);
@@ -174,8 +177,17 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
             wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
         }
         name_shapes("axes", builder);
-        builder.view.curves.push_back(trace.curve);
-        builder.view.curves.back().last = trace.index_at(swept);
+        add_half_axes(panel, Eigen::Matrix3d::Identity(), half_axes, half_types, builder);
+        name_shapes("half-axes", builder);
+        // The surface is too clear to make the far part of the trace pale: that part is drawn as
+        // one of two curves, which both continue on the near side.
+        Curve traced = trace.curve;
+        traced.last = trace.index_at(swept);
+        Curve far = traced;
+        far.opacity = 0.3;
+        traced.hidden = HiddenStyle::absent;
+        builder.view.curves.push_back(far);
+        builder.view.curves.push_back(traced);
         name_shapes("trace", builder);
 
         // n through the body, ρ along it up to the surface, and the number I(n).
