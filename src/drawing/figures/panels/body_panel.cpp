@@ -227,8 +227,9 @@ Drawer make_precession_circle(const Panel& panel, StageStore& store) {
         Curve spoke = line_between(panel, centre, tip, theme.omega, 2.6);
         spoke.hidden_opacity = 0.8;
         builder.view.curves.push_back(spoke);
-        wish_beside(panel, centre + 0.5 * radius, Eigen::Vector3d::Zero(), amplitude, theme.omega,
-                    builder);
+        // Below the spoke: above it are the names of the axis and of Ω.
+        wish_beside(panel, centre + 0.55 * radius, 2.0 * centre + 0.55 * radius, amplitude,
+                    theme.omega, builder);
         const double side = std::copysign(1.0, centre.dot(axis));
         const double beyond = picture.half_axes[cones.symmetry_axis] + 0.55 * axis_overhang;
         add_turn(panel,
