@@ -124,23 +124,27 @@ Drawer make_omega(const Panel& panel, StageStore& store) {
     return [&panel, type, beyond](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         Arrow arrow =
-            arrow_to(panel, beyond ? past_contact(rho) : rho, panel.stage->theme.omega, 1.15);
+            arrow_to(panel, beyond ? spin_axis_end(rho) : rho, panel.stage->theme.omega, 1.15);
         // ρ covers the beginning of ω: of two arrows on one line, either might be in front.
         if (beyond) arrow.tail = rho;
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         // The label is further along the line, away from the contact and the lines that meet there.
-        wish_beside(panel, past_contact(rho), Eigen::Vector3d::Zero(), type, arrow.colour, builder);
+        wish_beside(panel, beyond ? arrow.tip : past_contact(rho), Eigen::Vector3d::Zero(), type,
+                    arrow.colour, builder);
         builder.requests.back().side = 1;
     };
 }
 
 // The points of the body that are at rest at the instant: the line through centre and contact.
 Drawer make_spin_axis(const Panel& panel, StageStore&) {
-    return [&panel](const FrameInput& instant, ViewBuilder& builder) {
+    // On the side of the contact, ρ and ω lie on the axis and would have its colour in their
+    // middle.
+    const bool covered = is_shown(*panel.stage, "radius") && is_shown(*panel.stage, "omega");
+    return [&panel, covered](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
-        Curve line = line_between(panel, -spin_axis_end(rho), past_contact(rho),
-                                  panel.stage->theme.omega, 2.0);
+        const Eigen::Vector3d end = covered ? Eigen::Vector3d::Zero().eval() : past_contact(rho);
+        Curve line = line_between(panel, -spin_axis_end(rho), end, panel.stage->theme.omega, 2.0);
         line.hidden_opacity = 0.6;
         builder.view.curves.push_back(line);
     };

@@ -110,7 +110,7 @@ Drawer make_ghost(const Panel& panel, StageStore& store) {
             picture.half_axes.asDiagonal();
         const Eigen::Vector3d contact = contact_of(picture, *instant.comparison);
         // Ends like ω's arrow, which depends on whether ρ is shown.
-        add_ghost_arrow(panel, beyond ? past_contact(contact) : contact, type, builder);
+        add_ghost_arrow(panel, beyond ? spin_axis_end(contact) : contact, type, builder);
         if (contact.norm() <= out_of_picture) {
             builder.view.dots.push_back(dot_at(panel, contact, panel.stage->theme.ghost, 5.5));
         }
