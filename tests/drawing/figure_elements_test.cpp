@@ -119,13 +119,14 @@ TEST(FigureElements, HalfAxesHaveTheirLengths) {
 // end of its trace, and the number beside it is I(n).
 TEST(FigureElements, DirectionTracesTheEllipsoidUntilItFadesOut) {
     Scene scene = showing({"ellipsoid", "axes", "direction"});
-    scene.keyframes = {{.at_s = 0.0, .speed = 0.0}};  // at rest
+    scene.keyframes.emplace_back().speed = 0.0;  // at rest
     scene.film.duration_s = {};
     scene.film.length_s = 10.0;
     scene.fades = {{.at_s = 4.0, .elements = {"direction"}, .opacity = 0.0}};
     const StagedScene staged(scene, 1.0);
     for (const double film_s : {0.0, 1.7, 3.1, 4.0}) {
-        const View view = staged.stage.at(FilmTime{0.0, film_s}).views.front();
+        const Drawing drawing = staged.stage.at(FilmTime{0.0, film_s});
+        const View& view = drawing.views.front();
         ASSERT_EQ(view.arrows.size(), 5u);
         Eigen::Matrix3d axes;
         for (int i = 0; i < 3; ++i)

@@ -260,7 +260,8 @@ TEST(LectureClaims, BothCurvesRunThroughTheTipOfRho) {  // page 14
     for (const double t : lecture.instants()) {
         const Drawing drawing = lecture.staged.stage.at(t);
         const View& view = drawing.views.front();
-        const Vector3d rho = arrow_of(view, lecture.theme().omega).tip;
+        // ω continues the line of ρ from its tip.
+        const Vector3d rho = arrow_of(view, lecture.theme().omega).tail;
         EXPECT_EQ(view.dots.back().at, rho);
         const double px = lecture.staged.stage.panels().front().units_per_px;
         for (const Colour& colour : {lecture.theme().polhode, lecture.theme().herpolhode}) {
