@@ -87,7 +87,11 @@ TEST_P(LectureFilm, ContactPointLiesOnPlaneSurfaceAndBothCurves) {
     for (int i = 1; i <= n_instants; ++i) {
         const Drawing drawing = staged.stage.at(film.time_of(i, n_instants));
         const View& view = drawing.views.at(0);
-        const Eigen::Vector3d contact = view.dots.back().at;
+        const auto dot = std::find_if(view.dots.begin(), view.dots.end(), [](const Dot& each) {
+            return each.name.element == "contact";
+        });
+        ASSERT_NE(dot, view.dots.end());
+        const Eigen::Vector3d contact = dot->at;
         const double scale = px_per_unit(view, contact);
         const ConstructionPicture& rolling = *staged.stage.context().rolling;
         std::vector<Eigen::Vector3d> feet{rolling.foot()};
