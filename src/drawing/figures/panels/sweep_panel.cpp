@@ -15,7 +15,6 @@
 #include <utility>
 #include <vector>
 
-#include "construction/adaptive_curve.h"
 #include "drawing/figures/elements/axis_sweep.h"
 #include "drawing/figures/elements/construction_lines.h"
 #include "drawing/figures/elements/object_shapes.h"
@@ -25,7 +24,6 @@
 #include "drawing/stage/overlay.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
-#include "text/languages.h"
 #include "text/printable.h"
 
 namespace poinsot {
