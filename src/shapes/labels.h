@@ -63,6 +63,7 @@ struct Label {
     Colour colour;
     Colour halo_colour{1.0, 1.0, 1.0};
     double halo_px = 0.0;
+    bool over_figure = false;  // whether the shapes of another view may run under it
     double opacity = 1.0;
     // The share of its width, from the left, that stays in place if another program typesets the
     // text wider or narrower.

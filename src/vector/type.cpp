@@ -6,32 +6,6 @@
 
 namespace poinsot::vector {
 
-namespace {
-
-// A band behind type for legibility: each row is as dense as the mask's row.
-void draw_band(const Canvas& canvas, const Label& label) {
-    const GlyphMask& mask = *label.mask;
-    const double pt = canvas.pt(mask.samples);
-    const Eigen::Vector2d corner = canvas.projection.units_per_px * label.top_left_px;
-    const Eigen::Vector2d size = pt * Eigen::Vector2d(mask.width, mask.height);
-    LinearFade fade{corner, corner + Eigen::Vector2d(0.0, size.y()), {}};
-    constexpr int n_stops = 33;
-    for (int k = 0; k < n_stops; ++k) {
-        const int row = k * (mask.height - 1) / (n_stops - 1);
-        const double density =
-            mask.coverage[static_cast<std::size_t>(row) * static_cast<std::size_t>(mask.width)] /
-            255.0;
-        fade.stops.push_back(
-            {k / (n_stops - 1.0), PaperInk{label.colour, label.opacity * density}});
-    }
-    Fill fill;
-    fill.path.add_rectangle(corner, size);
-    fill.paint = std::move(fade);
-    canvas.add(std::move(fill));
-}
-
-}  // namespace
-
 bool is_omitted(const Canvas& canvas, const Label& label) {
     return label.with_point && label.at && canvas.occluders.at(*label.at, {}).before_bodies < 0.5;
 }
@@ -41,10 +15,6 @@ void draw_label(const Canvas& canvas, const Label& label) {
     const GlyphMask& mask = *label.mask;
     if (mask.letters.empty() && mask.rules.empty()) return;
     if (is_omitted(canvas, label)) return;
-    if (mask.letters.empty()) {
-        draw_band(canvas, label);
-        return;
-    }
     const double pt = canvas.pt(mask.samples);
     const Eigen::Vector2d corner = canvas.projection.units_per_px * label.top_left_px;
     Type type;
@@ -66,8 +36,9 @@ void draw_label(const Canvas& canvas, const Label& label) {
     type.ink = {label.colour, label.opacity};
     // Type over lines has a halo; over a uniform background a halo would be invisible.
     const View& view = canvas.view;
-    const bool may_cover = !(view.curves.empty() && view.arrows.empty() && view.planes.empty() &&
-                             view.ellipsoids.empty() && view.meshes.empty());
+    const bool may_cover =
+        label.over_figure || !(view.curves.empty() && view.arrows.empty() && view.planes.empty() &&
+                               view.ellipsoids.empty() && view.meshes.empty());
     type.halo = {label.halo_colour, may_cover ? label.opacity : 0.0};
     type.halo_pt = canvas.pt(label.halo_px);
     canvas.add(std::move(type));

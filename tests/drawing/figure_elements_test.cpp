@@ -1,9 +1,13 @@
 // The elements that explain the construction have the positions of their definitions.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
+#include <numbers>
 #include <set>
+#include <string>
 
 #include "drawing/figures/charts/plot_frame.h"
 #include "drawing/figures/charts/plot_quantity.h"
@@ -111,6 +115,48 @@ TEST(FigureElements, HalfAxesHaveTheirLengths) {
     }
 }
 
+// n takes all directions from the film's beginning until the element fades out; ρ = n/√I(n) is the
+// end of its trace, and the number beside it is I(n).
+TEST(FigureElements, DirectionTracesTheEllipsoidUntilItFadesOut) {
+    Scene scene = showing({"ellipsoid", "axes", "direction"});
+    scene.keyframes.emplace_back().speed = 0.0;  // at rest
+    scene.film.duration_s = {};
+    scene.film.length_s = 10.0;
+    scene.fades = {{.at_s = 4.0, .elements = {"direction"}, .opacity = 0.0}};
+    const StagedScene staged(scene, 1.0);
+    for (const double film_s : {0.0, 1.7, 3.1, 4.0}) {
+        const Drawing drawing = staged.stage.at(FilmTime{0.0, film_s});
+        const View& view = drawing.views.front();
+        ASSERT_EQ(view.arrows.size(), 5u);
+        Eigen::Matrix3d axes;
+        for (int i = 0; i < 3; ++i)
+            axes.col(i) = view.arrows[static_cast<std::size_t>(i)].tip.normalized();
+        const Eigen::Vector3d rho = view.arrows[4].tip;
+        const Eigen::Vector3d n = (axes.transpose() * rho).normalized();
+        EXPECT_NEAR(form(axes, rho), 1.0, 1e-14) << film_s;
+        // The colatitude of n grows evenly from 0 to π.
+        EXPECT_NEAR(std::acos(std::clamp(n.z(), -1.0, 1.0)), std::numbers::pi * film_s / 4.0, 3e-8)
+            << film_s;
+        const Curve& trace = view.curves.front();
+        const auto last = static_cast<std::size_t>(trace.last);
+        ASSERT_LT(last, trace.geometry->points.size());
+        const double step =
+            last + 1 < trace.geometry->points.size()
+                ? (trace.geometry->points[last + 1] - trace.geometry->points[last]).norm()
+                : 1e-14;
+        EXPECT_LE((trace.placement * trace.geometry->points[last] - rho).norm(), step) << film_s;
+        const double moment = moments.dot(n.cwiseAbs2());
+        const std::string wanted = fmt::format("= {:.3g}~", moment);
+        EXPECT_TRUE(std::any_of(view.labels.begin(), view.labels.end(),
+                                [&wanted](const Label& label) {
+                                    return label.mask->source.text.find(wanted) !=
+                                           std::string::npos;
+                                }))
+            << film_s << wanted;
+    }
+    EXPECT_EQ(staged.stage.at(FilmTime{0.0, 6.0}).views.front().arrows.size(), 3u);
+}
+
 TEST(FigureElements, DimensionLineSpansThePlaneDistance) {
     const StagedScene staged(showing({"plane", "distance"}), 10.0);
     const View view = staged.stage.at(0.0).views.front();
@@ -132,6 +178,20 @@ TEST(FigureElements, PrecessionNeedsTwoEqualMoments) {
     Scene scene = free_scene({1.0, 1.0, 1.8}, {1.5, 0.0, 1.5}, "space");
     scene.show = {"precession"};
     EXPECT_EQ(StagedScene(scene, 10.0).stage.at(1.0).views.front().arrows.size(), 2u);
+}
+
+// The rings are about the tips of e3 and of L, or on the other side if the plane is in the way.
+TEST(FigureElements, PrecessionIsOnTheSideAwayFromThePlane) {
+    Scene scene = free_scene({1.0, 1.0, 1.8}, {1.5, 0.0, 1.5}, "space");
+    for (const bool has_plane : {false, true}) {
+        scene.show = {"precession"};
+        if (has_plane) scene.show.emplace_back("plane");
+        const View view = StagedScene(scene, 10.0).stage.at(1.0).views.front();
+        ASSERT_EQ(view.arrows.size(), 2u);
+        // L points down.
+        for (const Arrow& arrow : view.arrows)
+            EXPECT_GT((has_plane ? 1.0 : -1.0) * arrow.tip.z(), 0.5) << has_plane;
+    }
 }
 
 TEST(FigureElements, BodyIsInsideItsEllipsoid) {

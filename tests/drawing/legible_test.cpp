@@ -146,25 +146,28 @@ TEST_F(Legible, ArrowTowardsTheViewerIsARingWithADot) {
     for (const Arrow& arrow : beside.arrows) EXPECT_EQ(arrow.opacity, 1.0);
 }
 
-// If the camera moves close, title and caption get background bands; a framed figure has none.
-TEST_F(Legible, TitleAndCaptionHaveAUniformBackground) {
+// If the camera moves close, the letters of title and caption get a wide halo, and nothing else
+// covers the figure; beside a framed figure the halo is narrow.
+TEST_F(Legible, TitleAndCaptionHaveAQuietGroundBehindLettersOnly) {
     Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "space");
     scene.title = "A title";
     scene.caption = "A caption";
-    const auto bands = [&scene] {
+    const auto n_with_ground = [&scene] {
         int n = 0;
         const StagedScene staged(scene, 1.0);
         const Drawing drawing = staged.stage.at(0.5);
-        for (const Label& label : drawing.views.back().labels)
-            n += label.mask->width == scene.film.width_px && label.opacity > 0.8;
+        for (const Label& label : drawing.views.back().labels) {
+            EXPECT_FALSE(label.mask->letters.empty());  // letters, not an area
+            n += label.over_figure && label.halo_px > 8.0 * staged.stage.context().px;
+        }
         return n;
     };
-    EXPECT_EQ(bands(), 0);
+    EXPECT_EQ(n_with_ground(), 0);
     scene.camera.look_at = "foot";
     scene.camera.distance = 3.3;
-    EXPECT_EQ(bands(), 2);
+    EXPECT_EQ(n_with_ground(), 3);  // title, caption, clock
     scene.theme = "transparent";
-    EXPECT_EQ(bands(), 0);
+    EXPECT_EQ(n_with_ground(), 0);
 }
 
 }  // namespace

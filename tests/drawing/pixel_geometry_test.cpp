@@ -88,11 +88,17 @@ TEST_P(LectureFilm, ContactPointLiesOnPlaneSurfaceAndBothCurves) {
     for (int i = 1; i <= n_instants; ++i) {
         const Drawing drawing = staged.stage.at(film.time_of(i, n_instants));
         const View& view = drawing.views.at(0);
-        const Eigen::Vector3d contact = view.dots.back().at;
+        const auto dot = std::find_if(view.dots.begin(), view.dots.end(), [](const Dot& each) {
+            return each.name.element == "contact";
+        });
+        ASSERT_NE(dot, view.dots.end());
+        const Eigen::Vector3d contact = dot->at;
         const double scale = px_per_unit(view, contact);
-        const Plane& plane = view.planes.at(0);
-        from_plane =
-            std::max(from_plane, scale * std::abs(plane.normal.dot(contact - plane.centre)));
+        const ConstructionPicture& rolling = *staged.stage.context().rolling;
+        std::vector<Eigen::Vector3d> feet{rolling.foot()};
+        for (const Plane& plane : view.planes) feet.push_back(plane.centre);  // if it is shown
+        for (const Eigen::Vector3d& foot : feet)
+            from_plane = std::max(from_plane, scale * std::abs(rolling.normal.dot(contact - foot)));
         from_surface =
             std::max(from_surface, scale * distance_from(view.ellipsoids.at(0), contact));
 

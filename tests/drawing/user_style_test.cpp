@@ -238,6 +238,28 @@ TEST(UserStyle, CaptionsFadeInAndOut) {
     }
 }
 
+// The picture names the chapter that players list, with its number, until the next one begins.
+TEST(UserStyle, ChaptersAreNamedInThePicture) {
+    Scene scene = free_scene(moments, omega, "space");
+    scene.show = {"plane", "chapter"};
+    scene.film.duration_s = 10.0;
+    scene.chapters = {{.at_s = 1.0, .title = "First"}, {.at_s = 4.0, .title = "Second"}};
+    const auto shown = [&scene](double film_s) {
+        const StagedScene staged(scene, 10.0);
+        std::string texts;
+        const Drawing drawing = staged.stage.at(FilmTime{film_s, film_s});
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels) texts += label.mask->source.text + ";";
+        return texts;
+    };
+    EXPECT_EQ(shown(0.5), "");
+    EXPECT_EQ(shown(2.0), "1  First;");
+    EXPECT_EQ(shown(5.0), "2  Second;");
+    EXPECT_EQ(shown(10.0), "2  Second;");
+    scene.show = {"plane"};
+    EXPECT_EQ(shown(2.0), "");
+}
+
 TEST(UserStyle, BodyPanelHasTheRequestedNumberOfCurves) {
     Scene scene = free_scene(moments, omega, "body");
     const auto n_thin = [&scene] {

@@ -70,8 +70,8 @@ def palette(picture, small, colours=COLOURS, most_bytes=MOST_BYTES):
 def draw_first(program):
     """Draws the README's pictures: the default scene, and the same for paper."""
     scene = str(ROOT / "scenes" / "generic.toml")
-    subprocess.run([program, "render", str(ROOT / "scenes" / "loop_turning.toml"), "--portable", "--size", "400x226", "--fps", "12",
-                    "-q", "-o", str(README_PICTURES / "turning.gif")], check=True)
+    subprocess.run([program, "render", scene, "--portable", "--size", "400x226", "--fps", "10", "--set", "film.duration_s=10.5",
+                    "-q", "-o", str(README_PICTURES / "rolling.gif")], check=True)
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "print.png"
         subprocess.run([program, "still", scene, "--portable", "--theme", "print", "--width-mm", "85", "--dpi", "144", "-q",

@@ -26,7 +26,8 @@ Eigen::Vector3d past_contact(const Eigen::Vector3d& rho) {
 }
 
 Eigen::Vector3d spin_axis_end(const Eigen::Vector3d& rho) {
-    constexpr double beyond = 0.3;
+    // Less than L beyond the plane, so that the head of L is seen where both are along one line.
+    constexpr double beyond = 0.26;
     return rho + beyond * rho.stableNormalized();
 }
 

@@ -20,9 +20,30 @@ namespace poinsot {
 
 namespace {
 
-// Adds text at a corner of the picture; its pen may be between pixels.
+// If one panel fills the picture and its camera moves close, its figure may run under the title and
+// the captions: then their letters get a wide halo, a quiet ground that covers nothing beside them.
+class QuietGround {
+ public:
+    QuietGround(const StageContext& stage, const std::deque<Panel>& panels) {
+        const bool runs_under = panels.size() == 1 &&
+                                panels.front().box.height_px == stage.options.height_px &&
+                                stage.theme.background.alpha >= 1.0;
+        if (runs_under) timeline_ = &timeline_of(panels.front());
+    }
+
+    // 0 while the camera frames the figure, 1 if the camera is aimed by hand.
+    double presence(double film_s) const {
+        return timeline_ != nullptr ? 1.0 - timeline_->camera_at(film_s).framing : 0.0;
+    }
+
+ private:
+    const Timeline* timeline_ = nullptr;
+};
+
+// Adds text at a corner of the picture; its pen may be between pixels. `ground`: presence of the
+// ground behind it, 0…1.
 void add_text(const StageContext& stage, const TextBlock& type, double pen_x, double baseline_y,
-              LabelRank rank, ViewBuilder& builder) {
+              LabelRank rank, double ground, ViewBuilder& builder) {
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
@@ -30,7 +51,8 @@ void add_text(const StageContext& stage, const TextBlock& type, double pen_x, do
                          stage.at_whole_pixel(baseline_y) - type.baseline_px};
     label.colour = stage.theme.text;
     label.halo_colour = stage.theme.halo;
-    label.halo_px = 2.0 * stage.px;
+    label.halo_px = (2.0 + 10.0 * ground) * stage.px;
+    label.over_figure = ground > 0.0;
     label.held_at = 0.0;
     label.rank = rank;
     builder.view.labels.push_back(label);
@@ -41,6 +63,7 @@ double margin(double px) { return overlay_margin * px; }
 double margin(const StageContext& stage) { return margin(stage.px); }
 
 constexpr double title_size = 40.0;
+constexpr double chapter_size = 32.0;
 constexpr double caption_size = 26.0;
 
 // The scale that [style] gives text of this size.
@@ -59,39 +82,42 @@ TypeStyle text_style(const StageContext& stage, double size) {
     return text_style(stage.scene, stage.options.width_px, stage.px, size, stage.options.samples);
 }
 
-Drawer make_title(const StageContext& stage, StageStore& store) {
+Drawer make_title(const StageContext& stage, StageStore& store, const QuietGround& ground) {
     const TextBlock type = at_scene_key(stage.scene, "title", [&] {
         return store.set(stage.scene.title, text_style(stage, title_size));
     });
-    return [&stage, type](const FrameInput&, ViewBuilder& builder) {
+    return [&stage, type, ground](const FrameInput& instant, ViewBuilder& builder) {
         add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, rank_of_title,
-                 builder);
+                 ground.presence(instant.film_s), builder);
     };
 }
 
-Drawer make_caption(const StageContext& stage, StageStore& store) {
+Drawer make_caption(const StageContext& stage, StageStore& store, const QuietGround& ground) {
     const TypeStyle style = text_style(stage, caption_size);
-    const auto place = [&stage](const TextBlock& type, ViewBuilder& builder) {
+    const auto place = [&stage, ground](const TextBlock& type, const FrameInput& instant,
+                                        ViewBuilder& builder) {
         const double below = type.height_px() - type.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
-                 rank_of_caption, builder);
+                 rank_of_caption, ground.presence(instant.film_s), builder);
     };
     // Always set here, so that an invalid caption is rejected before the first frame.
     const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
         return store.set(live_text(stage.scene, stage.scene.caption, {}), style);
     });
     if (!is_live(stage.scene.caption)) {
-        return [place, type](const FrameInput&, ViewBuilder& builder) { place(type, builder); };
+        return [place, type](const FrameInput& instant, ViewBuilder& builder) {
+            place(type, instant, builder);
+        };
     }
     return [&stage, style, place, &text = std::as_const(store).text()](const FrameInput& instant,
                                                                        ViewBuilder& builder) {
         place(text.set_live(live_text(stage.scene, stage.scene.caption, instant), style,
                             builder.view),
-              builder);
+              instant, builder);
     };
 }
 
-Drawer make_clock(const StageContext& stage, StageStore& store) {
+Drawer make_clock(const StageContext& stage, StageStore& store, const QuietGround& ground) {
     const auto clock = [text = ClockText(stage.film_first_s, stage.film_last_s),
                         mark = decimal_mark_of(stage.scene.language)](double time_s) {
         return with_decimal_mark(text.at(time_s), mark);
@@ -106,10 +132,11 @@ Drawer make_clock(const StageContext& stage, StageStore& store) {
     }
     const double pen = stage.options.width_px - margin(stage) - widest_px;
     const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
-    return [&stage, clock, style, pen, baseline, &text = std::as_const(store).text()](
+    return [&stage, ground, clock, style, pen, baseline, &text = std::as_const(store).text()](
                const FrameInput& instant, ViewBuilder& builder) {
         const TextBlock type = text.set_live(clock(instant.time_s), style, builder.view);
-        add_text(stage, type, pen, baseline, rank_of_clock, builder);
+        add_text(stage, type, pen, baseline, rank_of_clock, ground.presence(instant.film_s),
+                 builder);
     };
 }
 
@@ -118,11 +145,9 @@ bool wants(const Scene& scene, const char* name) {
     return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
 }
 
-// One of [[captions]], set, and the part of the film in which it is shown.
-struct TimedCaption {
-    const TimedCaptionSpec* spec = nullptr;
+// A caption or a chapter's title, and the part of the film in which it is shown.
+struct TimedText {
     double begin_s = 0.0, end_s = 0.0;
-    std::optional<TextBlock> still;  // empty: contains numbers that change
 
     // Opacity: fades in and out within a third of a second, or of the caption's duration.
     double presence(double film_s) const {
@@ -134,18 +159,75 @@ struct TimedCaption {
     }
 };
 
+// One of [[captions]], set.
+struct TimedCaption : TimedText {
+    const TimedCaptionSpec* spec = nullptr;
+    std::optional<TextBlock> still;  // empty: contains numbers that change
+};
+
+bool wants_title(const Scene& scene) { return !scene.title.empty() && wants(scene, "title"); }
+bool wants_caption(const Scene& scene) { return !scene.caption.empty() && wants(scene, "caption"); }
+bool wants_chapters(const Scene& scene) {
+    return !scene.chapters.empty() && wants(scene, "chapter");
+}
+
+// The top of the first line below the title.
+double below_title(const Scene& scene, double px) {
+    return margin(px) + (wants_title(scene) ? 62.0 * scene.type_scale * px : 0.0);
+}
+// Below the titles of the chapters, if they are shown.
+double below_chapters(const Scene& scene, double px) {
+    return below_title(scene, px) +
+           (wants_chapters(scene) ? 1.6 * chapter_size * scale_of(scene, chapter_size) * px : 0.0);
+}
+
+// Sets the title of a chapter with the number under which players list it.
+TextBlock set_chapter(const Scene& scene, std::size_t i, TextCache& text, const TypeStyle& style) {
+    return at_scene_key(scene, fmt::format("chapters[{}].title", i), [&] {
+        return text.set(fmt::format("{}  {}", i + 1, scene.chapters[i].title), style);
+    });
+}
+
+Drawer make_chapters(const StageContext& stage, StageStore& store, const QuietGround& ground) {
+    const Scene& scene = stage.scene;
+    struct Chapter : TimedText {
+        TextBlock type;
+    };
+    std::vector<Chapter> chapters;
+    const double film_end_s = FilmClock(scene).length_s().value_or(default_film_s);
+    for (std::size_t i = 0; i < scene.chapters.size(); ++i) {
+        Chapter chapter;
+        chapter.begin_s = scene.chapters[i].at_s;
+        // The last one stays to the end.
+        chapter.end_s = i + 1 < scene.chapters.size() ? scene.chapters[i + 1].at_s
+                                                      : std::max(film_end_s, chapter.begin_s) + 1.0;
+        chapter.type = set_chapter(scene, i, store.text(), text_style(stage, chapter_size));
+        chapters.push_back(chapter);
+    }
+    const double top = below_title(scene, stage.px);
+    return [&stage, ground, chapters, top](const FrameInput& instant, ViewBuilder& builder) {
+        for (const Chapter& chapter : chapters) {
+            const double presence = chapter.presence(instant.film_s);
+            if (!(presence > 0.0)) continue;
+            add_text(stage, chapter.type, margin(stage), top + chapter.type.baseline_px,
+                     rank_of_caption, ground.presence(instant.film_s), builder);
+            builder.view.labels.back().opacity *= presence;
+        }
+    };
+}
+
 // The top of the scene's own caption, or the picture's lower margin.
 double bottom_of_captions(const StageContext& stage, const TypeStyle& style) {
     double bottom = stage.options.height_px - margin(stage);
     const Scene& scene = stage.scene;
-    const bool captioned = !scene.caption.empty() && wants(scene, "caption");
-    if (!captioned) return bottom;
+    if (!wants_caption(scene)) return bottom;
     TextCache type_case(stage.options.fonts, stage.options.samples, stage.options.least);
     const TextBlock type = type_case.set(live_text(scene, scene.caption, {}), style);
     return bottom - type.height_px() - 14.0 * stage.px;
 }
 
-Drawer make_timed_captions(const StageContext& stage, StageStore& store) {
+Drawer make_timed_captions(const StageContext& stage, StageStore& store,
+                           const QuietGround& ground) {
     const Scene& scene = stage.scene;
     const TypeStyle style = text_style(stage, caption_size);
     std::vector<TimedCaption> captions;
@@ -162,9 +244,8 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store) {
         captions.push_back(caption);
     }
     const double foot = bottom_of_captions(stage, style);
-    const bool titled = !scene.title.empty() && wants(scene, "title");
-    const double head = margin(stage) + (titled ? 62.0 * scene.type_scale * stage.px : 0.0);
-    return [&stage, captions, style, foot, head, &text = std::as_const(store).text()](
+    const double head = below_chapters(scene, stage.px);
+    return [&stage, ground, captions, style, foot, head, &text = std::as_const(store).text()](
                const FrameInput& instant, ViewBuilder& builder) {
         for (const TimedCaption& caption : captions) {
             const double presence = caption.presence(instant.film_s);
@@ -177,7 +258,8 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store) {
                                         ? head + type.baseline_px
                                         : foot - (type.height_px() - type.baseline_px);
             const std::size_t n_before = builder.view.labels.size();
-            add_text(stage, type, margin(stage), baseline, rank_of_caption, builder);
+            add_text(stage, type, margin(stage), baseline, rank_of_caption,
+                     ground.presence(instant.film_s), builder);
             if (builder.view.labels.size() > n_before)
                 builder.view.labels.back().opacity *= presence;
         }
@@ -191,65 +273,22 @@ bool wants_clock(const Scene& scene) {
     return wants(scene, "clock");
 }
 
-bool wants_title(const Scene& scene) { return !scene.title.empty() && wants(scene, "title"); }
-bool wants_caption(const Scene& scene) { return !scene.caption.empty() && wants(scene, "caption"); }
-
-// If one panel fills the picture and its camera moves close, the figure may run under the title and
-// the caption: then they get bands of the background's colour, which fade in as the camera leaves
-// the framed view.
-Drawer make_bands(const StageContext& stage, StageStore& store, const std::deque<Panel>& panels) {
-    const Panel& panel = panels.front();
-    const bool runs_under = panels.size() == 1 && panel.box.height_px == stage.options.height_px &&
-                            stage.theme.background.alpha >= 1.0;
-    if (!runs_under) return {};
-    const OverlayBands& rows = panel.overlays;
-    const double width = stage.options.width_px;
-    struct Band {
-        TextBlock type;
-        double top_px;
-        Colour colour;
-        const char* of;
-    };
-    std::vector<Band> bands;
-    const Background& ground = stage.theme.background;
-    if (wants_title(stage.scene))
-        bands.push_back(
-            {store.text().band(width, 1.9 * rows.top_px, true), 0.0, ground.top, "title"});
-    if (rows.bottom_px > 0) {
-        const TextBlock type = store.text().band(width, 1.9 * rows.bottom_px, false);
-        bands.push_back(
-            {type, stage.options.height_px - type.height_px(), ground.bottom, "caption"});
-    }
-    return [&stage, &panel, bands](const FrameInput& instant, ViewBuilder& builder) {
-        constexpr double density = 0.86;
-        const double nearness = 1.0 - timeline_of(panel).camera_at(instant.film_s).framing;
-        if (!(nearness > 0.0)) return;
-        for (const Band& band : bands) {
-            Label label;
-            label.mask = band.type.mask;
-            label.top_left_px = {0.0, band.top_px};
-            label.colour = band.colour;
-            label.opacity = density * nearness * stage.timeline.opacity_of(band.of, instant.film_s);
-            builder.view.labels.push_back(label);
-        }
-    };
-}
-
 }  // namespace
 
 std::vector<Drawer> make_overlays(const StageContext& stage, StageStore& store,
                                   const std::deque<Panel>& panels) {
     std::vector<Drawer> overlays;
-    if (Drawer bands = make_bands(stage, store, panels)) overlays.push_back(std::move(bands));
-    if (wants_title(stage.scene)) {
-        overlays.push_back(fading(stage, store, "title", make_title(stage, store)));
-    }
-    if (wants_caption(stage.scene)) {
-        overlays.push_back(fading(stage, store, "caption", make_caption(stage, store)));
-    }
-    if (!stage.scene.captions.empty()) overlays.push_back(make_timed_captions(stage, store));
+    const QuietGround ground(stage, panels);
+    if (wants_title(stage.scene))
+        overlays.push_back(fading(stage, store, "title", make_title(stage, store, ground)));
+    if (wants_chapters(stage.scene))
+        overlays.push_back(fading(stage, store, "chapter", make_chapters(stage, store, ground)));
+    if (wants_caption(stage.scene))
+        overlays.push_back(fading(stage, store, "caption", make_caption(stage, store, ground)));
+    if (!stage.scene.captions.empty())
+        overlays.push_back(make_timed_captions(stage, store, ground));
     if (wants_clock(stage.scene))
-        overlays.push_back(fading(stage, store, "clock", make_clock(stage, store)));
+        overlays.push_back(fading(stage, store, "clock", make_clock(stage, store, ground)));
     return overlays;
 }
 
@@ -272,6 +311,14 @@ OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samp
             return type_case.set(scene.title, text_style(scene, width_px, px, title_size, samples));
         });
         bands.title_right_px = margin(px) + type.width_px();
+    }
+    if (wants_chapters(scene)) {
+        const TypeStyle style = text_style(scene, width_px, px, chapter_size, samples);
+        for (std::size_t i = 0; i < scene.chapters.size(); ++i)
+            bands.title_right_px =
+                std::max(bands.title_right_px,
+                         margin(px) + set_chapter(scene, i, type_case, style).width_px());
+        bands.top_px = std::max(bands.top_px, rows(below_chapters(scene, px)));
     }
     if (wants_caption(scene)) {
         // Changing numbers affect the text's width, but hardly its number of lines.
@@ -333,8 +380,9 @@ std::vector<std::string> caption_notes(const Scene& scene) {
 }
 
 std::span<const OverlayName> overlays() {
-    static constexpr std::array<OverlayName, 3> names{{
+    static constexpr std::array<OverlayName, 4> names{{
         {"title", "the scene's title, at the top left"},
+        {"chapter", "the number and title of the current chapter, below the title"},
         {"caption", "the scene's caption, at the bottom, with live numbers"},
         {"clock", "the instant of the motion, at the top right"},
     }};

@@ -116,7 +116,7 @@ Drawer make_momentum(const Panel& panel, StageStore& store) {
     };
 }
 
-// ω from the centre to the contact, or beyond it if ρ is shown as well.
+// ω from the centre to the contact, or on from the tip of ρ if ρ is shown as well.
 Drawer make_omega(const Panel& panel, StageStore& store) {
     const TextBlock type = set_label(panel, store, "\\boldsymbol{\\omega}");
     // With ρ shown, ω extends beyond its tip; without ρ, ω ends there.
@@ -125,21 +125,26 @@ Drawer make_omega(const Panel& panel, StageStore& store) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         Arrow arrow =
             arrow_to(panel, beyond ? spin_axis_end(rho) : rho, panel.stage->theme.omega, 1.15);
+        // ρ covers the beginning of ω: of two arrows on one line, either might be in front.
+        if (beyond) arrow.tail = rho;
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         // The label is further along the line, away from the contact and the lines that meet there.
-        wish_beside(panel, beyond ? arrow.tip : past_contact(rho), arrow.tail, type, arrow.colour,
-                    builder);
+        wish_beside(panel, beyond ? arrow.tip : past_contact(rho), Eigen::Vector3d::Zero(), type,
+                    arrow.colour, builder);
         builder.requests.back().side = 1;
     };
 }
 
 // The points of the body that are at rest at the instant: the line through centre and contact.
 Drawer make_spin_axis(const Panel& panel, StageStore&) {
-    return [&panel](const FrameInput& instant, ViewBuilder& builder) {
+    // On the side of the contact, ρ and ω lie on the axis and would have its colour in their
+    // middle.
+    const bool covered = is_shown(*panel.stage, "radius") && is_shown(*panel.stage, "omega");
+    return [&panel, covered](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
-        Curve line = line_between(panel, -spin_axis_end(rho), past_contact(rho),
-                                  panel.stage->theme.omega, 2.0);
+        const Eigen::Vector3d end = covered ? Eigen::Vector3d::Zero().eval() : past_contact(rho);
+        Curve line = line_between(panel, -spin_axis_end(rho), end, panel.stage->theme.omega, 2.0);
         line.hidden_opacity = 0.6;
         builder.view.curves.push_back(line);
     };
@@ -318,8 +323,11 @@ void LevelScale::add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
         name(here - off * right + along * normal, 0.0, distance_, theme.contact);
     request.away = {-0.2, 0.0};  // the label's middle is at the anchor
     const double half_px = 0.5 * distance_.width_px();
+    // Perspective inclines the scale: its place at the label's height counts.
+    const double scale_px = std::min(project(builder.view, here).px.x(),
+                                     project(builder.view, here + along * normal).px.x());
     request.anchor_px.x() = std::min(request.anchor_px.x() + 0.62 * (request.gap_px + half_px),
-                                     project(builder.view, here).px.x() - request.gap_px - half_px);
+                                     scale_px - 2.0 * request.gap_px - half_px);
 }
 
 // The scale of distances for the motion's own plane.

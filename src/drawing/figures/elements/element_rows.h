@@ -20,6 +20,7 @@ Drawer make_omega(const Panel& panel, StageStore& store);
 Drawer make_spin_axis(const Panel& panel, StageStore& store);
 Drawer make_contact(const Panel& panel, StageStore& store);
 Drawer make_radius(const Panel& panel, StageStore& store);
+Drawer make_direction(const Panel& panel, StageStore& store);
 Drawer make_tangent(const Panel& panel, StageStore& store);
 Drawer make_gradient(const Panel& panel, StageStore& store);
 Drawer make_projection(const Panel& panel, StageStore& store);
@@ -69,8 +70,12 @@ inline constexpr Element element_rows[] = {
      make_turn},
     {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never_shown, attitude_too,
      make_half_axes},
+    {"direction",
+     "an axis n with its moment I(n): n takes all directions until this element fades out, and "
+     "ρ = n/√I(n) leaves its trace",
+     never_shown, attitude_too, make_direction},
     {"radius", "the radius vector ρ = ω/√(2T), whose tip lies on the ellipsoid F(ρ) = 1",
-     never_shown, attitude_too, make_radius},
+     always_shown, attitude_too, make_radius},
     {"gradient", "the gradient ∇F at the tip of ρ, parallel to L", never_shown, attitude_too,
      make_gradient},
     {"projection", "the projection of ρ on L, of length √(2T)/L", never_shown, attitude_too,

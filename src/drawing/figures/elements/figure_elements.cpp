@@ -10,6 +10,7 @@
 #include <numbers>
 #include <vector>
 
+#include "drawing/figures/elements/elements.h"
 #include "drawing/figures/elements/object_shapes.h"
 #include "drawing/stage/marks.h"
 #include "error/error.h"
@@ -121,20 +122,24 @@ Drawer make_precession(const Panel& panel, StageStore& store) {
     return [&panel, cones, in_body, in_space](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = picture_of(panel);
         const Theme& theme = panel.stage->theme;
-        // Both rings are on the side away from the plane, each about a line along its axis.
+        // Each ring is about a line along its axis: at the tips of the axis and of L, or, if the
+        // plane is shown, on the side away from it.
+        const double side = is_shown(*panel.stage, "plane") ? -1.0 : 1.0;
         const Eigen::Vector3d axis = picture.principal_axes(instant).col(cones.symmetry_axis);
-        const Eigen::Vector3d end = axis.dot(picture.normal) > 0.0 ? Eigen::Vector3d(-axis) : axis;
+        const Eigen::Vector3d end =
+            side * axis.dot(picture.normal) > 0.0 ? axis : Eigen::Vector3d(-axis);
         const double beyond = picture.half_axes[cones.symmetry_axis] + 0.62 * axis_overhang;
         builder.view.curves.push_back(line_between(panel, Eigen::Vector3d::Zero(),
                                                    (beyond + 0.5 * axis_overhang) * end,
                                                    theme.axes[cones.symmetry_axis], 3.0));
         add_turn(panel, {beyond * end, axis, 0.2, std::copysign(5.0, cones.body_precession_rad_s)},
                  theme.body_cone, in_body, builder);
-        constexpr double about_momentum = 1.22;
+        // Beyond the name of L.
+        const double about_momentum = side > 0.0 ? momentum_tip(picture).norm() + 0.24 : 1.22;
         builder.view.curves.push_back(line_between(panel, Eigen::Vector3d::Zero(),
-                                                   -(about_momentum + 0.14) * picture.normal,
+                                                   side * (about_momentum + 0.14) * picture.normal,
                                                    theme.momentum, 2.0));
-        add_turn(panel, {-about_momentum * picture.normal, picture.normal, 0.2, 5.0},
+        add_turn(panel, {side * about_momentum * picture.normal, picture.normal, 0.2, 5.0},
                  theme.space_cone, in_space, builder);
     };
 }

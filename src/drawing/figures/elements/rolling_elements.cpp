@@ -77,6 +77,9 @@ namespace {
 // on each other.
 constexpr double mark_spacing = 0.45;
 
+// Opacity of the curves' parts behind the ellipsoid: so pale that they are read as lying there.
+constexpr double under_the_body = 0.45;
+
 }  // namespace
 
 // The polhode and the part of it that is shown.
@@ -107,7 +110,7 @@ Drawer make_polhode(const Panel& panel, StageStore& store) {
         curve_of(panel, keep(panel, store, std::move(geometry), off * per_rho, "the polhode"),
                  panel.stage->theme.polhode, 4.0);
     curve.on_surface = first_ellipsoid;
-    curve.hidden_opacity = 0.72;
+    curve.hidden_opacity = under_the_body;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) {
         marks.emplace(panel, store, *curve.geometry, mark_spacing,
@@ -157,7 +160,7 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
         panel, keep(panel, store, std::move(geometry), timed.off * per_rho, "the herpolhode"), ink,
         width_px);
     curve.on_plane = the_plane;
-    curve.hidden_opacity = 0.72;
+    curve.hidden_opacity = under_the_body;
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, mark_spacing, false);
     const std::optional<RingCurve> ring = ring_of(

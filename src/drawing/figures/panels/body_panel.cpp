@@ -224,11 +224,12 @@ Drawer make_precession_circle(const Panel& panel, StageStore& store) {
                                  2.0 * std::numbers::pi, theme.omega, 2.2);
         circle.hidden_opacity = 0.5;
         builder.view.curves.push_back(circle);
-        Curve spoke = line_between(panel, centre, tip, theme.omega, 2.6);
+        // The radius opposite to ω, where neither ω nor L covers it or its name.
+        Curve spoke = line_between(panel, centre, centre - radius, theme.omega, 2.6);
         spoke.hidden_opacity = 0.8;
         builder.view.curves.push_back(spoke);
-        wish_beside(panel, centre + 0.5 * radius, Eigen::Vector3d::Zero(), amplitude, theme.omega,
-                    builder);
+        wish_beside(panel, centre - 0.6 * radius, 2.0 * centre - 0.6 * radius, amplitude,
+                    theme.omega, builder);
         const double side = std::copysign(1.0, centre.dot(axis));
         const double beyond = picture.half_axes[cones.symmetry_axis] + 0.55 * axis_overhang;
         add_turn(panel,

@@ -28,7 +28,12 @@ std::vector<Eigen::Vector3d> points_aside(const Panel& panel, double azimuth_deg
     const Eigen::Vector3d right =
         Eigen::Vector3d::UnitZ().cross(direction_of(azimuth_deg, 0.0)).normalized();
     std::vector<Eigen::Vector3d> points;
-    if (is_shown(stage, "precession")) points.emplace_back(-1.45 * stage.rolling->normal);
+    if (is_shown(stage, "precession")) {
+        points.emplace_back(
+            is_shown(stage, "plane")
+                ? Eigen::Vector3d(-1.45 * stage.rolling->normal)
+                : Eigen::Vector3d(momentum_tip(*stage.rolling) + 0.45 * stage.rolling->normal));
+    }
     if (is_shown(stage, "levels")) {
         points.emplace_back(1.75 * right);
         points.emplace_back(1.75 * right + 1.1 * stage.rolling->normal);

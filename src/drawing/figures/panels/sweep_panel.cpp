@@ -15,7 +15,7 @@
 #include <utility>
 #include <vector>
 
-#include "construction/adaptive_curve.h"
+#include "drawing/figures/elements/axis_sweep.h"
 #include "drawing/figures/elements/construction_lines.h"
 #include "drawing/figures/elements/figure_elements.h"
 #include "drawing/figures/elements/object_shapes.h"
@@ -25,7 +25,6 @@
 #include "drawing/stage/overlay.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
-#include "text/languages.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -66,59 +65,8 @@ Margins margins_of(const Panel& panel) {
     return {gap, gap, gap + panel.header_px, gap};
 }
 
-// The direction n at a fraction of the sweep, principal axes: a spiral from e3 to −e3 whose turns
-// are equally spaced on the sphere.
-Eigen::Vector3d direction_at(double share) {
-    constexpr double n_turns = 15.0;
-    const double theta = pi * share;
-    const double phi = 2.0 * pi * n_turns * share;
-    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
-}
-
-// I(n) = Σ I_i n_i² in units of the least moment.
-double moment_about(const Eigen::Vector3d& half_axes, const Eigen::Vector3d& n) {
-    return n.cwiseQuotient(half_axes).squaredNorm();
-}
-
-constexpr double n_beyond = 0.3;  // length of the arrow along n beyond the ellipsoid
-
 // Fraction of the film that the sweep of n takes; after it the ellipsoid is shown alone.
 constexpr double swept_share = 0.86;
-
-struct Trace {
-    Curve curve;
-    std::vector<double> shares;  // fraction of the sweep at each point
-
-    double index_at(double share) const {
-        const auto after = std::upper_bound(shares.begin(), shares.end(), share);
-        if (after == shares.begin()) return 0.0;
-        const auto i = static_cast<double>(after - shares.begin()) - 1.0;
-        if (after == shares.end()) return i;
-        return i + (share - *(after - 1)) / (*after - *(after - 1));
-    }
-};
-
-Trace trace_of(const Panel& panel, StageStore& store, const Eigen::Vector3d& half_axes) {
-    const double tolerance = panel.curve_units();
-    Trace trace;
-    CurveGeometry geometry;
-    double off = 0.0;
-    for (const CurveSample& sample : sample_adaptively(
-             [&](double share) {
-                 const Eigen::Vector3d n = direction_at(share);
-                 return Eigen::Vector3d(n / std::sqrt(moment_about(half_axes, n)));
-             },
-             0.0, 1.0, 256, tolerance, 200'000, &off)) {
-        geometry.points.push_back(sample.point);
-        trace.shares.push_back(sample.parameter);
-    }
-    trace.curve = curve_of(panel, keep(panel, store, std::move(geometry), off, "the trace of ρ"),
-                           panel.stage->theme.polhode, 2.4);
-    trace.curve.on_surface = first_ellipsoid;
-    trace.curve.hidden_opacity = 0.14;
-    trace.curve.lasting = true;
-    return trace;
-}
 
 // The body at rest, so small that it is inside its ellipsoid in every direction.
 Drawer resting_body(const Panel& panel, StageStore& store) {
@@ -133,23 +81,20 @@ Drawer resting_body(const Panel& panel, StageStore& store) {
 
 void make_axis_sweep(Panel& panel, StageStore& store) {
     const Eigen::Vector3d half_axes = half_axes_of(panel);
-    std::vector<Eigen::Vector3d> points =
-        points_of_ellipsoid((half_axes.array() + n_beyond).matrix().asDiagonal().toDenseMatrix());
+    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(
+        (half_axes.array() + AxisSweep::beyond).matrix().asDiagonal().toDenseMatrix());
     aim_around(panel, std::move(points),
                margins_of(panel).left_px + 0.4 * label_size * panel.type_px);
 
-    const Trace trace = trace_of(panel, store, half_axes);
+    const AxisSweep axis_sweep(panel, store, half_axes);
     const Drawer body = resting_body(panel, store);
     const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const std::array<TextBlock, 3> half_types = set_half_axis_labels(panel, store, 0.8);
-    const TextBlock n_type = set_label(panel, store, "\\mathbf{n}");
-    const TextBlock rho_type = set_label(panel, store, "\\boldsymbol{\\rho}");
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.half_axes = half_axes.asDiagonal();
     ellipsoid.casts_shadow = false;
-    panel.draw = [&panel, half_axes, trace, body, axis_types, half_types, n_type, rho_type,
-                  ellipsoid, &text = std::as_const(store).text()](const FrameInput& instant,
-                                                                  ViewBuilder& builder) {
+    panel.draw = [&panel, half_axes, axis_sweep, body, axis_types, half_types, ellipsoid](
+                     const FrameInput& instant, ViewBuilder& builder) {
         const StageContext& stage = *panel.stage;
         const Theme& theme = stage.theme;
         const double share = share_at(stage, instant);
@@ -179,45 +124,7 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
         name_shapes("axes", builder);
         add_half_axes(panel, Eigen::Matrix3d::Identity(), half_axes, half_types, builder);
         name_shapes("half-axes", builder);
-        // The surface is too clear to make the far part of the trace pale: that part is drawn as
-        // one of two curves, which both continue on the near side.
-        Curve traced = trace.curve;
-        traced.last = trace.index_at(swept);
-        Curve far = traced;
-        far.opacity = 0.3;
-        traced.hidden = HiddenStyle::absent;
-        builder.view.curves.push_back(far);
-        builder.view.curves.push_back(traced);
-        name_shapes("trace", builder);
-
-        // n through the body, ρ along it up to the surface, and the number I(n).
-        const Eigen::Vector3d n = direction_at(swept);
-        const double moment = moment_about(half_axes, n);
-        const Eigen::Vector3d rho = n / std::sqrt(moment);
-        Curve axis = line_between(panel, -rho - n_beyond * n, rho, theme.text, 2.0);
-        axis.hidden_opacity = 0.5;
-        builder.view.curves.push_back(axis);
-        const Arrow n_arrow = arrow_between(panel, rho, rho + n_beyond * n, theme.text, 0.9);
-        builder.view.arrows.push_back(n_arrow);
-        wish_at_tip(panel, n_arrow, n_type, builder);
-        name_shapes("direction", builder);
-        Arrow rho_arrow = arrow_to(panel, rho, theme.polhode, 1.35);
-        rho_arrow.hidden_opacity = 0.9;
-        builder.view.arrows.push_back(rho_arrow);
-        wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, builder);
-        name_shapes("radius", builder);
-        const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
-        LabelRequest number;
-        number.type = text.set_live(
-            with_decimal_mark(fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
-                              decimal_mark_in_formula(panel.stage->scene.language)),
-            {.size_px = label_size * panel.type_px}, builder.view);
-        number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
-                            panel.box.y_px + 0.5 * panel.box.height_px};
-        number.away = {0.0, 0.0};
-        number.gap_px = 6.0 * stage.options.samples;
-        number.colour = theme.text;
-        builder.requests.push_back(number);
+        axis_sweep.add_to(Eigen::Matrix3d::Identity(), swept, builder);
     };
 }
 
@@ -279,10 +186,14 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
     const double azimuth = timeline_of(panel).camera_at(0.0).azimuth_deg * pi / 180.0;
     const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
     for (const double side : {1.85, -1.85}) points.emplace_back(side * right);
+    // The plane at its farthest, so that nothing cuts it.
+    constexpr double least_radius = 0.95;
+    for (double turn_deg = 0.0; turn_deg < 360.0; turn_deg += 30.0)
+        points.emplace_back(farthest * normal + least_radius * direction_of(turn_deg, 0.0));
     aim_around(panel, std::move(points), margins_of(panel).left_px);
 
     Plane plane;
-    plane.radius = radius_in_view(panel, farthest * normal, 1.0, 2.0);
+    plane.radius = radius_in_view(panel, farthest * normal, least_radius, 2.0);
     plane.grid_spacing = 0.2;
     plane.grid_px = 1.1 * panel.px;
     plane.colour = panel.stage->theme.plane;

@@ -142,11 +142,11 @@ Curve latitude(const Panel& panel, double theta_rad, const LineStyle& colour, do
     return circle;
 }
 
-// The static parts: the sphere, its circles, the vertical and the direction x.
+// The static parts: the sphere, its circles, the vertical and the directions x and y.
 struct Stand {
     Ellipsoid sphere;
     std::vector<Curve> curves;
-    std::array<Arrow, 2> arrows;
+    std::array<Arrow, 3> arrows;
 };
 
 Stand stand_of(const Panel& panel, const TopNutation& nutation) {
@@ -171,18 +171,20 @@ Stand stand_of(const Panel& panel, const TopNutation& nutation) {
     }
     stand.arrows[0] = arrow_to(panel, {0.0, 0.0, vertical_length}, theme.text, 0.85);
     stand.arrows[1] = arrow_to(panel, {1.12, 0.0, 0.0}, theme.text, 0.6);
+    stand.arrows[2] = arrow_to(panel, {0.0, 1.12, 0.0}, theme.text, 0.6);
     for (Arrow& arrow : stand.arrows) arrow.opacity = 0.75;
     return stand;
 }
 
 // The names of axes and angles.
 struct Names {
-    TextBlock z, x, node, e1, e3, theta, phi, psi, height;
+    TextBlock z, x, y, node, e1, e3, theta, phi, psi, height;
 };
 
 Names names_of(const Panel& panel, StageStore& store) {
     return {set_label(panel, store, "z", 0.9),
             set_label(panel, store, "x", 0.8),
+            set_label(panel, store, "y", 0.8),
             set_label(panel, store, "N", 0.8),
             set_label(panel, store, "\\mathbf{e}_1", 0.8),
             set_label(panel, store, "\\mathbf{e}_3", 0.95),
@@ -301,6 +303,7 @@ void make_top_panel(Panel& panel, StageStore& store) {
         for (const Arrow& arrow : stand.arrows) builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, stand.arrows[0], names.z, builder);
         wish_at_tip(panel, stand.arrows[1], names.x, builder);
+        wish_at_tip(panel, stand.arrows[2], names.y, builder);
         name_shapes("unit-sphere", builder);
         TopDrawer drawer(panel, builder, instant.euler);
         drawer.body(body, spokes, hangs);

@@ -25,7 +25,7 @@ double shared(const Box& a, const Box& b) {
     return both.volume() / std::max(std::min(a.volume(), b.volume()), 1e-9);
 }
 
-// Whether a label is text: background bands are not, and nearly invisible text is ignored.
+// Whether a label is text that is seen: nearly invisible text is ignored.
 bool is_type(const Label& label) {
     constexpr double least_opacity = 0.2;
     return label.mask != nullptr && !label.mask->letters.empty() && label.opacity >= least_opacity;

@@ -177,22 +177,6 @@ TextBlock TextCache::set(std::string_view text, const TypeStyle& style) {
     return type;
 }
 
-TextBlock TextCache::band(double width_px, double height_px, bool dense_at_top) {
-    TypesetMask set;
-    set.width = static_cast<int>(std::lround(width_px / samples_));
-    set.height = static_cast<int>(std::lround(height_px / samples_));
-    set.coverage.resize(static_cast<std::size_t>(set.width) * static_cast<std::size_t>(set.height));
-    for (int row = 0; row < set.height; ++row) {
-        const int from_end = dense_at_top ? set.height - 1 - row : row;
-        const double density = smooth_step(1.8 * (from_end + 0.5) / set.height);
-        const auto begin = set.coverage.begin() + static_cast<std::ptrdiff_t>(row) * set.width;
-        std::fill(begin, begin + set.width, static_cast<std::uint8_t>(std::lround(255 * density)));
-    }
-    set.glyphs.clear();
-    set.rules = {{0.0, 0.0, static_cast<double>(set.width), static_cast<double>(set.height)}};
-    return keep(std::move(set), masks_);
-}
-
 double TextCache::least_size_px() const {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [key, type] : known_)

@@ -61,10 +61,6 @@ class TextCache {
     // For text that changes in every frame: the view owns the mask.
     TextBlock set_live(std::string_view text, const TypeStyle& style, View& view) const;
 
-    // A background band for text, densest at its top or at its bottom and fading out over the other
-    // half. In rendered pixels, rounded to final pixels.
-    TextBlock band(double width_px, double height_px, bool dense_at_top);
-
     // The smallest em size of the cached text, in rendered pixels; infinite if there is none.
     double least_size_px() const;
 

@@ -1,0 +1,132 @@
+#include "drawing/figures/elements/axis_sweep.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <utility>
+
+#include "construction/adaptive_curve.h"
+#include "drawing/stage/fade.h"
+#include "drawing/stage/marks.h"
+#include "text/languages.h"
+
+namespace poinsot {
+
+namespace {
+
+// The direction n at a fraction of the sweep, principal axes: a spiral from e3 to −e3 whose turns
+// are equally spaced on the sphere.
+Eigen::Vector3d direction_at(double share) {
+    constexpr double n_turns = 15.0;
+    const double theta = std::numbers::pi * share;
+    const double phi = 2.0 * std::numbers::pi * n_turns * share;
+    return {std::sin(theta) * std::cos(phi), std::sin(theta) * std::sin(phi), std::cos(theta)};
+}
+
+// I(n) = Σ I_i n_i² in units of the least moment.
+double moment_about(const Eigen::Vector3d& half_axes, const Eigen::Vector3d& n) {
+    return n.cwiseQuotient(half_axes).squaredNorm();
+}
+
+}  // namespace
+
+AxisSweep::AxisSweep(const Panel& panel, StageStore& store, const Eigen::Vector3d& half_axes)
+    : panel_(&panel),
+      text_(&std::as_const(store).text()),
+      half_axes_(half_axes),
+      n_type_(set_label(panel, store, "\\mathbf{n}")),
+      rho_type_(set_label(panel, store, "\\boldsymbol{\\rho}")) {
+    const double tolerance = panel.curve_units();
+    CurveGeometry geometry;
+    double off = 0.0;
+    for (const CurveSample& sample : sample_adaptively(
+             [&](double share) {
+                 const Eigen::Vector3d n = direction_at(share);
+                 return Eigen::Vector3d(n / std::sqrt(moment_about(half_axes, n)));
+             },
+             0.0, 1.0, 256, tolerance, 200'000, &off)) {
+        geometry.points.push_back(sample.point);
+        shares_.push_back(sample.parameter);
+    }
+    trace_ = curve_of(panel, keep(panel, store, std::move(geometry), off, "the trace of ρ"),
+                      panel.stage->theme.polhode, 2.4);
+    trace_.on_surface = first_ellipsoid;
+    trace_.hidden_opacity = 0.14;
+}
+
+double AxisSweep::index_at(double share) const {
+    const auto after = std::upper_bound(shares_.begin(), shares_.end(), share);
+    if (after == shares_.begin()) return 0.0;
+    const auto i = static_cast<double>(after - shares_.begin()) - 1.0;
+    if (after == shares_.end()) return i;
+    return i + (share - *(after - 1)) / (*after - *(after - 1));
+}
+
+void AxisSweep::add_to(const Eigen::Matrix3d& picture_from_principal, double share,
+                       ViewBuilder& builder) const {
+    const Panel& panel = *panel_;
+    const Theme& theme = panel.stage->theme;
+    // The surface is too clear to make the far part of the trace pale: that part is drawn as one of
+    // two curves, which both continue on the near side.
+    Curve traced = trace_;
+    traced.placement.linear() = picture_from_principal;
+    traced.last = index_at(share);
+    Curve far = traced;
+    far.opacity = 0.3;
+    traced.hidden = HiddenStyle::absent;
+    builder.view.curves.push_back(far);
+    builder.view.curves.push_back(traced);
+    name_shapes("trace", builder);
+
+    // n through the body, ρ along it up to the surface, and the number I(n).
+    const Eigen::Vector3d along = direction_at(share);
+    const double moment = moment_about(half_axes_, along);
+    const Eigen::Vector3d n = picture_from_principal * along;
+    const Eigen::Vector3d rho = n / std::sqrt(moment);
+    Curve axis = line_between(panel, -rho - beyond * n, rho, theme.text, 2.0);
+    axis.hidden_opacity = 0.5;
+    builder.view.curves.push_back(axis);
+    const Arrow n_arrow = arrow_between(panel, rho, rho + beyond * n, theme.text, 0.9);
+    builder.view.arrows.push_back(n_arrow);
+    wish_at_tip(panel, n_arrow, n_type_, builder);
+    name_shapes("direction", builder);
+    Arrow rho_arrow = arrow_to(panel, rho, theme.polhode, 1.35);
+    rho_arrow.hidden_opacity = 0.9;
+    builder.view.arrows.push_back(rho_arrow);
+    wish_beside(panel, 0.62 * rho, rho, rho_type_, theme.polhode, builder);
+    name_shapes("radius", builder);
+    const double kg_m2 =
+        moment * panel.stage->motion.motion().problem().inertia.moments_kg_m2().minCoeff();
+    LabelRequest number;
+    number.type = text_->set_live(
+        with_decimal_mark(fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
+                          decimal_mark_in_formula(panel.stage->scene.language)),
+        {.size_px = label_size * panel.type_px}, builder.view);
+    number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
+                        panel.box.y_px + 0.5 * panel.box.height_px};
+    number.away = {0.0, 0.0};
+    number.gap_px = 6.0 * panel.stage->options.samples;
+    number.colour = theme.text;
+    builder.requests.push_back(number);
+}
+
+// The sweep from the film's beginning until the element fades out.
+Drawer make_direction(const Panel& panel, StageStore& store) {
+    const AxisSweep sweep(panel, store, picture_of(panel).half_axes);
+    const Scene& scene = panel.stage->scene;
+    double end_s = FilmClock(scene).length_s().value_or(default_film_s);
+    for (const FadeSpec& fade : scene.fades) {
+        const auto& names = fade.elements;
+        const bool fades_out = !(fade.opacity > 0.0) &&
+                               std::find(names.begin(), names.end(), "direction") != names.end();
+        if (fades_out) end_s = std::min(end_s, fade.at_s);
+    }
+    return [&panel, sweep, end_s](const FrameInput& instant, ViewBuilder& builder) {
+        const double share = end_s > 0.0 ? std::clamp(instant.film_s / end_s, 0.0, 1.0) : 1.0;
+        sweep.add_to(picture_of(panel).principal_axes(instant), share, builder);
+    };
+}
+
+}  // namespace poinsot
