@@ -30,12 +30,16 @@ constexpr StyleRole roles[] = {
     {"halo", StyleKind::colour, "the halo that separates type from what is behind it"},
     {"omega", StyleKind::line, "ω"},
     {"momentum", StyleKind::line, "L"},
+    {"rho", StyleKind::line, "ρ and its projection on L"},
+    {"gradient", StyleKind::line, "∇F"},
+    {"torque", StyleKind::line, "the torque N"},
     {"e1", StyleKind::line, "the first principal axis and components along it"},
     {"e2", StyleKind::line, "the second principal axis and components along it"},
     {"e3", StyleKind::line, "the third principal axis and components along it"},
-    {"polhode", StyleKind::line, "the polhode and ρ"},
+    {"polhode", StyleKind::line, "the polhode"},
     {"herpolhode", StyleKind::line, "the herpolhode"},
     {"contact", StyleKind::colour, "the contact point"},
+    {"mark", StyleKind::line, "points of [[marks]] and their paths"},
     {"ellipsoid", StyleKind::surface, "the inertia ellipsoid"},
     {"ellipsoid_lines", StyleKind::colour, "the lines on the ellipsoid"},
     {"plane", StyleKind::surface, "the invariable plane"},
@@ -50,7 +54,7 @@ constexpr StyleRole roles[] = {
     {"theta", StyleKind::line, "the angle θ"},
     {"phi", StyleKind::line, "the angle φ"},
     {"psi", StyleKind::line, "the angle ψ"},
-    {"energy", StyleKind::line, "E, T and torques"},
+    {"energy", StyleKind::line, "E and T"},
     {"potential", StyleKind::line, "V and the axes given in the scene"},
     {"ghost", StyleKind::line, "the motion of the second method"},
     {"rule", StyleKind::line, "the axes of charts"},
@@ -207,11 +211,16 @@ constexpr auto mark(Value MarkSpec::*member) {
 }
 
 void read_mark_colour(const GivenValue& given, SceneDraft& draft) {
-    draft.scene.marks.at(given.item()).srgb = look_of(given, StyleKind::colour).srgb;
+    MarkSpec& mark = draft.scene.marks.at(given.item());
+    if (const StyleRole* role = find_row(roles, given.text()))
+        mark.role = role->name;
+    else
+        mark.srgb = look_of(given, StyleKind::colour).srgb;
 }
 std::string mark_colour_text(const Scene& scene, size_t item) {
-    const auto& srgb = scene.marks.at(item).srgb;
-    return srgb ? toml_text(std::string_view(colour_text(*srgb))) : "";
+    const MarkSpec& mark = scene.marks.at(item);
+    if (mark.srgb) return toml_text(std::string_view(colour_text(*mark.srgb)));
+    return mark.role == MarkSpec{}.role ? "" : toml_text(std::string_view(mark.role));
 }
 
 }  // namespace
@@ -267,8 +276,9 @@ std::span<const SceneKey> mark_keys() {
                 "whether the path of the point is drawn")
             .omitted_if_default(),
         row("marks[].colour", {.kind = ValueType::Kind::text}, R"("#cf4a12")",
-            "colour of the point")
-            .default_is("that of the contact point")
+            "colour of the point and its path, or the name of a key of [style], such as \"ghost\": "
+            "then the theme chooses it")
+            .default_is("\"mark\"")
             .read_by(read_mark_colour)
             .written_by(mark_colour_text),
     };

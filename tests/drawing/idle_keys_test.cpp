@@ -42,6 +42,22 @@ TEST(IdleKeys, TrailsNeedAPanelWithPaths) {
               Keys{});
 }
 
+TEST(IdleKeys, PathOfAnAxisNeedsATop) {
+    const std::string fading = "[trail]\naxis = \"fading\"\nlength_s = 2.0\n";
+    const std::string top = "[torque]\nkind = \"gravity\"\nmgl_N_m = 1.0\n";
+    EXPECT_EQ(idle_in(fading), Keys{"trail.axis"});
+    EXPECT_EQ(idle_in(fading + "[[panels]]\nkind = \"top\"\n"), Keys{});
+    EXPECT_EQ(idle_in(fading + top), Keys{});
+    EXPECT_EQ(idle_in(fading + top + "[[panels]]\nkind = \"plot\"\n"), Keys{"trail.axis"});
+    // A herpolhode asked of a top gets the key of the top's own path.
+    const std::vector<IdleKey> idle = idle_keys(parse_scene(
+        "[body]\nmoments_kg_m2 = [1.0, 1.0, 0.5]\n[start]\ntheta_rad = 0.7\nomega3_rad_s = 5.0\n" +
+            top + "[trail]\nherpolhode = \"fading\"\n[[panels]]\nkind = \"top\"\n",
+        "a.toml"));
+    ASSERT_FALSE(idle.empty());
+    EXPECT_NE(idle.front().why.find("trail.axis"), std::string::npos) << idle.front().why;
+}
+
 TEST(IdleKeys, ElementsAndStylesNeedTheirPanels) {
     const std::string plot = "[[panels]]\nkind = \"plot\"\n";
     EXPECT_EQ(idle_in("show = [\"title\", \"clock\"]\n", plot), Keys{});

@@ -49,6 +49,28 @@ TEST(OwnMarks, FollowTheirObject) {
     }
 }
 
+// A mark without a colour of its own, or with the name of a role, follows the theme.
+TEST(OwnMarks, FollowTheTheme) {
+    Scene scene = a_scene();
+    MarkSpec usual, named;
+    usual.at = {0.0, 3.0, 0.0};
+    named.at = {0.0, 0.0, 3.0};
+    named.role = "ghost";
+    scene.marks = {usual, named};
+    for (const char* name : {"light", "dark"}) {
+        scene.theme = name;
+        const StagedScene staged(scene, 1.0);
+        const View view = staged.stage.at(0.5).views.at(0);
+        const Theme& theme = theme_named(name);
+        for (const Colour& colour : {Colour(theme.mark), Colour(theme.ghost)}) {
+            EXPECT_EQ(std::count_if(view.dots.begin(), view.dots.end(),
+                                    [&](const Dot& dot) { return dot.colour == colour; }),
+                      1)
+                << name;
+        }
+    }
+}
+
 // The corner of a box, in metres, at the body's reach: it rotates with the body.
 TEST(OwnMarks, OnABodyAreInMetres) {
     Scene scene = a_scene("object");

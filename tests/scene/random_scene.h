@@ -356,6 +356,7 @@ inline void write_camera(Dice& dice, const std::string& table, Text& text) {
 
 inline void write_cameras_and_panels(Dice& dice, Text& text) {
     write_camera(dice, "camera.", text);
+    if (dice.one_in(4)) text.set_text("trail.axis", "fading");
     if (dice.one_in(2)) text.set_number("trail.length_s", dice.magnitude(-40, 40));
     if (dice.one_in(2)) text.set("trail.direction_marks", "true");
 
@@ -385,7 +386,8 @@ inline void write_cameras_and_panels(Dice& dice, Text& text) {
         if (dice.one_in(2)) text.set_text(item + "name", dice.text());
         if (dice.one_in(2)) text.set(item + "trail", "true");
         if (dice.one_in(2))
-            text.set_text(item + "colour", fmt::format("#{:06x}", dice.below(1 << 24)));
+            text.set_text(item + "colour",
+                          dice.one_in(4) ? "ghost" : fmt::format("#{:06x}", dice.below(1 << 24)));
     }
 }
 

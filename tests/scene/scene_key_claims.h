@@ -372,6 +372,8 @@ inline const std::map<std::string, Claim> claims_of_rows{
     {"trail.herpolhode",
      {with("trail", "herpolhode = \"fading\""),
       [](const Scene& s) { return s.trail.herpolhode == "fading"; }}},
+    {"trail.axis",
+     {with("trail", "axis = \"fading\""), [](const Scene& s) { return s.trail.axis == "fading"; }}},
     {"trail.length_s",
      {with("trail", "length_s = 4"), [](const Scene& s) { return s.trail.length_s == 4.0; }}},
     {"trail.direction_marks",

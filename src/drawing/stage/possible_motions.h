@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "drawing/stage/stage_context.h"
+#include "mechanics/top/heavy_top.h"
 
 namespace poinsot {
 
@@ -15,6 +16,12 @@ inline bool rolls(const StageContext& stage) {
 }
 inline bool is_heavy_top(const StageContext& stage) {
     return stage.motion.motion().heavy_top() != nullptr;
+}
+// Whether e3 of a heavy top stays at the upward vertical, where φ and ψ have a meaning only in
+// their sum.
+inline bool stays_upright(const StageContext& stage) {
+    return is_heavy_top(stage) &&
+           stage.motion.motion().heavy_top()->nutation().theta_max_rad == 0.0;
 }
 
 inline constexpr std::string_view needs_heavy_top = "a heavy symmetric top";

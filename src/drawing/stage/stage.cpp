@@ -13,6 +13,7 @@
 #include "drawing/stage/type/label_fit.h"
 #include "drawing/stage/type/labels.h"
 #include "drawing/style/line_style.h"
+#include "drawing/style/theme_contrast.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
@@ -125,6 +126,7 @@ Drawing Stage::at(const FilmTime& moment) const {
                     request.gap_px += 2.0 * ring->opacity * ring->radius_px;
         place_labels(builder.requests, context.theme.halo, 4.0 * panel.px, view,
                      contents_->store.unit_segment());
+        for (Label& label : view.labels) label.colour = letter_colour(context.theme, label.colour);
         follow_line_rules(line_rules(context, contents_->store), view);
         drawing.views.push_back(std::move(view));
     }

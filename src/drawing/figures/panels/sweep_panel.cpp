@@ -112,7 +112,7 @@ Trace trace_of(const Panel& panel, StageStore& store, const Eigen::Vector3d& hal
         trace.shares.push_back(sample.parameter);
     }
     trace.curve = curve_of(panel, keep(panel, store, std::move(geometry), off, "the trace of ρ"),
-                           panel.stage->theme.polhode, 2.4);
+                           panel.stage->theme.rho, 2.4);
     trace.curve.on_surface = first_ellipsoid;
     trace.curve.hidden_opacity = 0.14;
     trace.curve.lasting = true;
@@ -189,10 +189,10 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
         builder.view.arrows.push_back(n_arrow);
         wish_at_tip(panel, n_arrow, n_type, builder);
         name_shapes("direction", builder);
-        Arrow rho_arrow = arrow_to(panel, rho, theme.polhode, 1.35);
+        Arrow rho_arrow = arrow_to(panel, rho, theme.rho, 1.35);
         rho_arrow.hidden_opacity = 0.9;
         builder.view.arrows.push_back(rho_arrow);
-        wish_beside(panel, 0.62 * rho, rho, rho_type, theme.polhode, builder);
+        wish_beside(panel, 0.62 * rho, rho, rho_type, theme.rho, builder);
         name_shapes("radius", builder);
         const double kg_m2 = moment * inertia_of(panel).moments_kg_m2().minCoeff();
         LabelRequest number;
