@@ -130,7 +130,7 @@ TEST_P(EveryTheme, LettersKeepTheirHue) {
         const double turn =
             std::atan2(was.y() * is.z() - was.z() * is.y(), was.y() * is.y() + was.z() * is.z());
         if (was.tail<2>().norm() > 10.0) {
-            EXPECT_LT(std::abs(turn), 0.2) << role.name;  // measured 0.13
+            EXPECT_LT(std::abs(turn), 0.1) << role.name;  // measured 0.071
         }
     }
 }

@@ -104,44 +104,52 @@ TEST(TopPanel, PathCanFade) {
     EXPECT_NEAR(young.fade_points, 2.5 * young.last, 1e-9 * young.last);
 }
 
-// Upright there is no line of nodes; the angle from x to e1 is that of the attitude.
-TEST(TopPanel, UprightAxisHasOneAngle) {
-    const StagedScene staged(top_scene({0.0, 0.0, 0.0, 5.0}, "top"), 10.0);
-    const Theme& theme = staged.stage.context().theme;
-    for (const double t : {0.3, 1.0, 1.4}) {
-        const Drawing drawing = staged.stage.at(t);
-        const View& view = view_of(drawing);
-        const Curve* arc = nullptr;
-        for (const Curve& curve : view.curves) {
-            for (int i = 0; i < 3; ++i) EXPECT_FALSE(curve.colour == theme.angles[i]) << i;
-            if (curve.colour == theme.text && curve.geometry == staged.stage.store().unit_circle())
-                arc = &curve;
+// Upright or hanging there is no line of nodes; the angle from x to e1 is that of the attitude.
+TEST(TopPanel, VerticalAxisHasOneAngle) {
+    for (const double theta_rad : {0.0, std::numbers::pi}) {
+        const StagedScene staged(top_scene({theta_rad, 0.0, 0.0, 5.0}, "top"), 10.0);
+        const Theme& theme = staged.stage.context().theme;
+        for (const double t : {0.3, 1.0, 1.4}) {
+            const Drawing drawing = staged.stage.at(t);
+            const View& view = view_of(drawing);
+            const Curve* arc = nullptr;
+            for (const Curve& curve : view.curves) {
+                for (int i = 0; i < 3; ++i) EXPECT_FALSE(curve.colour == theme.angles[i]) << i;
+                if (curve.colour == theme.text &&
+                    curve.geometry == staged.stage.store().unit_circle())
+                    arc = &curve;
+            }
+            ASSERT_NE(arc, nullptr);
+            const double angle = 2.0 * std::numbers::pi * arc->last /
+                                 static_cast<double>(arc->geometry->points.size());
+            const Eigen::Vector3d e1 =
+                staged.motion.at(t).space_from_body * Eigen::Vector3d::UnitX();
+            EXPECT_NEAR(std::remainder(angle - std::atan2(e1.y(), e1.x()), 2.0 * std::numbers::pi),
+                        0.0, 1e-12)
+                << t;
         }
-        ASSERT_NE(arc, nullptr);
-        const double angle =
-            2.0 * std::numbers::pi * arc->last / static_cast<double>(arc->geometry->points.size());
-        const Eigen::Vector3d e1 = staged.motion.at(t).space_from_body * Eigen::Vector3d::UnitX();
-        EXPECT_NEAR(std::remainder(angle - std::atan2(e1.y(), e1.x()), 2.0 * std::numbers::pi), 0.0,
-                    1e-12)
-            << t;
     }
 }
 
-// Its chart shows θ and the sum, whose rate is φ̇ + ψ̇ = ω₃.
-TEST(TopPanel, ChartOfAnUprightAxisShowsTheSum) {
-    const StagedScene staged(top_scene({0.0, 0.0, 0.0, 5.0}, "plot"), 10.0);
-    const StageContext& stage = staged.stage.context();
-    const PlotQuantity& quantity = plot_quantity_of(stage, "euler_angles");
-    ASSERT_EQ(quantity.curves.size(), 2u);
-    for (const double t : {0.0, 0.7, 9.1}) {
-        FrameInput instant;
-        instant.time_s = t;
-        instant.euler =
-            staged.motion.sample(t, {.attitude = false, .herpolhode = false, .euler_angles = true})
-                .euler;
-        const PlotValues values = quantity.values(stage, instant);
-        EXPECT_EQ(values[0], 0.0);
-        EXPECT_NEAR(values[1], 5.0 * t, 1e-13 * (1.0 + 5.0 * t));
+// Its chart shows θ and the sum, whose rate is φ̇ + ψ̇ = ω₃, or the difference, whose rate is −ω₃.
+TEST(TopPanel, ChartOfAVerticalAxisShowsOneAngle) {
+    for (const double sign : {1.0, -1.0}) {
+        const double theta_rad = sign > 0.0 ? 0.0 : std::numbers::pi;
+        const StagedScene staged(top_scene({theta_rad, 0.0, 0.0, 5.0}, "plot"), 10.0);
+        const StageContext& stage = staged.stage.context();
+        const PlotQuantity& quantity = plot_quantity_of(stage, "euler_angles");
+        ASSERT_EQ(quantity.curves.size(), 2u);
+        for (const double t : {0.0, 0.7, 9.1}) {
+            FrameInput instant;
+            instant.time_s = t;
+            instant.euler =
+                staged.motion
+                    .sample(t, {.attitude = false, .herpolhode = false, .euler_angles = true})
+                    .euler;
+            const PlotValues values = quantity.values(stage, instant);
+            EXPECT_EQ(values[0], theta_rad);
+            EXPECT_NEAR(values[1], sign * 5.0 * t, 1e-13 * (1.0 + 5.0 * t));
+        }
     }
     const StagedScene leaning(top_scene({0.7, 0.0, 0.0, 5.0}, "plot"), 10.0);
     EXPECT_EQ(plot_quantity_of(leaning.stage.context(), "").curves.size(), 3u);

@@ -87,13 +87,13 @@ const Theme dark{
     .space_cone = hex(0xfc884e),
     .annulus = hex(0x8090a6),
     .separatrix = hex(0xf2f4f7),
-    .ghost = hex(0x9aa7b5),
+    .ghost = hex(0x939ca8),
     .sphere = hex(0x6d86a3),
     .solid = hex(0x8393a6),
     .solid_lines = hex(0xe8edf3),
     .angles = {hex(0xfc884e), hex(0x8650ff), hex(0xf0f0a0)},
     .energy = hex(0x8fe827),
-    .potential = hex(0xa9b7c9),
+    .potential = hex(0x8a8c88),
     .rule = hex(0x71829a),
 };
 
@@ -129,9 +129,9 @@ const Theme print{
     .sphere = hex(0xc4c9cf),
     .solid = hex(0xc2c6cb),
     .solid_lines = hex(0x3a3a3a),
-    .angles = {hex(0xc63e2f), hex(0x7844da), hex(0x2f3500)},
+    .angles = {hex(0xc63e2f), hex(0x7844da), hex(0x1f3a10)},
     .energy = hex(0x629c40),
-    .potential = hex(0x303a48),
+    .potential = hex(0x566272),
     .rule = hex(0x858585),
 };
 

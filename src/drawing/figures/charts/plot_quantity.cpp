@@ -80,13 +80,16 @@ PlotValues euler_values(const StageContext&, const FrameInput& instant) {
     return {instant.euler.theta_rad, instant.euler.phi_rad, instant.euler.psi_rad};
 }
 
-// Of an axis that stays upright.
-constexpr PlotCurve upright_curves[] = {
+// Of an axis that stays vertical.
+template <int sign>
+constexpr PlotCurve vertical_curves[] = {
     {formula("\\theta"), angle_colour<0>, DashPattern::solid},
-    {formula("\\varphi + \\psi"), momentum_colour, DashPattern::solid},
+    {formula(sign > 0 ? "\\varphi + \\psi" : "\\varphi - \\psi"), momentum_colour,
+     DashPattern::solid},
 };
-PlotValues upright_values(const StageContext&, const FrameInput& instant) {
-    return {instant.euler.theta_rad, instant.euler.phi_rad + instant.euler.psi_rad};
+template <int sign>
+PlotValues vertical_values(const StageContext&, const FrameInput& instant) {
+    return {instant.euler.theta_rad, instant.euler.phi_rad + sign * instant.euler.psi_rad};
 }
 
 constexpr PlotCurve energy_curves[] = {
@@ -222,15 +225,16 @@ const PlotQuantity& without_potential(const PlotQuantity& energy) {
     return kinetic;
 }
 
-// φ and ψ of an upright axis have a meaning only in their sum.
-const PlotQuantity& of_upright_axis(const PlotQuantity& euler) {
-    static const PlotQuantity sum = [&euler] {
-        PlotQuantity upright = euler;
-        upright.curves = upright_curves;
-        upright.values = upright_values;
-        return upright;
+// φ and ψ of a vertical axis have a meaning only in their sum or difference.
+template <int sign>
+const PlotQuantity& of_vertical_axis(const PlotQuantity& euler) {
+    static const PlotQuantity one_angle = [&euler] {
+        PlotQuantity vertical = euler;
+        vertical.curves = vertical_curves<sign>;
+        vertical.values = vertical_values<sign>;
+        return vertical;
     }();
-    return sum;
+    return one_angle;
 }
 
 }  // namespace
@@ -261,7 +265,8 @@ const PlotQuantity& plot_quantity_of(const StageContext& stage, std::string_view
         throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
                                      row->name, row->requirement));
     }
-    if (row->values == euler_values && stays_upright(stage)) return of_upright_axis(*row);
+    if (const int vertical = vertical_axis(stage); vertical != 0 && row->values == euler_values)
+        return vertical > 0 ? of_vertical_axis<1>(*row) : of_vertical_axis<-1>(*row);
     const bool falls =
         std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);
     return row->values == energy_values && !falls ? without_potential(*row) : *row;

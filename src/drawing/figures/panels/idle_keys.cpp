@@ -97,9 +97,8 @@ class UnusedKeys {
             trail.polhode == "fading" || trail.herpolhode == "fading" || trail.axis == "fading";
         if (!fades)
             add("trail.length_s",
-                "no trail is \"fading\"; set trail.polhode, trail.herpolhode or trail.axis to it, "
-                "or "
-                "leave this key out");
+                "no trail is \"fading\"; set trail.polhode, trail.herpolhode or trail.axis to "
+                "it, or leave this key out");
         if (!any(takes_direction_marks))
             add("trail.direction_marks",
                 fmt::format("only panels {} show direction marks",

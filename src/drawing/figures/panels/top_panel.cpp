@@ -193,7 +193,8 @@ Names names_of(const Panel& panel, StageStore& store) {
             set_label(panel, store, "\\theta"),
             set_label(panel, store, "\\varphi"),
             set_label(panel, store, "\\psi"),
-            set_label(panel, store, "\\varphi + \\psi"),
+            set_label(panel, store,
+                      vertical_axis(*panel.stage) < 0 ? "\\varphi - \\psi" : "\\varphi + \\psi"),
             set_label(panel, store, "l\\cos\\theta", 0.75)};
 }
 
@@ -244,10 +245,10 @@ class TopDrawer {
 
     // While the axis is vertical there is no line of nodes: only the angle from x to e1 has a
     // meaning.
-    void turn(const Names& names) {
+    void turn(const Names& names, int vertical) {
         const Theme& theme = panel_->stage->theme;
         arc(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), phi_radius,
-            within_turn(euler_.phi_rad + euler_.psi_rad), theme.text, names.turn);
+            within_turn(euler_.phi_rad + vertical * euler_.psi_rad), theme.text, names.turn);
         arrow(e1_length * axes_.col(0), theme.axes[0], 0.7, names.e1);
         arrow(axes_.col(2), theme.axes[2], 1.0, names.e3);
     }
@@ -308,9 +309,9 @@ void make_top_panel(Panel& panel, StageStore& store) {
     const MeshGeometry* body = keep_top(store);
     const std::vector<Curve> spokes = spokes_of(panel);
     const Names names = names_of(panel, store);
-    const bool upright = stays_upright(*panel.stage);
+    const int vertical = vertical_axis(*panel.stage);
     const Drawer ghost = make_ghost_axis(panel, store);
-    panel.draw = [&panel, hangs, upright, stand, locus, body, spokes, names, ghost](
+    panel.draw = [&panel, hangs, vertical, stand, locus, body, spokes, names, ghost](
                      const FrameInput& instant, ViewBuilder& builder) {
         builder.view.ellipsoids.push_back(stand.sphere);
         builder.view.curves = stand.curves;
@@ -321,7 +322,7 @@ void make_top_panel(Panel& panel, StageStore& store) {
         TopDrawer drawer(panel, builder, instant.euler);
         drawer.body(body, spokes, hangs);
         name_shapes("top", builder);
-        upright ? drawer.turn(names) : drawer.angles(names);
+        vertical != 0 ? drawer.turn(names, vertical) : drawer.angles(names);
         name_shapes("angles", builder);
         drawer.height(names.height, hangs);
         name_shapes("height", builder);
