@@ -356,7 +356,6 @@ inline void write_camera(Dice& dice, const std::string& table, Text& text) {
 
 inline void write_cameras_and_panels(Dice& dice, Text& text) {
     write_camera(dice, "camera.", text);
-    if (dice.one_in(4)) text.set_text("trail.axis", "fading");
     if (dice.one_in(2)) text.set_number("trail.length_s", dice.magnitude(-40, 40));
     if (dice.one_in(2)) text.set("trail.direction_marks", "true");
 
