@@ -27,7 +27,8 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
     : UnitSphere(ellipsoid),
       depth(projection.depth(centre)),
       presence(ellipsoid.presence),
-      hiding(ellipsoid.opacity * ellipsoid.presence) {
+      hiding(ellipsoid.opacity * ellipsoid.presence),
+      hiding_far(ellipsoid.hides_far_curves ? ellipsoid.presence : hiding) {
     const Projection& view = projection;
     const bool before_eye = !view.perspective || depth > view.near_depth;
     anchor_px = before_eye ? view.place(centre) : view.centre;

@@ -26,6 +26,7 @@ struct Quadric : UnitSphere {
     double narrow_bend = -1.0;     // second derivative of |d|² - |m|² along it
     double presence = 1.0;         // of the ellipsoid
     double hiding = 1.0;           // opacity for objects behind it, including its presence
+    double hiding_far = 1.0;       // the same for the far parts of curves on it
     double narrow_px = 1e9;        // smallest half-width of the outline
     double wide_px = 1e9;          // largest half-width
     bool seen = true;

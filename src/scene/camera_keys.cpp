@@ -71,16 +71,19 @@ std::span<const SceneKey> camera_keys() {
                "value")
             .default_is("none"),
 
-        // Which part of the contact point's paths is shown.
+        // Which part of the contact point's paths and of the path of a top's axis is shown.
         one_of("trail.polhode", trail(&TrailSpec::polhode), trail_kinds, R"("fading")",
                "part of the polhode that is drawn: whole, history (since the film began) or fading "
                "(the last trail.length_s)"),
         one_of(
             "trail.herpolhode", trail(&TrailSpec::herpolhode), trail_kinds, R"("fading")",
             "part of the herpolhode that is drawn: whole (of the entire film), history or fading"),
+        one_of("trail.axis", trail(&TrailSpec::axis), trail_kinds, R"("fading")",
+               "part of the path of a heavy top's axis that is drawn: whole, history or fading")
+            .omitted_if_default(),
         number("trail.length_s", trail(&TrailSpec::length_s), positive, "s", "4.0",
                "length of a fading trail, in seconds of motion")
-            .default_is("one polhode period"),
+            .default_is("one polhode period, or one nutation of a heavy top"),
         boolean("trail.direction_marks", trail(&TrailSpec::direction_marks), "true",
                 "whether chevrons along both paths show the direction of motion"),
     };

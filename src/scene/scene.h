@@ -138,12 +138,13 @@ struct ConstructionSpec {
                                   // of time; empty: none
 };
 
-// [trail]: which part of the contact point's paths is drawn, and how.
+// [trail]: which part of the contact point's paths, and of a top's axis, is drawn, and how.
 struct TrailSpec {
     std::string polhode = "whole";       // or "history", "fading"
     std::string herpolhode = "history";  // likewise
-    std::optional<double> length_s;      // of a fading trail; absent: one polhode period
-    bool direction_marks = false;        // chevrons that show the direction of motion
+    std::string axis = "history";        // likewise: the path of a heavy top's axis
+    std::optional<double> length_s;  // of a fading trail; absent: one polhode period or nutation
+    bool direction_marks = false;    // chevrons that show the direction of motion
 };
 
 // [[keyframes]]: values at a second of the film. A keyframe without a value does not affect the
@@ -210,8 +211,8 @@ struct MarkSpec {
     Eigen::Vector3d at{0.0, 0.0, 0.0};          // in the coordinates of its place
     std::string name;                           // as a formula; empty: none
     bool trail = false;                         // whether its path is shown
-    std::optional<std::array<double, 3>> srgb;  // absent: of `role`
-    std::string role;  // of style_roles(), whose colour it has in every theme; empty: contact
+    std::string role = "mark";                  // of style_roles(): its colour in the theme
+    std::optional<std::array<double, 3>> srgb;  // its own colour instead
 };
 
 // [[panels]]: one view of the motion, in cells of the grid.

@@ -30,12 +30,16 @@ constexpr StyleRole roles[] = {
     {"halo", StyleKind::colour, "the halo that separates type from what is behind it"},
     {"omega", StyleKind::line, "ω"},
     {"momentum", StyleKind::line, "L"},
+    {"rho", StyleKind::line, "ρ and its projection on L"},
+    {"gradient", StyleKind::line, "∇F"},
+    {"torque", StyleKind::line, "the torque N"},
     {"e1", StyleKind::line, "the first principal axis and components along it"},
     {"e2", StyleKind::line, "the second principal axis and components along it"},
     {"e3", StyleKind::line, "the third principal axis and components along it"},
-    {"polhode", StyleKind::line, "the polhode and ρ"},
+    {"polhode", StyleKind::line, "the polhode"},
     {"herpolhode", StyleKind::line, "the herpolhode"},
     {"contact", StyleKind::colour, "the contact point"},
+    {"mark", StyleKind::line, "points of [[marks]] and their paths"},
     {"ellipsoid", StyleKind::surface, "the inertia ellipsoid"},
     {"ellipsoid_lines", StyleKind::colour, "the lines on the ellipsoid"},
     {"plane", StyleKind::surface, "the invariable plane"},
@@ -50,7 +54,7 @@ constexpr StyleRole roles[] = {
     {"theta", StyleKind::line, "the angle θ"},
     {"phi", StyleKind::line, "the angle φ"},
     {"psi", StyleKind::line, "the angle ψ"},
-    {"energy", StyleKind::line, "E, T and torques"},
+    {"energy", StyleKind::line, "E and T"},
     {"potential", StyleKind::line, "V and the axes given in the scene"},
     {"ghost", StyleKind::line, "the motion of the second method"},
     {"rule", StyleKind::line, "the axes of charts"},
@@ -208,17 +212,16 @@ constexpr auto mark(Value MarkSpec::*member) {
 
 // A colour, or the name of a role, whose colour follows the theme.
 void read_mark_colour(const GivenValue& given, SceneDraft& draft) {
-    MarkSpec& read = draft.scene.marks.at(given.item());
-    const std::string text = given.text();
-    if (find_row(roles, text) != nullptr)
-        read.role = text;
+    MarkSpec& mark = draft.scene.marks.at(given.item());
+    if (const StyleRole* role = find_row(roles, given.text()))
+        mark.role = role->name;
     else
-        read.srgb = look_of(given, StyleKind::colour).srgb;
+        mark.srgb = look_of(given, StyleKind::colour).srgb;
 }
 std::string mark_colour_text(const Scene& scene, size_t item) {
-    const MarkSpec& written = scene.marks.at(item);
-    const std::string colour = written.srgb ? colour_text(*written.srgb) : written.role;
-    return colour.empty() ? "" : toml_text(std::string_view(colour));
+    const MarkSpec& mark = scene.marks.at(item);
+    if (mark.srgb) return toml_text(std::string_view(colour_text(*mark.srgb)));
+    return mark.role == MarkSpec{}.role ? "" : toml_text(std::string_view(mark.role));
 }
 
 }  // namespace
@@ -274,9 +277,9 @@ std::span<const SceneKey> mark_keys() {
                 "whether the path of the point is drawn")
             .omitted_if_default(),
         row("marks[].colour", {.kind = ValueType::Kind::text}, R"("#cf4a12")",
-            "colour of the point, or a key of [style], such as \"omega\", whose colour it has in "
-            "every theme")
-            .default_is("that of the contact point")
+            "colour of the point and its path, or the name of a key of [style], such as \"ghost\": "
+            "then the theme chooses it")
+            .default_is("\"mark\"")
             .read_by(read_mark_colour)
             .written_by(mark_colour_text),
     };

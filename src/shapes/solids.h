@@ -20,6 +20,9 @@ struct Ellipsoid {
     Colour colour{0.85, 0.62, 0.33};
     double opacity = 0.75;  // of the front surface seen face on; higher towards the limb
     double presence = 1.0;  // 0…1, for fading in and out; includes lines and shadow
+    // Whether the far parts of the curves on it are drawn as hidden in full, however transparent
+    // it is.
+    bool hides_far_curves = false;
     Colour line_colour{0.35, 0.22, 0.08};
     double section_px = 1.6;  // principal sections (0: none)
     double ruling_px = 0.8;   // meridians and parallels (0: none)

@@ -112,7 +112,8 @@ double seen_through_planes(const Cover& cover) {
 SphereSight::SphereSight(const Ellipsoid& ellipsoid, const Projection& projection)
     : UnitSphere(ellipsoid),
       perspective(projection.perspective),
-      hiding(ellipsoid.opacity * ellipsoid.presence) {
+      hiding(ellipsoid.opacity * ellipsoid.presence),
+      hiding_far(ellipsoid.hides_far_curves ? ellipsoid.presence : hiding) {
     eye_u = perspective ? u(projection.eye) : (to_u * -projection.forward).normalized();
     surrounds_eye = perspective && eye_u.norm() <= 1.0;
 }
@@ -154,8 +155,9 @@ Cover Occluders::at(const Eigen::Vector3d& point, const Membership& of) const {
             own ? !sphere.surrounds_eye && sphere.before_limb(u) < 0.0 : sphere.hides(u);
         if (!hidden) continue;
         // A fading ellipsoid hides less of what lies behind it.
-        cover.before_bodies *= 1.0 - std::clamp(4.0 * sphere.hiding, 0.0, 1.0);
-        cover.through_bodies *= 1.0 - sphere.hiding;
+        const double hiding = own ? sphere.hiding_far : sphere.hiding;
+        cover.before_bodies *= 1.0 - std::clamp(4.0 * hiding, 0.0, 1.0);
+        cover.through_bodies *= 1.0 - hiding;
     }
     for (std::size_t k = 0; k < view_.planes.size(); ++k) {
         const Plane& plane = view_.planes[k];

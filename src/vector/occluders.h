@@ -44,7 +44,8 @@ struct SphereSight : UnitSphere {
     Eigen::Vector3d eye_u;    // the eye, or the unit direction towards it
     bool perspective = true;  // whether eye_u is the eye
     bool surrounds_eye = false;
-    double hiding = 1.0;  // the opacity for objects behind it
+    double hiding = 1.0;      // the opacity for objects behind it
+    double hiding_far = 1.0;  // the same for the far parts of curves on it
 };
 
 // A curve whose visibility is computed: position by parameter, and knots (ascending) between which

@@ -42,6 +42,29 @@ TEST(IdleKeys, TrailsNeedAPanelWithPaths) {
               Keys{});
 }
 
+TEST(IdleKeys, PathOfAnAxisNeedsATop) {
+    const std::string fading = "[trail]\naxis = \"fading\"\nlength_s = 2.0\n";
+    EXPECT_EQ(idle_in(fading), Keys{"trail.axis"});
+    const auto idle_of_top = [](const std::string& more) {
+        return idle_keys(
+            parse_scene("[body]\nmoments_kg_m2 = [1.0, 1.0, 0.5]\n"
+                        "[torque]\nkind = \"gravity\"\nmgl_N_m = 1.0\n"
+                        "[start]\ntheta_rad = 0.7\nomega3_rad_s = 5.0\n" +
+                            more,
+                        "a.toml"));
+    };
+    EXPECT_TRUE(idle_of_top(fading).empty());
+    EXPECT_TRUE(idle_of_top(fading + "[[panels]]\nkind = \"top\"\n").empty());
+    const std::vector<IdleKey> in_a_chart = idle_of_top(fading + "[[panels]]\nkind = \"plot\"\n");
+    ASSERT_EQ(in_a_chart.size(), 1u);
+    EXPECT_EQ(in_a_chart[0].key, "trail.axis");
+    // A top whose herpolhode is asked for gets the key of its own path.
+    const std::vector<IdleKey> herpolhode =
+        idle_of_top("[trail]\nherpolhode = \"fading\"\n[[panels]]\nkind = \"top\"\n");
+    ASSERT_EQ(herpolhode.size(), 1u);
+    EXPECT_NE(herpolhode[0].why.find("trail.axis"), std::string::npos) << herpolhode[0].why;
+}
+
 TEST(IdleKeys, ElementsAndStylesNeedTheirPanels) {
     const std::string plot = "[[panels]]\nkind = \"plot\"\n";
     EXPECT_EQ(idle_in("show = [\"title\", \"clock\"]\n", plot), Keys{});

@@ -201,7 +201,7 @@ TEST(LectureClaims, TorqueAlongAPrincipalAxisChangesThatRateEvenly) {  // page 7
             // N as an arrow, along e1.
             const Drawing drawing = lecture.staged.stage.at(t);
             const View& view = drawing.views.front();
-            const Arrow& N = arrow_of(view, lecture.theme().energy);
+            const Arrow& N = arrow_of(view, lecture.theme().torque);
             const Vector3d e1 = arrow_of(view, lecture.theme().axes[0]).tip.normalized();
             EXPECT_GT((N.tip - N.tail).normalized().dot(e1), 1.0 - 1e-12) << name;
         }
@@ -217,7 +217,7 @@ TEST(LectureClaims, PointsOfLengthOneOverRootIMakeTheEllipsoid) {  // pages 9–
     for (const double t : lecture.instants()) {
         const Drawing drawing = lecture.staged.stage.at(t);
         const View& view = drawing.views.front();
-        const Vector3d rho = arrow_of(view, lecture.theme().polhode).tip;
+        const Vector3d rho = arrow_of(view, lecture.theme().rho).tip;
         const Vector3d n = rho.normalized();
         const double I = lecture.moments().dot(n.cwiseAbs2());
         EXPECT_NEAR(rho.norm(), std::sqrt(lecture.moments().minCoeff() / I), 1e-14);
@@ -231,7 +231,7 @@ TEST(LectureClaims, PointsOfLengthOneOverRootIMakeTheEllipsoid) {  // pages 9–
             EXPECT_LT((end - half_axis * Vector3d::Unit(i)).norm(), 1e-14);
         }
         // The traced curve ends at the tip of ρ, on the surface.
-        const Curve& trace = *curves_of(view, lecture.theme().polhode).front();
+        const Curve& trace = *curves_of(view, lecture.theme().rho).front();
         const auto last = static_cast<std::size_t>(std::ceil(trace.last));
         EXPECT_LT((trace.geometry->points.at(last) - rho).norm(), 0.2);
         for (std::size_t k = 0; k <= last; k += 37) {
@@ -245,8 +245,8 @@ TEST(LectureClaims, GradientAtTheTipOfRhoIsAlongMomentum) {  // page 11
     for (const double t : lecture.instants()) {
         const Drawing drawing = lecture.staged.stage.at(t);
         const View& view = drawing.views.front();
-        const Vector3d rho = arrow_of(view, lecture.theme().polhode).tip;
-        const Arrow& gradient = arrow_of(view, lecture.theme().energy);
+        const Vector3d rho = arrow_of(view, lecture.theme().rho).tip;
+        const Arrow& gradient = arrow_of(view, lecture.theme().gradient);
         EXPECT_NEAR(form(view.ellipsoids.front(), rho), 1.0, 1e-14);
         EXPECT_EQ(gradient.tail, rho);
         const Vector3d along = (gradient.tip - gradient.tail).normalized();
@@ -269,12 +269,12 @@ TEST(LectureClaims, ProjectionOfRhoOnMomentumEndsOnThePlane) {  // page 12
         const Drawing drawing = lecture.staged.stage.at(t);
         const View& view = drawing.views.front();
         const Plane& plane = view.planes.front();
-        const Vector3d rho = arrow_of(view, lecture.theme().polhode).tip;
+        const Vector3d rho = arrow_of(view, lecture.theme().rho).tip;
         const Vector3d n = arrow_of(view, lecture.theme().momentum).tip.normalized();
         EXPECT_NEAR(plane.normal.dot(rho - plane.centre), 0.0, 1e-14);
         EXPECT_NEAR(n.dot(rho), lecture.distance(), 1e-14);
         // Along L from the centre to the plane, and perpendicularly to the tip of ρ.
-        const auto lines = curves_of(view, lecture.theme().energy);
+        const auto lines = curves_of(view, lecture.theme().rho);
         ASSERT_EQ(lines.size(), 2u);
         EXPECT_LT(start_of(*lines[0]).norm(), 1e-15);
         EXPECT_LT((end_of(*lines[0]) - lecture.distance() * n).norm(), 1e-14);
@@ -355,7 +355,7 @@ TEST(LectureClaims, SphereHasOneLineAndAStillContact) {  // page 15
         const View& view = drawing.views.front();
         const Vector3d L = arrow_of(view, lecture.theme().momentum).tip.normalized();
         for (const Arrow& arrow : view.arrows) {
-            if (arrow.colour == lecture.theme().omega || arrow.colour == lecture.theme().polhode) {
+            if (arrow.colour == lecture.theme().omega || arrow.colour == lecture.theme().rho) {
                 EXPECT_LT((arrow.tip.normalized() - L).norm(), 1e-14);
             }
         }
@@ -566,6 +566,7 @@ TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22
         EXPECT_NEAR(values[0], p_phi, 1e-14);
         EXPECT_NEAR(values[1], p_psi, 1e-14);
         EXPECT_NEAR(values[2], E, 2e-14);
+        EXPECT_NEAR(values[3], gravity.mgl_N_m * std::cos(sample.euler.theta_rad), 1e-14);
         theta_least = std::min(theta_least, sample.euler.theta_rad);
         theta_most = std::max(theta_most, sample.euler.theta_rad);
         // The height of the centre of mass is marked on the vertical.

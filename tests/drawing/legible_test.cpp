@@ -100,6 +100,35 @@ TEST_F(Legible, HeadingsHaveAContrastOfFourAndAHalf) {
     }
 }
 
+// Names and numbers in the figures, at the largest and least brightness of the background.
+TEST_F(Legible, NamesInFiguresHaveAContrastOfFourAndAHalf) {
+    std::vector<Scene> scenes;
+    for (const char* panel : {"space", "body", "plan", "momentum", "object", "plot"})
+        scenes.push_back(free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, panel));
+    for (const char* panel : {"top", "potential", "plot"})
+        scenes.push_back(top_scene({0.7, 0.0, -0.6, 5.0}, panel));
+    MarkSpec mark;
+    mark.at = {1.0, 1.0, 1.0};
+    mark.name = "P";
+    mark.srgb = {0.9, 0.8, 0.2};
+    scenes.front().marks = {mark};
+    for (Scene& scene : scenes)
+        for (const Theme& theme : themes()) {
+            scene.theme = theme.name;
+            const StagedScene staged(scene, 1.0);
+            const Drawing drawing = staged.stage.at(0.5);
+            std::vector<Colour> grounds{theme.halo};
+            if (theme.background.alpha >= 1.0)
+                grounds.insert(grounds.end(), {theme.background.top, theme.background.bottom});
+            EXPECT_FALSE(drawing.views[0].labels.empty());
+            for (const Label& label : drawing.views[0].labels)
+                for (const Colour& ground : grounds) {
+                    EXPECT_GE(contrast(luminance(label.colour), luminance(ground)), 4.5)
+                        << theme.name << " " << scene.panels[0].kind;
+                }
+        }
+}
+
 // Dashes mean a hidden line, or a curve that is not the motion's.
 TEST_F(Legible, HerpolhodeIsSolidInEveryTheme) {
     for (const char* panel : {"space", "plan"}) {

@@ -52,10 +52,11 @@ TEST(Style, EveryRoleChangesItsOwnMember) {
         compare(theme.plane, base.plane);
         compare(theme.grid, base.grid);
         for (const auto ink :
-             {&Theme::polhode, &Theme::herpolhode, &Theme::momentum, &Theme::omega, &Theme::contact,
-              &Theme::body_cone, &Theme::space_cone, &Theme::annulus, &Theme::separatrix,
-              &Theme::ghost, &Theme::sphere, &Theme::solid, &Theme::solid_lines, &Theme::energy,
-              &Theme::potential, &Theme::rule})
+             {&Theme::polhode,     &Theme::herpolhode, &Theme::momentum,   &Theme::omega,
+              &Theme::rho,         &Theme::gradient,   &Theme::torque,     &Theme::mark,
+              &Theme::contact,     &Theme::body_cone,  &Theme::space_cone, &Theme::annulus,
+              &Theme::separatrix,  &Theme::ghost,      &Theme::sphere,     &Theme::solid,
+              &Theme::solid_lines, &Theme::energy,     &Theme::potential,  &Theme::rule})
             compare(theme.*ink, base.*ink);
         for (int i = 0; i < 3; ++i) {
             compare(theme.axes[i], base.axes[i]);

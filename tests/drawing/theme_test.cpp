@@ -10,10 +10,13 @@
 #include <cmath>
 #include <functional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 #include "drawing/style/colour_vision.h"
+#include "drawing/style/theme_contrast.h"
+#include "drawing/style/theme_roles.h"
 #include "error/error.h"
 
 namespace poinsot {
@@ -33,7 +36,21 @@ std::vector<Pair> main_pairs(const Theme& t) {
             {t.herpolhode, t.omega},    {t.herpolhode, t.momentum}, {t.momentum, t.omega},
             {t.axes[0], t.axes[1]},     {t.axes[1], t.axes[2]},     {t.axes[2], t.axes[0]},
             {t.angles[0], t.angles[1]}, {t.angles[1], t.angles[2]}, {t.angles[2], t.angles[0]},
-            {t.energy, t.potential}};
+            {t.energy, t.potential},    {t.rho, t.momentum},        {t.rho, t.omega},
+            {t.rho, t.polhode},         {t.rho, t.gradient},        {t.gradient, t.momentum},
+            {t.gradient, t.omega},      {t.torque, t.momentum},     {t.torque, t.omega},
+            {t.torque, t.axes[0]},      {t.torque, t.axes[1]},      {t.torque, t.axes[2]},
+            {t.mark, t.herpolhode},     {t.angles[1], t.axes[0]},   {t.angles[1], t.axes[2]},
+            {t.angles[1], t.energy},    {t.energy, t.angles[2]}};
+}
+
+// The lines of each view, which a reader with normal vision tells apart by colour alone. The colour
+// of θ is that of the herpolhode, which no top has.
+std::vector<std::vector<std::string_view>> lines_of_views() {
+    return {{"polhode", "herpolhode", "momentum", "omega", "rho", "gradient", "e1", "e2", "e3"},
+            {"polhode", "herpolhode", "momentum", "omega", "mark", "ghost"},
+            {"momentum", "omega", "torque", "e1", "e2", "e3", "energy"},
+            {"theta", "phi", "psi", "e1", "e3", "energy", "potential", "text"}};
 }
 
 class EveryTheme : public testing::TestWithParam<std::size_t> {
@@ -53,8 +70,9 @@ TEST_P(EveryTheme, LinesHaveContrastToTheirBackground) {
         grounds.insert(grounds.end(), {t.background.top, t.background.bottom});
     for (const Colour& ground : grounds) {
         EXPECT_GE(contrast(t.text, ground), 4.5);
-        for (const Colour& line : {t.momentum, t.omega, t.axes[0], t.axes[1], t.axes[2],
-                                   t.angles[0], t.angles[1], t.angles[2], t.energy, t.potential})
+        for (const Colour& line :
+             {t.momentum, t.omega, t.rho, t.gradient, t.torque, t.mark, t.axes[0], t.axes[1],
+              t.axes[2], t.angles[0], t.angles[1], t.angles[2], t.energy, t.potential})
             EXPECT_GE(contrast(line, ground), 3.0);
     }
 }
@@ -68,13 +86,59 @@ TEST_P(EveryTheme, QuantitiesOfOneViewDifferForEveryColourVision) {
                 << b.g << " " << b.b;
 }
 
-TEST_P(EveryTheme, AllQuantitiesDifferForNormalVision) {
-    const Theme& t = theme();
-    const std::array<Colour, 7> all{t.polhode, t.herpolhode, t.momentum, t.omega,
-                                    t.axes[0], t.axes[1],    t.axes[2]};
-    for (std::size_t i = 0; i < all.size(); ++i)
-        for (std::size_t j = 0; j < i; ++j)
-            EXPECT_GE(line_difference(all[i], all[j], visions()[0]), 1.0) << i << " " << j;
+TEST_P(EveryTheme, AllQuantitiesOfOneViewDifferForNormalVision) {
+    Theme t = theme();
+    for (const auto& view : lines_of_views())
+        for (const std::string_view a : view)
+            for (const std::string_view b : view)
+                if (a < b) {
+                    EXPECT_GE(
+                        line_difference(*look_of(t, a).colour, *look_of(t, b).colour, visions()[0]),
+                        1.0)
+                        << a << " " << b;
+                }
+}
+
+// Letters that name anything in its colour; in 8 bits, as they are stored in a picture.
+TEST_P(EveryTheme, LettersOfEveryRoleHaveAContrastOfFourAndAHalf) {
+    Theme t = theme();
+    const auto stored = [](const Colour& c) {
+        const auto part = [](double x) { return std::round(255.0 * x) / 255.0; };
+        return Colour{part(c.r), part(c.g), part(c.b)};
+    };
+    for (const ThemeRole& role : theme_roles()) {
+        const Colour letters = stored(letter_colour(t, *role.look(t).colour));
+        EXPECT_GE(contrast(letters, t.halo), 4.5) << role.name;
+        if (!(t.background.alpha > 0.0)) continue;
+        EXPECT_GE(contrast(letters, t.background.top), 4.5) << role.name;
+        EXPECT_GE(contrast(letters, t.background.bottom), 4.5) << role.name;
+    }
+}
+
+// Letters have the colour of what they name, or more contrast in the same hue.
+TEST_P(EveryTheme, LettersKeepTheirHue) {
+    Theme t = theme();
+    for (const ThemeRole& role : theme_roles()) {
+        const Colour line = *role.look(t).colour, letters = letter_colour(t, line);
+        double least = 21.0;
+        for (const Colour& ground : grounds_of(t)) least = std::min(least, contrast(line, ground));
+        if (least >= 4.56) {
+            EXPECT_EQ(letters, line) << role.name;
+            continue;
+        }
+        const Eigen::Vector3d was = lab(line), is = lab(letters);
+        const double turn =
+            std::atan2(was.y() * is.z() - was.z() * is.y(), was.y() * is.y() + was.z() * is.z());
+        if (was.tail<2>().norm() > 10.0) {
+            EXPECT_LT(std::abs(turn), 0.1) << role.name;  // measured 0.071
+        }
+    }
+}
+
+TEST(Letters, OfTheUsersOwnTextStayAsTheyAre) {
+    Theme theme = theme_named("light");
+    theme.text = {0.6, 0.6, 0.6};
+    EXPECT_EQ(letter_colour(theme, theme.text), theme.text);
 }
 
 // If colours may be indistinguishable, the herpolhode differs by its width.
@@ -102,6 +166,7 @@ TEST(PrintTheme, IsDistinguishableInGreyscale) {
     // Paper is white.
     EXPECT_EQ(t.background.top, (Colour{1.0, 1.0, 1.0}));
     EXPECT_EQ(t.background.bottom, (Colour{1.0, 1.0, 1.0}));
+    EXPECT_GE(grey_difference(t.body_cone, t.space_cone), 1.0);
 }
 
 TEST(ColourBlindTheme, EveryPairDiffersMoreThanInTheOtherThemes) {

@@ -2,8 +2,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <vector>
 
+#include "drawing/figures/charts/plot_quantity.h"
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"
 
@@ -52,6 +55,104 @@ TEST(TopPanel, AxisMovesBetweenTheDrawnCircles) {
     EXPECT_NEAR(highest, std::max(heights[0], heights[1]), 1e-3);
     EXPECT_GE(lowest, std::min(heights[0], heights[1]) - 1e-13);
     EXPECT_LE(highest, std::max(heights[0], heights[1]) + 1e-13);
+}
+
+// The path and the circles are paler on the far side, as if the sphere were of glass.
+TEST(TopPanel, SphereHidesTheFarPartsOfItsCurves) {
+    const StagedScene staged(top_scene({0.7, 0.0, -0.6, 5.0}, "top"), 10.0);
+    const Drawing drawing = staged.stage.at(10.0);
+    const View& view = view_of(drawing);
+    ASSERT_EQ(view.ellipsoids.size(), 1u);
+    EXPECT_TRUE(view.ellipsoids[0].hides_far_curves);
+    const auto n = std::count_if(view.curves.begin(), view.curves.end(), [](const Curve& curve) {
+        return curve.on_surface == 0 && curve.hidden_opacity <= 0.5;
+    });
+    EXPECT_EQ(n, 4);  // the equator, two circles and the path
+}
+
+// The seconds of [trail] count the path's own instants: the point at its faint end was there then.
+TEST(TopPanel, PathCanFade) {
+    Scene scene = top_scene({0.7, 0.0, -0.6, 5.0}, "top");
+    scene.trail.axis = "fading";
+    scene.trail.length_s = 2.5;
+    const StagedScene staged(scene, 10.0);
+    const auto path_at = [&](double time_s) {
+        const Drawing drawing = staged.stage.at(time_s);
+        const auto& curves = view_of(drawing).curves;
+        const auto path = std::find_if(curves.begin(), curves.end(),
+                                       [](const Curve& curve) { return curve.fade_points > 0.0; });
+        EXPECT_NE(path, curves.end());
+        return *path;
+    };
+    const auto place = [](const Curve& curve, double index) {
+        const auto k = static_cast<std::size_t>(index);
+        const auto& points = curve.geometry->points;
+        return Eigen::Vector3d(points.at(k) +
+                               (index - std::floor(index)) *
+                                   (points.at(std::min(k + 1, points.size() - 1)) - points.at(k)));
+    };
+    const auto e3_at = [&](double time_s) {
+        return staged.motion.at(time_s).space_from_body * Eigen::Vector3d::UnitZ();
+    };
+    const Curve path = path_at(8.0);
+    EXPECT_LT((place(path, path.last) - e3_at(8.0)).norm(), 5e-3);
+    EXPECT_LT((place(path, path.first) - e3_at(5.5)).norm(), 5e-3);
+    EXPECT_EQ(path.fade_points, path.last - path.first);
+    // A young trail fades at the rate of a complete one.
+    const Curve young = path_at(1.0);
+    EXPECT_EQ(young.first, 0.0);
+    EXPECT_NEAR(young.fade_points, 2.5 * young.last, 1e-9 * young.last);
+}
+
+// Upright or hanging there is no line of nodes; the angle from x to e1 is that of the attitude.
+TEST(TopPanel, VerticalAxisHasOneAngle) {
+    for (const double theta_rad : {0.0, std::numbers::pi}) {
+        const StagedScene staged(top_scene({theta_rad, 0.0, 0.0, 5.0}, "top"), 10.0);
+        const Theme& theme = staged.stage.context().theme;
+        for (const double t : {0.3, 1.0, 1.4}) {
+            const Drawing drawing = staged.stage.at(t);
+            const View& view = view_of(drawing);
+            const Curve* arc = nullptr;
+            for (const Curve& curve : view.curves) {
+                for (int i = 0; i < 3; ++i) EXPECT_FALSE(curve.colour == theme.angles[i]) << i;
+                if (curve.colour == theme.text &&
+                    curve.geometry == staged.stage.store().unit_circle())
+                    arc = &curve;
+            }
+            ASSERT_NE(arc, nullptr);
+            const double angle = 2.0 * std::numbers::pi * arc->last /
+                                 static_cast<double>(arc->geometry->points.size());
+            const Eigen::Vector3d e1 =
+                staged.motion.at(t).space_from_body * Eigen::Vector3d::UnitX();
+            EXPECT_NEAR(std::remainder(angle - std::atan2(e1.y(), e1.x()), 2.0 * std::numbers::pi),
+                        0.0, 1e-12)
+                << t;
+        }
+    }
+}
+
+// Its chart shows θ and the sum, whose rate is φ̇ + ψ̇ = ω₃, or the difference, whose rate is −ω₃.
+TEST(TopPanel, ChartOfAVerticalAxisShowsOneAngle) {
+    for (const double sign : {1.0, -1.0}) {
+        const double theta_rad = sign > 0.0 ? 0.0 : std::numbers::pi;
+        const StagedScene staged(top_scene({theta_rad, 0.0, 0.0, 5.0}, "plot"), 10.0);
+        const StageContext& stage = staged.stage.context();
+        const PlotQuantity& quantity = plot_quantity_of(stage, "euler_angles");
+        ASSERT_EQ(quantity.curves.size(), 2u);
+        for (const double t : {0.0, 0.7, 9.1}) {
+            FrameInput instant;
+            instant.time_s = t;
+            instant.euler =
+                staged.motion
+                    .sample(t, {.attitude = false, .herpolhode = false, .euler_angles = true})
+                    .euler;
+            const PlotValues values = quantity.values(stage, instant);
+            EXPECT_EQ(values[0], theta_rad);
+            EXPECT_NEAR(values[1], sign * 5.0 * t, 1e-13 * (1.0 + 5.0 * t));
+        }
+    }
+    const StagedScene leaning(top_scene({0.7, 0.0, 0.0, 5.0}, "plot"), 10.0);
+    EXPECT_EQ(plot_quantity_of(leaning.stage.context(), "").curves.size(), 3u);
 }
 
 }  // namespace

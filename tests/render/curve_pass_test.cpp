@@ -126,6 +126,40 @@ TEST(CurvePicture, IsHiddenExactlyBehindTheLimb) {
     EXPECT_GT(lightest_before, 0.7);
 }
 
+// A sphere as clear as glass hides little of a curve behind it, but the far parts of its own curves
+// if it is told to.
+TEST(CurvePicture, ClearSphereHidesTheFarPartsOfItsCurves) {
+    // The lower half of a circle in a plane that is tilted by 30° lies on the front.
+    const CurveGeometry ring = curve_of(9131, 400, true, [](double t) {
+        const double angle = 2.0 * std::numbers::pi * t, tilt = std::numbers::pi / 6.0;
+        return Eigen::Vector3d(40.0 * std::cos(angle), -40.0 * std::sin(angle) * std::cos(tilt),
+                               40.0 * std::sin(angle) * std::sin(tilt));
+    });
+    const auto far_share = [&](bool hides) {
+        Drawing drawing = flat_drawing(100, 100, 100.0);
+        View& view = drawing.views[0];
+        Ellipsoid sphere = plain_ellipsoid(40.0 * Eigen::Matrix3d::Identity());
+        sphere.opacity = 0.1;
+        sphere.hides_far_curves = hides;
+        view.ellipsoids.push_back(sphere);
+        Curve curve = stroke(ring, 6.0);
+        curve.on_surface = 0;
+        curve.hidden_opacity = 0.4;
+        view.curves.push_back(curve);
+        const Image with = renderer().render(drawing);
+        view.curves.clear();
+        const Image without = renderer().render(drawing);
+        const auto darkness = [&](double y) {
+            const int row = static_cast<int>(50.0 - y);
+            return 1.0 - static_cast<double>(with.at(50, row).g) / without.at(50, row).g;
+        };
+        const double high = 40.0 * std::cos(std::numbers::pi / 6.0);
+        return darkness(high) / darkness(-high);
+    };
+    EXPECT_GT(far_share(false), 0.9);
+    EXPECT_LT(far_share(true), 0.75);
+}
+
 TEST(CurvePicture, IsDimmedInsideAndBehindAnEllipsoidAndAPlane) {
     Drawing drawing = flat_drawing(100, 100, 100.0);
     View& view = drawing.views[0];

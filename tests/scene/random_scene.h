@@ -385,7 +385,8 @@ inline void write_cameras_and_panels(Dice& dice, Text& text) {
         if (dice.one_in(2)) text.set_text(item + "name", dice.text());
         if (dice.one_in(2)) text.set(item + "trail", "true");
         if (dice.one_in(2))
-            text.set_text(item + "colour", fmt::format("#{:06x}", dice.below(1 << 24)));
+            text.set_text(item + "colour",
+                          dice.one_in(4) ? "ghost" : fmt::format("#{:06x}", dice.below(1 << 24)));
     }
 }
 

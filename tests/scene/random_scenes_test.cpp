@@ -98,7 +98,8 @@ bool goes_without_saying(const std::string& row, const std::string& value) {
         {"marks[].name", "\"\""},
         {"panels[].quantity", "\"\""},
         {"captions[].place", "\"bottom\""},
-        {"camera.projection", "\"perspective\""}};
+        {"camera.projection", "\"perspective\""},
+        {"trail.axis", "\"history\""}};
     if (row.starts_with("symbols.")) return value == "\"\"";
     const auto found = defaults.find(row);
     return found != defaults.end() && found->second == value;

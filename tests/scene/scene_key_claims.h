@@ -372,6 +372,8 @@ inline const std::map<std::string, Claim> claims_of_rows{
     {"trail.herpolhode",
      {with("trail", "herpolhode = \"fading\""),
       [](const Scene& s) { return s.trail.herpolhode == "fading"; }}},
+    {"trail.axis",
+     {with("trail", "axis = \"fading\""), [](const Scene& s) { return s.trail.axis == "fading"; }}},
     {"trail.length_s",
      {with("trail", "length_s = 4"), [](const Scene& s) { return s.trail.length_s == 4.0; }}},
     {"trail.direction_marks",
@@ -557,7 +559,7 @@ inline Claim style_claim() {
                        look.opacity_percent == (surface ? std::optional(33.3) : std::nullopt);
             }};
 }
-inline constexpr std::size_t n_style_roles = 30;
+inline constexpr std::size_t n_style_roles = 34;
 template <std::size_t... role>
 inline std::map<std::string, Claim> with_styles(std::map<std::string, Claim> all,
                                                 std::index_sequence<role...>) {

@@ -222,5 +222,27 @@ TEST(Occluders, IntersectionCurveIsHiddenByNeitherSurface) {
     EXPECT_NEAR(seen, expected, 1e-3);
 }
 
+TEST(Occluders, ClearSphereMayHideTheFarPartsOfItsCurves) {
+    View view = RandomViews(1).view(1);
+    view.planes.clear();
+    view.ellipsoids[0] = Ellipsoid{};
+    view.ellipsoids[0].opacity = 0.1;
+    view.camera.target = Eigen::Vector3d::Zero();
+    view.camera.eye = {0.0, 0.0, 6.0};
+    const Projection projection(view, print_pt_per_px);
+    const auto cover = [&](const Eigen::Vector3d& at, int ellipsoid) {
+        return Occluders(view, projection).at(at, {.ellipsoid = ellipsoid, .lies_on = {}});
+    };
+    const Eigen::Vector3d far(0.6, 0.0, -0.8), near(0.6, 0.0, 0.8), inside(0.2, 0.0, -0.2);
+    const Cover usual = cover(far, 0), inner = cover(inside, -1);
+    EXPECT_DOUBLE_EQ(usual.transmitted, 0.9);
+    view.ellipsoids[0].hides_far_curves = true;
+    EXPECT_EQ(cover(far, 0).before_bodies, 0.0);
+    EXPECT_EQ(cover(far, 0).transmitted, 0.0);
+    // Its near curves, and what lies inside it, are as before.
+    EXPECT_EQ(cover(near, 0).clear, 1.0);
+    EXPECT_EQ(cover(inside, -1), inner);
+}
+
 }  // namespace
 }  // namespace poinsot::vector::occluders_tests

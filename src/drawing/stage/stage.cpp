@@ -14,6 +14,7 @@
 #include "drawing/stage/type/label_fit.h"
 #include "drawing/stage/type/labels.h"
 #include "drawing/style/line_style.h"
+#include "drawing/style/theme_contrast.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
@@ -201,6 +202,7 @@ Drawing Stage::at(const FilmTime& moment) const {
         for (const std::string_view name :
              place_thing_names(panel, contents_->names[i], rules.overlays, view))
             drawing.unnamed.push_back(name);
+        for (Label& label : view.labels) label.colour = letter_colour(context.theme, label.colour);
         follow_line_rules(line_rules(context, contents_->store), view);
         drawing.views.push_back(std::move(view));
     }

@@ -13,7 +13,6 @@
 
 #include "drawing/stage/marks.h"
 #include "drawing/stage/outlines.h"
-#include "drawing/style/colour_vision.h"
 #include "drawing/style/theme_roles.h"
 #include "numerics/smooth_step.h"
 #include "scene/named_things.h"
@@ -98,23 +97,6 @@ constexpr std::array<NamedThing, named_things.size()> things{{
 }};
 
 constexpr double size_of_names = 0.8;  // of the names of vectors
-
-// The colour of a thing, changed towards that of text until letters can be read on the ground.
-Colour readable(const Colour& colour, const Theme& theme) {
-    constexpr double least = 4.5;
-    const auto worst = [&theme](const Colour& each) {
-        return std::min(contrast(each, theme.background.top),
-                        contrast(each, theme.background.bottom));
-    };
-    for (int tenth = 0; tenth < 10; ++tenth) {
-        const double share = 0.1 * tenth;
-        const auto mixed = [share](double a, double b) { return a + share * (b - a); };
-        const Colour each{mixed(colour.r, theme.text.r), mixed(colour.g, theme.text.g),
-                          mixed(colour.b, theme.text.b)};
-        if (worst(each) >= least) return each;
-    }
-    return theme.text;
-}
 
 struct NameBox {
     Eigen::Vector2d centre, half;
@@ -400,7 +382,7 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
         const TypeStyle style{
             .size_px = std::max(size_of_names * label_size * panel.type_px, least_type_px(stage)),
             .mode = TypeMode::text};
-        const Colour colour = readable(*look_of(theme, thing.role).colour, theme);
+        const Colour colour = *look_of(theme, thing.role).colour;
         names.push_back({&thing, at_scene_key(scene, key, [&] { return store.set(text, style); }),
                          colour, offset_of_label(stage, thing.name)});
     }

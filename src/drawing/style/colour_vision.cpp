@@ -41,11 +41,12 @@ Eigen::Vector3d noticed() {
 
 }  // namespace
 
+double relative_luminance(const Colour& colour) {
+    return xyz_from_linear().row(1).dot(linear(colour));
+}
+
 double contrast(const Colour& a, const Colour& b) {
-    const auto luminance = [](const Colour& colour) {
-        return xyz_from_linear().row(1).dot(linear(colour));
-    };
-    const auto [dim, bright] = std::minmax({luminance(a), luminance(b)});
+    const auto [dim, bright] = std::minmax({relative_luminance(a), relative_luminance(b)});
     return (bright + 0.05) / (dim + 0.05);
 }
 

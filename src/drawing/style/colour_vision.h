@@ -10,6 +10,9 @@
 
 namespace poinsot {
 
+// Y of CIE 1931, from 0 to 1.
+double relative_luminance(const Colour& colour);
+
 // WCAG 2.1's contrast ratio, 1 to 21: 1.4.3 requires 4.5 for text, 1.4.11 requires 3 for graphical
 // objects.
 double contrast(const Colour& a, const Colour& b);

@@ -46,8 +46,12 @@ struct Theme {
     double herpolhode_weight = 1.0;  // its width over the polhode's; dashes mean hidden lines
     LineStyle momentum;
     LineStyle omega;
+    LineStyle rho;
+    LineStyle gradient;  // ∇F
+    LineStyle torque;    // N
     LineStyle axes[3];
     LineStyle contact;
+    LineStyle mark;  // points that the scene marks, and their paths
     LineStyle body_cone;
     LineStyle space_cone;
     LineStyle annulus;

@@ -7,6 +7,7 @@
 #include <string_view>
 #include <utility>
 
+#include "colour/srgb.h"
 #include "drawing/style/colour_vision.h"
 #include "drawing/style/theme_roles.h"
 #include "text/printable.h"
@@ -61,8 +62,9 @@ class ContrastChecks {
         }
         for (const std::string_view ground : grounds) {
             ask_contrast("text", ground, 4.5);
-            for (const std::string_view line : {"momentum", "omega", "e1", "e2", "e3", "theta",
-                                                "phi", "psi", "energy", "potential"})
+            for (const std::string_view line :
+                 {"momentum", "omega", "rho", "gradient", "torque", "e1", "e2", "e3", "mark",
+                  "theta", "phi", "psi", "energy", "potential"})
                 ask_contrast(line, ground, 3.0);
         }
     }
@@ -76,6 +78,18 @@ class ContrastChecks {
             {"herpolhode", "omega"},
             {"herpolhode", "momentum"},
             {"momentum", "omega"},
+            {"rho", "momentum"},
+            {"rho", "omega"},
+            {"rho", "polhode"},
+            {"rho", "gradient"},
+            {"gradient", "momentum"},
+            {"torque", "momentum"},
+            {"torque", "omega"},
+            {"torque", "e1"},
+            {"torque", "e2"},
+            {"torque", "e3"},
+            {"mark", "herpolhode"},
+            {"phi", "e3"},
             {"e1", "e2"},
             {"e2", "e3"},
             {"e3", "e1"},
@@ -110,6 +124,38 @@ class ContrastChecks {
 };
 
 }  // namespace
+
+std::vector<Colour> grounds_of(const Theme& theme) {
+    if (theme.background.alpha > 0.0)
+        return {theme.halo, theme.background.bottom, theme.background.top};
+    return {theme.halo};
+}
+
+Colour letter_colour(const Theme& theme, const Colour& colour) {
+    if (colour == theme.text) return colour;
+    // Slightly more than 4.5, for rounding to 8 bits.
+    constexpr double wanted = 4.55, flare = 0.05;
+    double darkest = 1.0, lightest = 0.0;
+    for (const Colour& ground : grounds_of(theme)) {
+        darkest = std::min(darkest, relative_luminance(ground));
+        lightest = std::max(lightest, relative_luminance(ground));
+    }
+    const double now = relative_luminance(colour);
+    const auto each = [&colour](const auto& changed) {
+        const auto part = [&changed](double encoded) {
+            return srgb_from_linear(changed(linear_from_srgb(encoded)));
+        };
+        return Colour{part(colour.r), part(colour.g), part(colour.b)};
+    };
+    if (relative_luminance(theme.text) < darkest) {
+        const double most = std::max((darkest + flare) / wanted - flare, 0.0);
+        if (now <= most) return colour;
+        return each([&](double light) { return light * (most / now); });
+    }
+    const double least = std::min((lightest + flare) * wanted - flare, 1.0);
+    if (now >= least) return colour;
+    return each([&](double light) { return light + (1.0 - light) * (least - now) / (1.0 - now); });
+}
 
 std::vector<std::string> contrast_notes(const Scene& scene, const Theme& theme) {
     if (scene.style.looks.empty()) return {};

@@ -1,4 +1,4 @@
-// Whether a theme changed by a scene's [style] still has visible and distinguishable colours.
+// Whether a theme's colours are visible and distinguishable, and the colours of its letters.
 #pragma once
 
 #include <string>
@@ -8,6 +8,14 @@
 #include "scene/scene.h"
 
 namespace poinsot {
+
+// The theme's backgrounds of letters; only the halo if the picture's background is transparent.
+std::vector<Colour> grounds_of(const Theme& theme);
+
+// The colour of letters that name something of this colour: the same hue, as much darker (or
+// lighter, on a dark background) as a contrast of 4.5 with all backgrounds requires. Lines need
+// only 3. The theme's own colour of text is returned as it is.
+Colour letter_colour(const Theme& theme, const Colour& colour);
 
 // Violations of the rules that the built-in themes follow (docs/guide.md, "Your own theme"):
 // one line each, with the position of the key. `theme`: the scene's. Empty if the scene

@@ -30,7 +30,7 @@ Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve,
     constants.add(curve.width_px, curve.hidden == HiddenStyle::absent ? -1.0 : curve.hidden_opacity,
                   surface == nullptr ? -1.0 : curve.on_surface, curve.on_plane);
     constants.add(dashes.period, dashes.share, surface == nullptr ? 0.0 : surface->limb_cosine(),
-                  surface == nullptr ? 0.0 : surface->hiding);
+                  surface == nullptr ? 0.0 : surface->hiding_far);
     if (curve.occlusion == Occlusion::by_solids) scene.add_solids(constants);
     // The depth of each curve is one step nearer than all curves drawn before, so that the depth
     // buffer need not be cleared for every picture. Steps are powers of two and depths are between

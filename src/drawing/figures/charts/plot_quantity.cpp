@@ -80,10 +80,22 @@ PlotValues euler_values(const StageContext&, const FrameInput& instant) {
     return {instant.euler.theta_rad, instant.euler.phi_rad, instant.euler.psi_rad};
 }
 
+// Of an axis that stays vertical.
+template <int sign>
+constexpr PlotCurve vertical_curves[] = {
+    {formula("\\theta"), angle_colour<0>, DashPattern::solid},
+    {formula(sign > 0 ? "\\varphi + \\psi" : "\\varphi - \\psi"), momentum_colour,
+     DashPattern::solid},
+};
+template <int sign>
+PlotValues vertical_values(const StageContext&, const FrameInput& instant) {
+    return {instant.euler.theta_rad, instant.euler.phi_rad + sign * instant.euler.psi_rad};
+}
+
 constexpr PlotCurve energy_curves[] = {
     {formula("T"), energy_colour, DashPattern::solid},
     {formula("V"), potential_colour, DashPattern::dashed},
-    {formula("E"), momentum_colour, DashPattern::dotted},
+    {formula("E"), energy_colour, DashPattern::dotted},
 };
 PlotValues energy_values(const StageContext& stage, const FrameInput& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
@@ -141,17 +153,19 @@ constexpr PlotCurve conserved_curves[] = {
     {formula("p_\\varphi"), angle_colour<1>, DashPattern::solid},
     {formula("p_\\psi"), angle_colour<2>, DashPattern::dashed},
     {formula("E"), energy_colour, DashPattern::dotted},
+    {formula("V"), potential_colour, DashPattern::solid},
 };
 // p_φ = A φ̇ sin²θ + p_ψ cos θ is the vertical component of L, p_ψ = C ω₃ the component along the
-// top's axis; both, and E = T + Mgl cos θ, are computed from the state at the instant. Source:
-// Landau & Lifshitz §35, problem 1.
+// top's axis; both, and E = T + V with V = Mgl cos θ, are computed from the state at the instant.
+// Source: Landau & Lifshitz §35, problem 1.
 PlotValues conserved_values(const StageContext& stage, const FrameInput& instant) {
     const MotionProblem& problem = stage.motion.motion().problem();
     const auto& gravity = std::get<GravityTorque>(problem.torque);
     const Eigen::Vector3d momentum_body = problem.inertia.matrix_body() * instant.state.omega_body;
     const double along_axis = momentum_body.dot(gravity.arm_body);
     const double along_vertical = (instant.state.space_from_body * momentum_body).z();
-    return {along_vertical, along_axis, energy_values(stage, instant)[2]};
+    const PlotValues energy = energy_values(stage, instant);
+    return {along_vertical, along_axis, energy[2], energy[1]};
 }
 
 constexpr PlotCurve turn_curves[] = {
@@ -205,9 +219,9 @@ constexpr PlotQuantity quantity_rows[] = {
     {"tilt", "angles of the principal axes e1, e2, e3 from L", angle_title, "rad", false, false,
      true, omega_alone, keeps_momentum,
      "a body that turns without torque; friction inside is allowed", tilt_curves, tilt_values},
-    {"conserved", "p_φ, p_ψ and E of a heavy top",
-     formula("$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$"), "J", false, false, true, attitude_too,
-     is_heavy_top, needs_heavy_top, conserved_curves, conserved_values},
+    {"conserved", "p_φ, p_ψ and E of a heavy top, which stay constant, and V",
+     formula("$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$, $V$"), "J", false, false, true,
+     attitude_too, is_heavy_top, needs_heavy_top, conserved_curves, conserved_values},
     {"turns", "turns of a symmetric body's axis about L (wobble) and of a mark on the body (spin)",
      turns_title, "", false, false, true, omega_alone, rolls_with_cones,
      "a torque-free body with exactly two equal moments", turn_curves, turn_values},
@@ -223,6 +237,18 @@ const PlotQuantity& without_potential(const PlotQuantity& energy) {
         return alone;
     }();
     return kinetic;
+}
+
+// φ and ψ of a vertical axis have a meaning only in their sum or difference.
+template <int sign>
+const PlotQuantity& of_vertical_axis(const PlotQuantity& euler) {
+    static const PlotQuantity one_angle = [&euler] {
+        PlotQuantity vertical = euler;
+        vertical.curves = vertical_curves<sign>;
+        vertical.values = vertical_values<sign>;
+        return vertical;
+    }();
+    return one_angle;
 }
 
 }  // namespace
@@ -253,6 +279,8 @@ const PlotQuantity& plot_quantity_of(const StageContext& stage, std::string_view
         throw InputError(fmt::format("a plot of \"{}\" needs {}; choose another quantity",
                                      row->name, row->requirement));
     }
+    if (const int vertical = vertical_axis(stage); vertical != 0 && row->values == euler_values)
+        return vertical > 0 ? of_vertical_axis<1>(*row) : of_vertical_axis<-1>(*row);
     const bool falls =
         std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);
     return row->values == energy_values && !falls ? without_potential(*row) : *row;

@@ -51,7 +51,7 @@ AxisSweep::AxisSweep(const Panel& panel, StageStore& store, const Eigen::Vector3
         shares_.push_back(sample.parameter);
     }
     trace_ = curve_of(panel, keep(panel, store, std::move(geometry), off, "the trace of ρ"),
-                      panel.stage->theme.polhode, 2.4);
+                      panel.stage->theme.rho, 2.4);
     trace_.on_surface = first_ellipsoid;
     trace_.hidden_opacity = 0.14;
 }
@@ -92,10 +92,10 @@ void AxisSweep::add_to(const Eigen::Matrix3d& picture_from_principal, double sha
     builder.view.arrows.push_back(n_arrow);
     wish_at_tip(panel, n_arrow, n_type_, builder);
     name_shapes("direction", builder);
-    Arrow rho_arrow = arrow_to(panel, rho, theme.polhode, 1.35);
+    Arrow rho_arrow = arrow_to(panel, rho, theme.rho, 1.35);
     rho_arrow.hidden_opacity = 0.9;
     builder.view.arrows.push_back(rho_arrow);
-    wish_beside(panel, 0.62 * rho, rho, rho_type_, theme.polhode, builder);
+    wish_beside(panel, 0.62 * rho, rho, rho_type_, theme.rho, builder);
     name_shapes("radius", builder);
     const double kg_m2 =
         moment * panel.stage->motion.motion().problem().inertia.moments_kg_m2().minCoeff();

@@ -166,8 +166,7 @@ Drawer make_radius(const Panel& panel, StageStore& store) {
     const TextBlock type = set_label(panel, store, "\\boldsymbol{\\rho}");
     return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
-        // In the colour of the polhode, the curve of its tip.
-        const LineStyle& colour = panel.stage->theme.polhode;
+        const LineStyle& colour = panel.stage->theme.rho;
         Arrow arrow = arrow_to(panel, rho, colour, 1.3);
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
@@ -198,7 +197,7 @@ Drawer make_gradient(const Panel& panel, StageStore& store) {
         constexpr double length = 0.55;
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         Arrow arrow = arrow_between(panel, rho, rho + length * picture_of(panel).normal,
-                                    panel.stage->theme.energy, 1.1);
+                                    panel.stage->theme.gradient, 1.1);
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, builder);
@@ -210,7 +209,7 @@ Drawer make_projection(const Panel& panel, StageStore& store) {
     const TextBlock type = set_label(panel, store, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
     return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = picture_of(panel);
-        const LineStyle& colour = panel.stage->theme.energy;
+        const LineStyle& colour = panel.stage->theme.rho;
         const Eigen::Vector3d rho = picture.contact(instant);
         const Eigen::Vector3d foot = picture.foot(instant);
         Curve along = line_between(panel, Eigen::Vector3d::Zero(), foot, colour, 9.0);

@@ -9,6 +9,7 @@
 
 #include "drawing/figures/elements/filled_ring.h"
 #include "drawing/stage/smooth_paths.h"
+#include "mechanics/top/heavy_top.h"
 
 namespace poinsot {
 
@@ -36,6 +37,16 @@ double mean_feature_s(const StageContext& stage) {
     return half_turn_s / 8.0;
 }
 
+// The length of a fading trail: the scene's, or one period of the polhode or of a top's nutation.
+double fading_length_s(const StageContext& stage) {
+    if (stage.scene.trail.length_s) return *stage.scene.trail.length_s;
+    if (const HeavyTop* top = stage.motion.motion().heavy_top()) {
+        const double period_s = top->nutation().period_s;
+        return period_s > 0.0 ? period_s : endless;
+    }
+    return stage.polhode_period_s.value_or(endless);
+}
+
 // Most points of a path, and of a herpolhode that has not yet filled its ring.
 constexpr std::size_t most_points = 200'000;
 constexpr std::size_t most_ring_points = 1'000'000;
@@ -49,7 +60,7 @@ Trail::Trail(const StageContext& stage, const std::string& kind, const TimedPath
       first_time_s_(stage.options.first_time_s),
       last_time_s_(stage.options.last_time_s),
       period_s_(period_s),
-      length_s_(stage.scene.trail.length_s.value_or(stage.polhode_period_s.value_or(endless))),
+      length_s_(fading_length_s(stage)),
       loops_(stage.options.loop_s > 0.0) {}
 
 ShownStretch Trail::at(double time_s) const {
@@ -222,9 +233,7 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
     };
     const double first_shown_s = options.first_shown_s.value_or(options.first_time_s);
     if (kind == "fading") {
-        const double length_s =
-            stage.scene.trail.length_s.value_or(stage.polhode_period_s.value_or(endless));
-        const double from_s = first_shown_s - length_s;
+        const double from_s = first_shown_s - fading_length_s(stage);
         if (from_s > options.first_time_s && kept(from_s, options.last_time_s))
             return as_curve(std::move(path), {});
     }

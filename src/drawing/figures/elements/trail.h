@@ -1,5 +1,5 @@
-// The part of a contact point's path that is shown at an instant: all of it, the part traversed so
-// far, or the last part, fading.
+// The part of a path that is shown at an instant, of a contact point or of a top's axis: all of it,
+// the part traversed so far, or the last part, fading.
 #pragma once
 
 #include <Eigen/Core>
@@ -19,7 +19,7 @@ struct ShownStretch {
     double first = 0.0;
     double last = 0.0;
     double fade_points = 0.0;  // as in Curve
-    bool grows = false;        // whether it ends at the contact point
+    bool grows = false;        // whether it ends at the moving point
     bool lasting = false;      // as in Curve, for fixed points
 
     void apply_to(Curve& curve) const {

@@ -75,18 +75,17 @@ Eigen::Vector3d on_body_m(const Scene& scene, const MarkSpec& mark) {
 
 Drawer make_user_marks(Panel& panel, StageStore& store, const MarkPlace& place) {
     const StageContext& stage = *panel.stage;
+    Theme theme = stage.theme;
     std::vector<UserMark> marks;
     for (std::size_t i = 0; i < stage.scene.marks.size(); ++i) {
         UserMark mark;
         mark.spec = &stage.scene.marks[i];
         if (!place(*mark.spec, RotationState{})) continue;
-        mark.ink = stage.theme.contact;
+        const RoleLook look = look_of(theme, mark.spec->role);
+        mark.ink = look.line != nullptr ? *look.line : LineStyle(*look.colour);
         if (mark.spec->srgb) {
             const auto [r, g, b] = *mark.spec->srgb;
             mark.ink = Colour{r, g, b};
-        } else if (!mark.spec->role.empty()) {
-            Theme theme = stage.theme;
-            mark.ink = *look_of(theme, mark.spec->role).colour;
         }
         if (!mark.spec->name.empty()) mark.name = name_of(panel, store, i);
         if (mark.spec->trail) add_trail(panel, store, place, mark);

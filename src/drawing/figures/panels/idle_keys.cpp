@@ -27,7 +27,7 @@ class UnusedKeys {
     explicit UnusedKeys(const Scene& scene)
         : scene_(scene), dissipates_(std::holds_alternative<DissipationTorque>(scene.torque)) {
         // Without a motion a heavy top is not known. "object", the panel of other falling bodies,
-        // takes every key that "top" takes.
+        // takes every key that "top" takes, except trail.axis.
         if (scene.panels.empty()) kinds_ = {&panel_kind_named(default_panel(scene, false))};
         for (const PanelSpec& spec : scene.panels)
             if (const PanelKind* kind = find_row(panel_kinds(), spec.kind)) kinds_.push_back(kind);
@@ -83,12 +83,22 @@ class UnusedKeys {
         const bool herpolhode =
             (any(takes_elements) && shows_element(scene_, "herpolhode")) || any(takes_herpolhode);
         if (!polhode) add("trail.polhode", "no panel here draws the polhode as a trail");
-        if (!herpolhode) add("trail.herpolhode", "no panel here shows the herpolhode");
-        const bool fades = scene_.trail.polhode == "fading" || scene_.trail.herpolhode == "fading";
+        const bool axis =
+            any(takes_axis_path) ||
+            (scene_.panels.empty() && std::holds_alternative<GravityTorque>(scene_.torque));
+        if (!herpolhode)
+            add("trail.herpolhode",
+                axis
+                    ? "no panel here shows the herpolhode; the path of the top's axis is trail.axis"
+                    : "no panel here shows the herpolhode");
+        if (!axis) add("trail.axis", "only panel \"top\" shows the path of a top's axis");
+        const TrailSpec& trail = scene_.trail;
+        const bool fades =
+            trail.polhode == "fading" || trail.herpolhode == "fading" || trail.axis == "fading";
         if (!fades)
             add("trail.length_s",
-                "no trail is \"fading\"; set trail.polhode or trail.herpolhode to it, or leave "
-                "this key out");
+                "no trail is \"fading\"; set trail.polhode, trail.herpolhode or trail.axis to "
+                "it, or leave this key out");
         if (!any(takes_direction_marks))
             add("trail.direction_marks",
                 fmt::format("only panels {} show direction marks",

@@ -137,7 +137,7 @@ std::vector<Label> legend_of(const Panel& panel, StageStore& store) {
     const Theme& theme = panel.stage->theme;
     const std::array<std::pair<std::string_view, Colour>, 2> rows{{
         {"L_1^2 + L_2^2 + L_3^2 = L^2", theme.potential},
-        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.energy},
+        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.ellipsoid_lines},
     }};
     std::vector<Label> legend;
     // In the first column it is left-aligned with the title.

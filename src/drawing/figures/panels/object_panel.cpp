@@ -120,7 +120,7 @@ Drawer make_torque(const Panel& panel, StageStore& store, const TorqueScale& tor
         constexpr double aside = 0.16;
         const Eigen::Vector3d tail = -aside * camera_axes(builder.view.camera).col(0);
         Arrow arrow = arrow_between(panel, tail, tail + torque.along(instant.state),
-                                    panel.stage->theme.energy, 1.15);
+                                    panel.stage->theme.torque, 1.15);
         arrow.hidden_opacity = 0.85;
         builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, builder, -omega_label_turn_rad);

@@ -13,9 +13,11 @@
 
 #include "construction/timed_path.h"
 #include "drawing/figures/elements/ghost.h"
+#include "drawing/figures/elements/trail.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
+#include "drawing/stage/possible_motions.h"
 #include "mesh/solid_meshes.h"
 
 namespace poinsot {
@@ -32,6 +34,7 @@ constexpr double phi_radius = 0.50;
 constexpr double psi_radius = 0.36;
 constexpr double node_length = 0.80;
 constexpr double e1_length = 0.62;
+constexpr double far_opacity = 0.4;      // of curves on the sphere's far side
 constexpr double centre_of_mass = 0.43;  // on the axis, in the disc's middle
 
 // e1, e2, e3 of the Euler angles as columns, space axes: Rz(φ) Rx(θ) Rz(ψ).
@@ -85,7 +88,7 @@ std::vector<Curve> spokes_of(const Panel& panel) {
 // The path of e3 on the sphere over the stage's span.
 struct Locus {
     Curve curve;
-    TimedPath path;
+    Trail trail;
 };
 
 Locus locus_of(const Panel& panel, StageStore& store) {
@@ -97,17 +100,16 @@ Locus locus_of(const Panel& panel, StageStore& store) {
     };
     const double rate = stage.quickest_rate_rad_s();
     constexpr std::size_t most_points = 800'000;  // of a fast top's many small nutations
-    Locus locus;
-    locus.path = sample_path(axis_at, stage.options.first_time_s, stage.options.last_time_s,
-                             rate > 0.0 ? pi / rate : 1.0, panel.curve_units(), most_points);
-    locus.curve = curve_of(panel,
-                           keep(panel, store, {.points = std::move(locus.path.points)},
-                                locus.path.off, "the path of the top's axis"),
+    TimedPath path = sample_path(axis_at, stage.options.first_time_s, stage.options.last_time_s,
+                                 rate > 0.0 ? pi / rate : 1.0, panel.curve_units(), most_points);
+    Trail trail(stage, stage.scene.trail.axis, path, {});
+    Curve curve = curve_of(panel,
+                           keep(panel, store, {.points = std::move(path.points)}, path.off,
+                                "the path of the top's axis"),
                            stage.theme.axes[2], 4.0);
-    locus.curve.on_surface = the_sphere;
-    locus.curve.hidden_opacity = 0.4;
-    locus.curve.lasting = true;
-    return locus;
+    curve.on_surface = the_sphere;
+    curve.hidden_opacity = far_opacity;
+    return {curve, std::move(trail)};
 }
 
 // e3 of the comparison motion and its path on the sphere. Empty without one.
@@ -124,7 +126,8 @@ Drawer make_ghost_axis(Panel& panel, StageStore& store) {
     const auto axis_of = [e3_body](const RotationState& state) {
         return Eigen::Vector3d(state.space_from_body * e3_body);
     };
-    const GhostPath path = ghost_path(panel, store, axis_of, 3.2);
+    GhostPath path = ghost_path(panel, store, axis_of, 3.2);
+    path.curve.on_surface = the_sphere;
     const TextBlock type = set_ghost_label(panel, store, "\\mathbf{e}");
     return [&panel, path, axis_of, type](const FrameInput& instant, ViewBuilder& builder) {
         add_ghost_path(path, instant, builder);
@@ -138,7 +141,7 @@ Curve latitude(const Panel& panel, double theta_rad, const LineStyle& colour, do
         arc_about(panel, {0.0, 0.0, std::cos(theta_rad)}, Eigen::Vector3d::UnitX(),
                   Eigen::Vector3d::UnitY(), std::sin(theta_rad), 2.0 * pi, colour, width_px);
     circle.on_surface = the_sphere;
-    circle.hidden_opacity = 0.35;
+    circle.hidden_opacity = far_opacity;
     return circle;
 }
 
@@ -154,6 +157,7 @@ Stand stand_of(const Panel& panel, const TopNutation& nutation) {
     Stand stand;
     stand.sphere.colour = theme.sphere;
     stand.sphere.opacity = 0.10;
+    stand.sphere.hides_far_curves = true;
     stand.sphere.section_px = 0.0;
     stand.sphere.ruling_px = 0.0;
     stand.sphere.casts_shadow = false;
@@ -178,7 +182,7 @@ Stand stand_of(const Panel& panel, const TopNutation& nutation) {
 
 // The names of axes and angles.
 struct Names {
-    TextBlock z, x, y, node, e1, e3, theta, phi, psi, height;
+    TextBlock z, x, y, node, e1, e3, theta, phi, psi, turn, height;
 };
 
 Names names_of(const Panel& panel, StageStore& store) {
@@ -191,6 +195,8 @@ Names names_of(const Panel& panel, StageStore& store) {
             set_label(panel, store, "\\theta"),
             set_label(panel, store, "\\varphi"),
             set_label(panel, store, "\\psi"),
+            set_label(panel, store,
+                      vertical_axis(*panel.stage) < 0 ? "\\varphi - \\psi" : "\\varphi + \\psi"),
             set_label(panel, store, "l\\cos\\theta", 0.75)};
 }
 
@@ -237,6 +243,16 @@ class TopDrawer {
 
         arrow(e1_length * axes_.col(0), theme.axes[0], 0.7, names.e1);
         arrow(e3, theme.axes[2], 1.0, names.e3);
+    }
+
+    // While the axis is vertical there is no line of nodes: only the angle from x to e1 has a
+    // meaning.
+    void turn(const Names& names, int vertical) {
+        const Theme& theme = panel_->stage->theme;
+        arc(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), phi_radius,
+            within_turn(euler_.phi_rad + vertical * euler_.psi_rad), theme.text, names.turn);
+        arrow(e1_length * axes_.col(0), theme.axes[0], 0.7, names.e1);
+        arrow(axes_.col(2), theme.axes[2], 1.0, names.e3);
     }
 
     // The centre of mass on the axis and its height above the fixed point, as in V = Mgl cos θ.
@@ -295,8 +311,9 @@ void make_top_panel(Panel& panel, StageStore& store) {
     const MeshGeometry* body = keep_top(store);
     const std::vector<Curve> spokes = spokes_of(panel);
     const Names names = names_of(panel, store);
+    const int vertical = vertical_axis(*panel.stage);
     const Drawer ghost = make_ghost_axis(panel, store);
-    panel.draw = [&panel, hangs, stand, locus, body, spokes, names, ghost](
+    panel.draw = [&panel, hangs, vertical, stand, locus, body, spokes, names, ghost](
                      const FrameInput& instant, ViewBuilder& builder) {
         builder.view.ellipsoids.push_back(stand.sphere);
         builder.view.curves = stand.curves;
@@ -308,12 +325,12 @@ void make_top_panel(Panel& panel, StageStore& store) {
         TopDrawer drawer(panel, builder, instant.euler);
         drawer.body(body, spokes, hangs);
         name_shapes("top", builder);
-        drawer.angles(names);
+        vertical != 0 ? drawer.turn(names, vertical) : drawer.angles(names);
         name_shapes("angles", builder);
         drawer.height(names.height, hangs);
         name_shapes("height", builder);
         builder.view.curves.push_back(locus.curve);
-        builder.view.curves.back().last = locus.path.index_at(instant.time_s);
+        locus.trail.at(instant.time_s).apply_to(builder.view.curves.back());
         name_shapes("locus", builder);
         ghost(instant, builder);
         name_shapes("ghost", builder);
