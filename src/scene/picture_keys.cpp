@@ -71,6 +71,13 @@ std::span<const SceneKey> picture_keys() {
                "how the line that is farther from the viewer is drawn at a crossing: through, or "
                "with a gap on both sides of the nearer line")
             .default_is("that of the theme (through in every supplied theme)"),
+        boolean("overlays", &Scene::overlays, "false",
+                "whether the title, the captions and the clock are drawn; the title also names the "
+                "file's document")
+            .omitted_if_default(),
+        boolean("panel_letters", &Scene::panel_letters, "true",
+                "whether the headings of several panels begin with (a), (b), … in reading order")
+            .omitted_if_default(),
         boolean("clock", &Scene::clock, "false",
                 "whether the clock, which shows the time of the motion, is drawn")
             .default_is("true, except in films that loop"),

@@ -113,7 +113,7 @@ std::vector<Label> legend_of(const Panel& panel, StageStore& store) {
     std::vector<Label> legend;
     // In the first column it is left-aligned with the title.
     const double left =
-        panel.box.x_px == 0 ? overlay_margin * panel.stage->px : 0.6 * chart_margin * panel.px;
+        panel.box.x_px == 0 ? overlay_margin_px(*panel.stage) : 0.6 * chart_margin * panel.px;
     double bottom = 0.5 * chart_margin * panel.px;
     for (const auto& [text, colour] : rows) {
         const TextBlock type = set_label(panel, store, text, 0.72);

@@ -267,10 +267,16 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
     const double azimuth = timeline_of(panel).camera_at(0.0).azimuth_deg * pi / 180.0;
     const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
     for (const double side : {1.85, -1.85}) points.emplace_back(side * right);
+    // The part of the lowest plane that is drawn in any case.
+    constexpr double plane_radius = 1.2;
+    constexpr int n_around = 16;
+    for (int k = 0; k < n_around; ++k)
+        points.emplace_back(farthest * normal +
+                            plane_radius * direction_of(360.0 * k / n_around, 0.0));
     aim_around(panel, std::move(points), margins_of(panel).left_px);
 
     Plane plane;
-    plane.radius = radius_in_view(panel, farthest * normal, 1.0, 2.0);
+    plane.radius = radius_in_view(panel, farthest * normal, plane_radius, 2.0);
     plane.grid_spacing = 0.2;
     plane.grid_px = 1.1 * panel.px;
     plane.colour = panel.stage->theme.plane;
