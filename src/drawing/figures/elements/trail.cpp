@@ -266,7 +266,8 @@ double herpolhode_width_px(const Panel& panel, double ring_px) {
     const double usual_px = 4.0 * stage.theme.herpolhode_weight;
     if (!is_on_paper(stage) || stage.rolling->dissipates) return usual_px;
     // In its ring the turns are on average this far apart.
-    const double span_s = stage.options.last_time_s - stage.options.first_time_s;
+    const double span_s =
+        std::max(stage.options.last_time_s - stage.options.first_time_s, stage.options.loop_s);
     const double rate_rad_s = stage.motion.motion().free_constants().mean_advance_rate_rad_s;
     const double n_turns = std::abs(rate_rad_s) * span_s / (2.0 * std::numbers::pi);
     const double apart_px = ring_px / std::max(n_turns, 1.0);

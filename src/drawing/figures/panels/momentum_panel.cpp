@@ -149,8 +149,9 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
     for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
     const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
     const std::vector<Label> legend = legend_of(panel, store);
-    const Margins margins{margin, margin, margin + panel.header_px,
-                          std::max(margin, legend_rows(panel, legend))};
+    // The legend is below the names of axes.
+    const double rows_px = legend_rows(panel, legend);
+    const Margins margins{margin, margin, margin + panel.header_px, margin + rows_px};
     aim_in_principal_axes(panel, std::move(points), margins);
 
     Ellipsoid sphere = ellipsoid_of(panel);
