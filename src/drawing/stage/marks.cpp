@@ -120,7 +120,7 @@ double paper_type_px(const Scene& scene, double px, const LeastSizes& least) {
 
 TextBlock set_label(const Panel& panel, StageStore& store, std::string_view text, double scale) {
     // On paper all names have one size.
-    constexpr double least_name_scale = 0.8;
+    constexpr double least_name_scale = 0.75;
     if (is_on_paper(*panel.stage) && scale >= least_name_scale) scale = 1.0;
     const TypeStyle style{.size_px =
                               std::max(scale * label_size * panel.type_px *
