@@ -43,6 +43,13 @@ struct StillChoices {
     bool quiet = false;
 };
 
+// Whether an override gives the key a value.
+bool is_given(const std::vector<std::string>& overrides, const std::string& key) {
+    return std::any_of(overrides.begin(), overrides.end(), [&key](const std::string& one) {
+        return assignment_of(one).starts_with(key + "=");
+    });
+}
+
 // Renders all scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
     const PrintChoices& print = choices.print;
@@ -85,6 +92,9 @@ int draw_sheet_of(const StillChoices& choices) {
         for (const SweepPoint& point : points_of(choices.sweeps)) {
             SheetCell& cell = sheet.cells.emplace_back();
             cell.scene = scene_request_of(scene, choices.scene, overrides_of(point));
+            // Its values stand below each picture; the scene's title and caption are those of one.
+            if (!is_given(cell.scene.overrides, "overlays"))
+                cell.scene.overrides.emplace_back("--sheet overlays=false");
             if (choices.time_s) cell.scene.times_s = {*choices.time_s};
             cell.caption = formula_of(point);
             cell.values = caption_of(point);
@@ -107,29 +117,25 @@ int draw_sheet_of(const StillChoices& choices) {
 void follow_journal(const StillChoices& choices, SceneRequest& request,
                     const ProgressSink& progress) {
     set_journal(journal_named(choices.print.journal), request.print);
-    const auto is_given = [&request](const std::string& key) {
-        return std::any_of(
-            request.overrides.begin(), request.overrides.end(),
-            [&key](const std::string& one) { return assignment_of(one).starts_with(key + "="); });
-    };
     constexpr std::string_view theme = "print";
-    if (is_given("theme")) {
-        progress.say(
-            fmt::format("note: {} is drawn in the theme that you give; leave it out for "
-                        "theme {}, which journals need",
-                        request.file, theme));
-    } else {
-        const Scene scene = load_scene(request.file, request.overrides, request.outside);
+    const Scene scene = load_scene(request.file, request.overrides, request.outside);
+    if (!is_given(request.overrides, "theme")) {
         if (scene.locations.contains("theme") && scene.theme != theme)
             progress.say(
                 fmt::format("note: {} is drawn in theme {}, not in its own theme {}; "
                             "--theme {} keeps that",
                             request.file, theme, scene.theme, scene.theme));
         request.overrides.emplace_back(fmt::format("--journal theme={}", theme));
+    } else if (scene.theme != theme) {
+        progress.say(
+            fmt::format("note: {} is drawn in theme {}, which you give; without it the "
+                        "theme is {}, for white paper",
+                        request.file, scene.theme, theme));
     }
-    if (!choices.keeps_text && !is_given("overlays"))
+    if (!choices.keeps_text && !is_given(request.overrides, "overlays"))
         request.overrides.emplace_back("--journal overlays=false");
-    if (!is_given("panel_letters")) request.overrides.emplace_back("--journal panel_letters=true");
+    if (!is_given(request.overrides, "panel_letters"))
+        request.overrides.emplace_back("--journal panel_letters=true");
 }
 
 std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,

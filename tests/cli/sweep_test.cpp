@@ -238,7 +238,7 @@ TEST_F(Swept, IsArrangedInASheet) {
     const std::string sweep = "--time auto --sweep 'hidden=pale,dashed,omitted'";
     const ProgramRun done = run("still a.toml -q -o sheet.png --sheet 2x2 " + sweep);
     ASSERT_EQ(done.code, 0) << done.err;
-    ASSERT_EQ(run("still a.toml -q -o '#.png' " + sweep).code, 0);
+    ASSERT_EQ(run("still a.toml -q -o '#.png' --set overlays=false " + sweep).code, 0);
     const Image sheet = image("sheet.png");
     ASSERT_EQ(sheet.width(), 2 * 192);
     const int row = sheet.height() / 2;

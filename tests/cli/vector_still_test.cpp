@@ -488,7 +488,7 @@ TEST(VectorStill, AJournalSaysWhichThemeItReplaces) {
     const ProgramRun kept =
         run_program_in(folder, "still dark.toml --journal aps --theme dark -o b.svg");
     ASSERT_EQ(kept.code, 0) << kept.err;
-    EXPECT_TRUE(contains(kept.err, "the theme that you give")) << kept.err;
+    EXPECT_TRUE(contains(kept.err, "theme dark, which you give")) << kept.err;
 }
 
 TEST(VectorStill, PicturesCanBePlacedBetweenTheLines) {
