@@ -412,7 +412,7 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
     ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
     EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
     // No letter is smaller than 8 pt, no script than 6, no line thinner than half a point.
-    ASSERT_EQ(run_program_in(folder, still + "--journal aip -o a.svg").code, 0);
+    ASSERT_EQ(run_program_in(folder, still + "--journal aip --keep-text -o a.svg").code, 0);
     const std::string svg = text_of(folder.path() / "a.svg");
     // The smallest number in elements of a kind.
     const auto least = [&svg](const std::string& element, const std::string& name) {
@@ -440,7 +440,7 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
     }
     // Three panels do not fit into this size without overlap.
     const ProgramRun small = run_program_in(
-        folder, "still '" + scene_path("football") + "' --width-mm 50 --height-mm 28 -o d.pdf");
+        folder, "still '" + scene_path("football") + "' --width-mm 50 --height-mm 50 -o d.pdf");
     EXPECT_EQ(small.code, 2);
     EXPECT_TRUE(contains(small.err, "too small for its labels")) << small.err;
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.pdf"));
@@ -459,8 +459,8 @@ TEST(VectorStill, AJournalLeavesTextToTheCaptionAndReports) {
         EXPECT_TRUE(contains(figure.err, words)) << words << " in " << figure.err;
     const std::string svg = text_of(folder.path() / "a.svg");
     EXPECT_TRUE(contains(svg, "<title>The separatrix</title>"));
-    EXPECT_FALSE(contains(svg, "id=\"clock\"")) << "drawn";
-    EXPECT_FALSE(contains(svg, "id=\"caption\"")) << "drawn";
+    EXPECT_FALSE(contains(svg, "id=\"clock-label\"")) << "drawn";
+    EXPECT_FALSE(contains(svg, "id=\"caption-label\"")) << "drawn";
     EXPECT_TRUE(contains(svg, "(a)"));
     EXPECT_TRUE(contains(svg, "(c)"));
     EXPECT_FALSE(contains(figure.err, "theme")) << figure.err;
@@ -470,7 +470,7 @@ TEST(VectorStill, AJournalLeavesTextToTheCaptionAndReports) {
     const ProgramRun kept = run_program_in(folder, still + "--keep-text -o c.svg");
     ASSERT_EQ(kept.code, 0) << kept.err;
     EXPECT_FALSE(contains(kept.err, "--keep-text")) << kept.err;
-    EXPECT_TRUE(contains(text_of(folder.path() / "c.svg"), "id=\"caption\""));
+    EXPECT_TRUE(contains(text_of(folder.path() / "c.svg"), "id=\"caption-label\""));
     const ProgramRun alone =
         run_program_in(folder, "still '" + scene_path("generic") + "' --keep-text -o d.svg");
     EXPECT_EQ(alone.code, 2);
