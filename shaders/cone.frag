@@ -29,7 +29,7 @@ struct Layer {
 
 // Opacity of a layer, dimmed by the objects in front of it.
 float shown(vec4 v[5], vec2 pixel, float depth, float alpha) {
-    vec2 seen = vec2(1.0, 0.0);
+    vec4 seen = vec4(1.0, 0.0, 1.0, 1.0);
 #if N_QUADRICS + N_FLATS + N_MESHES > 0
     seen = visibility(v, pixel, depth, -1.0, -1.0);
 #endif

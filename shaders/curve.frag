@@ -61,18 +61,22 @@ void main() {
         }
     }
 
-    vec2 seen = vec2(1.0, 0.0);
+    vec4 seen = vec4(1.0, 0.0, 1.0, 1.0);
 #if N_QUADRICS + N_FLATS + N_MESHES > 0
     vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
     seen = visibility(view, pixel, depth, constant(6).z, constant(6).w);
     if (constant(6).z >= 0.0) {
         seen.y = 1.0 - (1.0 - seen.y) * (1.0 - (1.0 - front) * constant(7).w);
-        seen.x *= 1.0 - (1.0 - front) * hold(constant(7).w);
+        seen.xz *= 1.0 - (1.0 - front) * hold(constant(7).w);
     }
 #endif
     float visible = period < 0.0 ? 1.0 : drawn;
-    float hidden = constant(6).y < 0.0 ? 0.0 : drawn * max(constant(6).y, 1.0 - seen.y);
-    float alpha = constant(5).a * covered * mix(hidden, visible, seen.x);
+    bool is_absent = constant(6).y < 0.0;
+    bool has_glass = is_absent || period < 0.0;
+    float transmitted = has_glass ? (1.0 - seen.y) / max(seen.w, 1e-3) : 1.0 - seen.y;
+    float hidden = is_absent ? 0.0 : drawn * max(constant(6).y, transmitted);
+    float alpha = constant(5).a * covered * mix(hidden, visible, has_glass ? seen.z : seen.x);
+    if (has_glass) alpha *= through_glass(seen.w);
     vec2 fade = constant(FADE).xy;
     if (fade.y > fade.x) alpha *= clamp((mix(along.x, along.y, t) - fade.x) / (fade.y - fade.x), 0.0, 1.0);
     fragment = vec4(constant(5).rgb, 1.0) * alpha;

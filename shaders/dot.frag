@@ -19,7 +19,7 @@ void main() {
     float weight = constant(8).y;
 #if N_QUADRICS + N_FLATS + N_MESHES > 0
     vec4 view[5] = vec4[5](constant(0), constant(1), constant(2), constant(3), constant(4));
-    vec2 seen = visibility(view, gl_FragCoord.xy, constant(5).z, -1.0, -1.0);
+    vec4 seen = visibility(view, gl_FragCoord.xy, constant(5).z, -1.0, -1.0);
     weight = layer_weight(constant(8).y, seen, constant(8).x, covered * constant(6).a);
 #endif
     vec3 premultiplied = constant(6).rgb * inner + constant(7).rgb * max(covered - inner, 0.0);

@@ -21,11 +21,14 @@ float in_front(float ahead, float pixel) {
 // stops hiding, so that finally the picture is as if it were absent.
 float hold(float opacity) { return clamp(4.0 * opacity, 0.0, 1.0); }
 
-// x: visible share of the point; y: opacity of the objects that hide the rest. Ignores solids to
-// which the point belongs (by number; -1: none).
-vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own_flat) {
+// x: visible share of the point; y: opacity of the objects that hide the rest; z: visible share if
+// there were no planes; w: what the planes transmit. Ignores solids to which the point belongs (by
+// number; -1: none).
+vec4 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own_flat) {
     float clear = 1.0;
     float transmitted = 1.0;
+    float before_bodies = 1.0;
+    float through_planes = 1.0;
     float unit = pixel_length(v, depth);
     for (int i = 0; i < N_QUADRICS; ++i) {
         int at = SOLIDS + i * quadric_size;
@@ -35,6 +38,7 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
         float hidden = outline_coverage(at, s) * (1.0 - in_front(front - depth + 0.75 * unit, unit));
         if (own_quadric == float(i)) hidden = 0.0;
         clear *= 1.0 - hidden * hold(constant(at + 2).w);
+        before_bodies *= 1.0 - hidden * hold(constant(at + 2).w);
         transmitted *= 1.0 - hidden * constant(at + 2).w;
     }
     for (int i = 0; i < N_FLATS; ++i) {
@@ -51,6 +55,7 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
         float hidden = own_flat == float(i) ? 0.0 : behind * opacity;
         clear *= 1.0 - hidden;
         transmitted *= 1.0 - hidden;
+        through_planes *= 1.0 - hidden;
     }
 #if N_MESHES > 0
     int at_mesh = SOLIDS + N_QUADRICS * quadric_size + 3 * N_FLATS;
@@ -68,15 +73,23 @@ vec2 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
     }
     covered = within ? covered : 0.0;
     clear *= 1.0 - covered;
+    before_bodies *= 1.0 - covered;
     transmitted *= 1.0 - covered * constant(at_mesh + 1).z;
 #endif
-    return vec2(clear, 1.0 - transmitted);
+    return vec4(clear, 1.0 - transmitted, before_bodies, through_planes);
+}
+
+// Where hidden lines are dashed or omitted, planes are glass: what lies behind them is paler, but
+// not hidden. As seen_through_planes in src/vector/occluders.cpp.
+float through_glass(float through_planes) {
+    return through_planes + (1.0 - through_planes) * max(0.75, through_planes);
 }
 
 // Weight of a point in a layer (0: hidden, 1: visible), given its visible share and the covered
 // share of the pixel: the two layers, one over the other, give the full coverage.
-float layer_weight(float layer, vec2 seen, float hidden_opacity, float covered) {
+float layer_weight(float layer, vec4 seen, float hidden_opacity, float covered) {
+    if (hidden_opacity < 0.0)  // omitted where hidden
+        return layer > 0.5 ? seen.z * through_glass(seen.w) : 0.0;
     if (layer > 0.5) return seen.x;
-    if (hidden_opacity < 0.0) return 0.0;  // omitted
     return (1.0 - seen.x) * max(hidden_opacity, 1.0 - seen.y) / max(1.0 - covered * seen.x, 1e-3);
 }

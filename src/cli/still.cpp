@@ -20,6 +20,7 @@
 #include "production/jobs/contact_sheet.h"
 #include "production/jobs/still_job.h"
 #include "production/vectors/journal.h"
+#include "scene/files/load_scene.h"
 #include "text/label_text.h"
 
 namespace poinsot {
@@ -36,10 +37,18 @@ struct StillChoices {
     int bit_depth = 8;
     VectorChoices vectors;
     std::optional<double> time_s;
+    bool keeps_text = false;                   // --keep-text
     bool clearest = false;                     // --time auto
     std::optional<std::pair<int, int>> sheet;  // columns, rows
     bool quiet = false;
 };
+
+// Whether an override gives the key a value.
+bool is_given(const std::vector<std::string>& overrides, const std::string& key) {
+    return std::any_of(overrides.begin(), overrides.end(), [&key](const std::string& one) {
+        return assignment_of(one).starts_with(key + "=");
+    });
+}
 
 // Renders all scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
@@ -83,6 +92,9 @@ int draw_sheet_of(const StillChoices& choices) {
         for (const SweepPoint& point : points_of(choices.sweeps)) {
             SheetCell& cell = sheet.cells.emplace_back();
             cell.scene = scene_request_of(scene, choices.scene, overrides_of(point));
+            // Its values stand below each picture; the scene's title and caption are those of one.
+            if (!is_given(cell.scene.overrides, "overlays"))
+                cell.scene.overrides.emplace_back("--sheet overlays=false");
             if (choices.time_s) cell.scene.times_s = {*choices.time_s};
             cell.caption = formula_of(point);
             cell.values = caption_of(point);
@@ -100,18 +112,37 @@ int draw_sheet_of(const StillChoices& choices) {
     return 0;
 }
 
+// Draws as journals ask: in theme print, with letters on the panels, and without the text that
+// belongs into the author's caption. What the command line gives itself has precedence.
+void follow_journal(const StillChoices& choices, SceneRequest& request,
+                    const ProgressSink& progress) {
+    set_journal(journal_named(choices.print.journal), request.print);
+    constexpr std::string_view theme = "print";
+    const Scene scene = load_scene(request.file, request.overrides, request.outside);
+    if (!is_given(request.overrides, "theme")) {
+        if (scene.locations.contains("theme") && scene.theme != theme)
+            progress.say(
+                fmt::format("note: {} is drawn in theme {}, not in its own theme {}; "
+                            "--theme {} keeps that",
+                            request.file, theme, scene.theme, scene.theme));
+        request.overrides.emplace_back(fmt::format("--journal theme={}", theme));
+    } else if (scene.theme != theme) {
+        progress.say(
+            fmt::format("note: {} is drawn in theme {}, which you give; without it the "
+                        "theme is {}, for white paper",
+                        request.file, scene.theme, theme));
+    }
+    if (!choices.keeps_text && !is_given(request.overrides, "overlays"))
+        request.overrides.emplace_back("--journal overlays=false");
+    if (!is_given(request.overrides, "panel_letters"))
+        request.overrides.emplace_back("--journal panel_letters=true");
+}
+
 std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
                                    const ProgressSink& progress) {
     SceneRequest request = scene_request_of(job.scene, choices.scene, job.overrides);
     request.print = choices.print;
-    if (!choices.print.journal.empty()) {
-        set_journal(journal_named(choices.print.journal), request.print);
-        // The theme is print, unless the command line gives another one.
-        const bool has_theme = std::any_of(
-            request.overrides.begin(), request.overrides.end(),
-            [](const std::string& given) { return assignment_of(given).starts_with("theme"); });
-        if (!has_theme) request.overrides.emplace_back("--journal theme=print");
-    }
+    if (!choices.print.journal.empty()) follow_journal(choices, request, progress);
     // Vector output is for paper, with or without a print option.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};
@@ -160,6 +191,9 @@ void draw_alone(const SceneJob& job, const StillChoices& choices, LazyRenderer& 
 }
 
 int run(const StillChoices& choices) {
+    if (choices.keeps_text && choices.print.journal.empty())
+        throw InputError(
+            "--keep-text: only --journal leaves text out; add --journal, or leave it out");
     if (choices.sheet) return draw_sheet_of(choices);
     const std::vector<SceneJob> jobs =
         jobs_of(choices.scenes, choices.output, OutputKind::picture, choices.sweeps);
@@ -193,12 +227,15 @@ CommandLine still_line(std::any& storage) {
          {"--type-pt", "size of labels on paper in points; default 8.5; line widths scale with it",
           &c.print.type_pt, "points"},
          {"--journal",
-          "NAME: width, type and line sizes of the journal's author pages, and theme print",
+          "NAME: width, type and line sizes of the journal's author pages, theme print, (a), (b) "
+          "on "
+          "panels, and no title, captions and clock; reports the figure's sizes and contrasts",
           &c.print.journal,
           "",
           {},
           false,
           "journals"},
+         {"--keep-text", "with --journal: draw title, captions and clock, too", &c.keeps_text},
          {"--shading",
           "how vector figures fill surfaces: tone (shaded by the light, the default), none (lines "
           "only) or picture (pixels at 600 dpi within the exact outlines)",

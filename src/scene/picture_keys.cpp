@@ -2,12 +2,10 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <deque>
 #include <string_view>
 #include <vector>
 
 #include "scene/camera_views.h"
-#include "scene/named_things.h"
 #include "scene/scene_key_rows.h"
 #include "text/languages.h"
 #include "text/printable.h"
@@ -37,78 +35,6 @@ void read_units(const GivenValue& given, SceneDraft& draft) {
 constexpr std::array<std::string_view, 3> hidden_styles{"pale", "dashed", "omitted"};
 constexpr std::array<std::string_view, 2> crossing_styles{"through", "gap"};
 
-// `names`: true for all, false for none, or a list.
-void read_names(const GivenValue& given, SceneDraft& draft) {
-    std::optional<std::vector<std::string>>& names = draft.scene.names;
-    if (given.value().type != TomlValue::Type::boolean)
-        names = given.texts();
-    else if (given.boolean())
-        names.reset();
-    else
-        names.emplace();
-}
-
-std::string names_text(const Scene& scene, std::size_t) {
-    if (!scene.names) return "";
-    return scene.names->empty() ? "false" : toml_text(std::span<const std::string>(*scene.names));
-}
-
-constexpr std::string_view summary_of_thing(std::string_view name) {
-    if (name == "invariable-plane") return "name of the invariable plane, as text with $formulas$";
-    if (name == "inertia-ellipsoid")
-        return "name of the inertia ellipsoid, as text with $formulas$";
-    if (name == "body-cone") return "name of the body cone, as text with $formulas$";
-    if (name == "space-cone") return "name of the space cone, as text with $formulas$";
-    if (name == "unit-sphere") return "name of the unit sphere, as text with $formulas$";
-    if (name == "polhode") return "name of the polhode, as text with $formulas$";
-    if (name == "herpolhode") return "name of the herpolhode, as text with $formulas$";
-    return "name of the separatrix, as text with $formulas$";
-}
-
-// The name of a curve or surface. The deque holds the texts to which its string views refer.
-SceneKey thing_row(std::string_view name) {
-    static std::deque<std::string> words;
-    return key_rows::row(words.emplace_back(fmt::format("symbols.{}", name)),
-                         {.kind = ValueType::Kind::text}, R"("rolling curve")",
-                         summary_of_thing(name))
-        .read_by([name](const GivenValue& given, SceneDraft& draft) {
-            draft.scene.symbols.things.insert_or_assign(std::string(name), given.text());
-        })
-        .written_by([name](const Scene& scene, std::size_t) {
-            const auto found = scene.symbols.things.find(name);
-            return found == scene.symbols.things.end() ? ""
-                                                       : toml_text(std::string_view(found->second));
-        })
-        .default_is("its name in `language`");
-}
-
-// How far a label is moved by hand.
-SceneKey offset_row(std::string_view name) {
-    static std::deque<std::string> words;
-    ValueType type{.kind = ValueType::Kind::number, .bounds = within(-1000.0, 1000.0)};
-    type.unit = "points";
-    type.size = ValueType::Size{2, 2};
-    return key_rows::row(words.emplace_back(fmt::format("labels.{}.offset_pt", name)), type,
-                         "[6.0, -4.0]",
-                         words.emplace_back(fmt::format(
-                             "how far the label of {} is moved to the right and down; on screens a "
-                             "picture is 540 points high",
-                             name)))
-        .read_by([name](const GivenValue& given, SceneDraft& draft) {
-            const std::vector<double> xy = given.numbers();
-            draft.scene.label_offsets_pt.insert_or_assign(std::string(name),
-                                                          Eigen::Vector2d(xy[0], xy[1]));
-        })
-        .written_by([name](const Scene& scene, std::size_t) -> std::string {
-            const auto found = scene.label_offsets_pt.find(name);
-            // A file has either labels = false or [labels].
-            if (found == scene.label_offsets_pt.end() || !scene.labels) return "";
-            const Eigen::Vector2d& xy = found->second;
-            return toml_text(std::span<const double>(xy.data(), 2));
-        })
-        .default_is("not moved");
-}
-
 constexpr auto symbol(std::string SymbolsSpec::*member) { return in(&Scene::symbols, member); }
 
 template <typename... Members>
@@ -124,83 +50,69 @@ constexpr auto camera_of_panel(Value PanelCameraSpec::*member) {
 
 std::span<const SceneKey> picture_keys() {
     using namespace key_rows;
-    static const std::vector<SceneKey> rows = [] {
-        std::vector<SceneKey> made{
-            text("title", &Scene::title, R"("Tennis racket")", "heading of the picture")
-                .default_is("the name of the file")
-                .written_if_empty(),
-            text("caption", &Scene::caption, R"("I = (3, 2, 1) kg m²")", "text below the picture")
-                .default_is("none")
-                .written_if_empty(),
-            number(
-                "accuracy_px", &Scene::accuracy_px, within(1e-6, 100.0), "pixels", "0.1",
-                "largest position error of the motion in the picture; curves are drawn within half "
-                "of this value"),
-            text("theme", &Scene::theme, R"("light")",
-                 "theme (colours and line styles), by name or as the path of a theme file (.toml)")
-                .from_list("themes")
-                .or_text("a file name", R"(\.toml$)"),
-            one_of(
-                "hidden", &Scene::hidden, hidden_styles, R"("dashed")",
-                "style of hidden lines; if dashed, all other broken lines become thin solid lines")
-                .default_is("that of the theme (pale in every supplied theme)"),
-            one_of(
-                "crossings", &Scene::crossings, crossing_styles, R"("gap")",
-                "how the line that is farther from the viewer is drawn at a crossing: through, or "
-                "with a gap on both sides of the nearer line")
-                .default_is("that of the theme (through in every supplied theme)"),
-            boolean("clock", &Scene::clock, "false",
-                    "whether the clock, which shows the time of the motion, is drawn")
-                .default_is("true, except in films that loop"),
-            number("type_scale", &Scene::type_scale, within(0.25, 8.0), "", "1.25",
-                   "factor on the size of all type, such as 1.25 for a large room")
-                .omitted_if_default(),
-            one_of("language", &Scene::language, languages(), R"("de")",
-                   "language of the built-in headings and labels, and of decimal marks (a comma in "
-                   "de, "
-                   "fr, es and it)")
-                .omitted_if_default(),
-            texts("units", &Scene::units, R"(["rpm", "deg", "g cm²"])",
-                  "units of charts and live numbers; each unit is used for the quantity that it "
-                  "measures, and a unit of angle also for rates (deg/s)")
-                .default_is("SI")
-                .read_by(read_units),
-            text("symbols.omega", symbol(&SymbolsSpec::omega), R"('\Omega')", "symbol for ω"),
-            text("symbols.momentum", symbol(&SymbolsSpec::momentum), R"('\mathbf{J}')",
-                 "symbol for L"),
-            text("symbols.rho", symbol(&SymbolsSpec::rho), R"('\mathbf{r}')", "symbol for ρ"),
-            text("symbols.e1", symbol(&SymbolsSpec::e1), R"("x")",
-                 "symbol for the first principal axis"),
-            text("symbols.e2", symbol(&SymbolsSpec::e2), R"("y")",
-                 "symbol for the second principal axis"),
-            text("symbols.e3", symbol(&SymbolsSpec::e3), R"("z")",
-                 "symbol for the third principal axis"),
-            texts("show", &Scene::show, R"(["plane", "ellipsoid", "polhode"])",
-                  "elements to draw, and overlays (`poinsot list overlays`)")
-                .from_list("elements")
-                .default_is("those that suit the motion"),
-            boolean("labels", &Scene::labels, "false", "whether elements have labels")
-                .omitted_if_default(),
-            texts("unlabelled", &Scene::unlabelled, R"(["omega", "momentum"])",
-                  "elements without a label; the name of a kind of panel hides all labels in "
-                  "panels of "
-                  "this kind")
-                .default_is("none"),
-            texts(
-                "names", &Scene::names, R"(["polhode", "herpolhode"])",
-                "curves and surfaces that have their names in the picture: all, none, or those of "
-                "the list")
-                .values_from(named_things)
-                .or_boolean()
-                .default_is("true")
-                .read_by(read_names)
-                .written_by(names_text),
-        };
-        for (const std::string_view name : named_things) made.push_back(thing_row(name));
-        for (const std::string_view name : named_things) made.push_back(offset_row(name));
-        for (const std::string_view name : named_quantities) made.push_back(offset_row(name));
-        return made;
-    }();
+    static const SceneKey rows[] = {
+        text("title", &Scene::title, R"("Tennis racket")", "heading of the picture")
+            .default_is("the name of the file")
+            .written_if_empty(),
+        text("caption", &Scene::caption, R"("I = (3, 2, 1) kg m²")", "text below the picture")
+            .default_is("none")
+            .written_if_empty(),
+        number("accuracy_px", &Scene::accuracy_px, within(1e-6, 100.0), "pixels", "0.1",
+               "largest position error of the motion in the picture; curves are drawn within half "
+               "of this value"),
+        text("theme", &Scene::theme, R"("light")",
+             "theme (colours and line styles), by name or as the path of a theme file (.toml)")
+            .from_list("themes")
+            .or_text("a file name", R"(\.toml$)"),
+        one_of("hidden", &Scene::hidden, hidden_styles, R"("dashed")",
+               "style of hidden lines; if dashed, all other broken lines become thin solid lines")
+            .default_is("that of the theme (pale in every supplied theme)"),
+        one_of("crossings", &Scene::crossings, crossing_styles, R"("gap")",
+               "how the line that is farther from the viewer is drawn at a crossing: through, or "
+               "with a gap on both sides of the nearer line")
+            .default_is("that of the theme (through in every supplied theme)"),
+        boolean("overlays", &Scene::overlays, "false",
+                "whether the title, the captions and the clock are drawn; the title also names the "
+                "file's document")
+            .omitted_if_default(),
+        boolean("panel_letters", &Scene::panel_letters, "true",
+                "whether the headings of several panels begin with (a), (b), … in reading order")
+            .omitted_if_default(),
+        boolean("clock", &Scene::clock, "false",
+                "whether the clock, which shows the time of the motion, is drawn")
+            .default_is("true, except in films that loop"),
+        number("type_scale", &Scene::type_scale, within(0.25, 8.0), "", "1.25",
+               "factor on the size of all type, such as 1.25 for a large room")
+            .omitted_if_default(),
+        one_of("language", &Scene::language, languages(), R"("de")",
+               "language of the built-in headings and labels, and of decimal marks (a comma in de, "
+               "fr, es and it)")
+            .omitted_if_default(),
+        texts("units", &Scene::units, R"(["rpm", "deg", "g cm²"])",
+              "units of charts and live numbers; each unit is used for the quantity that it "
+              "measures, and a unit of angle also for rates (deg/s)")
+            .default_is("SI")
+            .read_by(read_units),
+        text("symbols.omega", symbol(&SymbolsSpec::omega), R"('\Omega')", "symbol for ω"),
+        text("symbols.momentum", symbol(&SymbolsSpec::momentum), R"('\mathbf{J}')", "symbol for L"),
+        text("symbols.rho", symbol(&SymbolsSpec::rho), R"('\mathbf{r}')", "symbol for ρ"),
+        text("symbols.e1", symbol(&SymbolsSpec::e1), R"("x")",
+             "symbol for the first principal axis"),
+        text("symbols.e2", symbol(&SymbolsSpec::e2), R"("y")",
+             "symbol for the second principal axis"),
+        text("symbols.e3", symbol(&SymbolsSpec::e3), R"("z")",
+             "symbol for the third principal axis"),
+        texts("show", &Scene::show, R"(["plane", "ellipsoid", "polhode"])",
+              "elements to draw, and overlays (`poinsot list overlays`)")
+            .from_list("elements")
+            .default_is("those that suit the motion"),
+        boolean("labels", &Scene::labels, "false", "whether elements have labels")
+            .omitted_if_default(),
+        texts("unlabelled", &Scene::unlabelled, R"(["omega", "momentum"])",
+              "elements without a label; the name of a kind of panel hides all labels in panels of "
+              "this kind")
+            .default_is("none"),
+    };
     return rows;
 }
 

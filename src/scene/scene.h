@@ -259,6 +259,8 @@ struct Scene {
     SymbolsSpec symbols;
     std::vector<std::string> units;  // units for displayed numbers; SI for all other quantities
     std::string language = "en";     // of the built-in words, of languages()
+    bool overlays = true;            // title, captions and clock
+    bool panel_letters = false;      // (a), (b), … before the headings of panels
     std::optional<bool> clock;       // whether it is shown; absent: if the film has one
     double type_scale = 1.0;         // of all text in the picture
     std::vector<std::string> show;  // elements by name; empty: the defaults for this kind of motion

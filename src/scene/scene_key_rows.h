@@ -22,6 +22,7 @@ namespace poinsot {
 
 // In the order in which they are listed and written.
 std::span<const SceneKey> picture_keys();
+std::span<const SceneKey> name_keys();
 std::span<const SceneKey> body_keys();
 std::span<const SceneKey> motion_keys();
 std::span<const SceneKey> film_keys();

@@ -14,8 +14,8 @@ namespace {
 std::vector<SceneKey> all_sections() {
     std::vector<SceneKey> keys;
     for (const auto& section :
-         {picture_keys(), body_keys(), motion_keys(), film_keys(), camera_keys(), story_keys(),
-          panel_keys(), style_keys(), mark_keys()}) {
+         {picture_keys(), name_keys(), body_keys(), motion_keys(), film_keys(), camera_keys(),
+          story_keys(), panel_keys(), style_keys(), mark_keys()}) {
         keys.insert(keys.end(), section.begin(), section.end());
     }
     return keys;

@@ -43,6 +43,8 @@ struct Curve {
     double opacity = 1.0;
     double hidden_opacity = 0.3;
     HiddenStyle hidden = HiddenStyle::dimmed;
+    double hidden_share =
+        0.65;                  // of the width, where hidden and dashed: dashes are longer than wide
     double dash_px = 0.0;      // length of a dash; 0: solid
     double gap_px = 0.0;       // between dashes; 0: equal to dash_px
     double fade_points = 0.0;  // opacity falls linearly to 0 over this many points before `last`;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <deque>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -47,8 +48,10 @@ struct Drawing {
     // above the part; 0 rows: those of the picture.
     int background_top_px = 0, background_rows_px = 0;
     std::vector<View> views;
+    // Text for which a page had no space: running text with formulas.
+    std::vector<std::string> left_out{};
     // What is shown without its name, since there is no room for it.
-    std::vector<std::string_view> unnamed;
+    std::vector<std::string_view> unnamed{};
 };
 
 }  // namespace poinsot

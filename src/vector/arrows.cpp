@@ -322,10 +322,12 @@ class Strands {
         return strand;
     }
 
-    // Adds strands between two neighbours until the cut is straight between them.
+    // Adds strands between two neighbours until the cut is straight between them, or until they are
+    // so close that a corner between them is off by no more than that.
     void refine(const Canvas& canvas, const Strand& one, const Strand& other, int depth) {
         constexpr int deepest = 7;
         constexpr double most_off_pt = 0.01;
+        if ((place(other.side, from_) - place(one.side, from_)).norm() <= 2.0 * most_off_pt) return;
         const Strand middle = strand_at(canvas, 0.5 * (one.side + other.side));
         bool is_straight = is_like(one, middle) && is_like(middle, other);
         for (std::size_t i = 0; is_straight && i + 1 < middle.spans.size(); ++i) {

@@ -111,9 +111,6 @@ std::vector<double> fading_steps(const Curve& curve, double last_point, const Sm
     return steps;
 }
 
-// Hidden lines are thinner, so that their dashes are longer than wide.
-constexpr double hidden_width = 0.65;
-
 // Whether a span is dashed because a body hides it. Planes are glass.
 bool is_dashed(const Curve& curve, const Span& span) {
     return curve.hidden == HiddenStyle::dashed && span.cover.before_bodies < 0.5;
@@ -121,7 +118,7 @@ bool is_dashed(const Curve& curve, const Span& span) {
 
 double stroke_width_pt(const Canvas& canvas, const Curve& curve, bool hidden) {
     const bool thins = hidden && !curve.stands_for_hidden;
-    return canvas.line_pt((thins ? hidden_width : 1.0) * curve.width_px);
+    return canvas.line_pt((thins ? curve.hidden_share : 1.0) * curve.width_px);
 }
 
 // The dashes of hidden parts: in proportion to the line's width, and on a short curve shorter.

@@ -42,6 +42,10 @@ class Region {
     // Adds a triangle if one gradient still fits all corners.
     bool take(std::size_t number) {
         triangles_.push_back(number);
+        // Without shading a whole body has one colour.
+        const bool was_uniform =
+            std::exchange(is_uniform_, is_uniform_ && has_first_colour(number));
+        if (is_uniform_) return true;
         const Gradient gradient = fitted();
         const double most_off = allowed();
         for (const std::size_t k : triangles_)
@@ -49,7 +53,10 @@ class Region {
                 const Eigen::Vector3d off =
                     gradient.at(gradient.along(all_[k].corners[i])) - vector_of(all_[k].colours[i]);
                 if (off.cwiseAbs().maxCoeff() <= most_off) continue;
-                if (triangles_.size() > 1) triangles_.pop_back();
+                if (triangles_.size() > 1) {
+                    triangles_.pop_back();
+                    is_uniform_ = was_uniform;
+                }
                 return false;
             }
         return true;
@@ -81,6 +88,13 @@ class Region {
     }
 
  private:
+    bool has_first_colour(std::size_t number) const {
+        const auto& colours = all_[number].colours;
+        return std::all_of(std::begin(colours), std::end(colours), [&](const Colour& colour) {
+            return colour == all_[triangles_[0]].colours[0];
+        });
+    }
+
     // The allowed deviation: larger on small details, such as the strings of a racket.
     double allowed() const {
         constexpr double full_size_pt = 4.0, most = 6.0;
@@ -174,6 +188,7 @@ class Region {
     std::span<const ShadedTriangle> all_;
     double most_off_;
     std::vector<std::size_t> triangles_;
+    bool is_uniform_ = true;  // all corners have one colour
 };
 
 // The neighbours of each triangle, across its sides.

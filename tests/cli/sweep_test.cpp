@@ -234,11 +234,11 @@ TEST_F(Swept, IsRefusedInASentence) {
 
 // Each picture of a sheet equals the single picture, with a caption below it.
 TEST_F(Swept, IsArrangedInASheet) {
-    const std::string key = "start.omega_rad_s[1]";
-    const ProgramRun done =
-        run("still a.toml -q -o sheet.png --sheet 2x2 --time auto --sweep '" + key + "=1,1.5,2'");
+    // A key that changes pictures, but not their view.
+    const std::string sweep = "--time auto --sweep 'hidden=pale,dashed,omitted'";
+    const ProgramRun done = run("still a.toml -q -o sheet.png --sheet 2x2 " + sweep);
     ASSERT_EQ(done.code, 0) << done.err;
-    ASSERT_EQ(run("still a.toml -q -o '#.png' --sweep '" + key + "=1,1.5,2'").code, 0);
+    ASSERT_EQ(run("still a.toml -q -o '#.png' --set overlays=false " + sweep).code, 0);
     const Image sheet = image("sheet.png");
     ASSERT_EQ(sheet.width(), 2 * 192);
     const int row = sheet.height() / 2;
@@ -259,6 +259,27 @@ TEST_F(Swept, IsArrangedInASheet) {
         EXPECT_TRUE(written) << k;
     }
     for (int x = 192; x < 384; ++x) EXPECT_TRUE(sheet.at(x, row + 50) == sheet.at(0, 0));
+}
+
+// The view of a cell depends on all cells, not on their order, so that sizes can be compared.
+TEST_F(Swept, CellsOfASheetHaveOneView) {
+    const auto sheet_of = [this](const std::string& values) {
+        const ProgramRun done =
+            run("still a.toml -q -o sheet.png --sheet 2x1 --time 0 --sweep 'start.omega_rad_s[1]=" +
+                values + "'");
+        EXPECT_EQ(done.code, 0) << done.err;
+        return image("sheet.png");
+    };
+    const Image both = sheet_of("0.3,3"), reversed = sheet_of("3,0.3"), twice = sheet_of("3,3");
+    bool same = true, as_alone = true;
+    for (int x = 0; x < 192; ++x)
+        for (int y = 0; y < 108; ++y) {
+            same = same && both.at(x, y) == reversed.at(192 + x, y) &&
+                   both.at(192 + x, y) == reversed.at(x, y);
+            as_alone = as_alone && both.at(192 + x, y) == twice.at(x, y);
+        }
+    EXPECT_TRUE(same);
+    EXPECT_FALSE(as_alone);
 }
 
 // So that its pictures can be compared.

@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
+#include <fstream>
 #include <regex>
 #include <set>
 #include <string>
@@ -411,7 +412,7 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
     ASSERT_EQ(run_program_in(folder, "rerender a.pdf -o b.pdf").code, 0);
     EXPECT_EQ(text_of(folder.path() / "a.pdf"), text_of(folder.path() / "b.pdf"));
     // No letter is smaller than 8 pt, no script than 6, no line thinner than half a point.
-    ASSERT_EQ(run_program_in(folder, still + "--journal aip -o a.svg").code, 0);
+    ASSERT_EQ(run_program_in(folder, still + "--journal aip --keep-text -o a.svg").code, 0);
     const std::string svg = text_of(folder.path() / "a.svg");
     // The smallest number in elements of a kind.
     const auto least = [&svg](const std::string& element, const std::string& name) {
@@ -437,12 +438,57 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
         EXPECT_EQ(refused.code, 2) << options;
         EXPECT_TRUE(is_one_line(refused.err)) << options << ": " << refused.err;
     }
-    // The titles of three panels do not fit into this size without overlap.
-    const ProgramRun small =
-        run_program_in(folder, "still '" + scene_path("football") + "' --width-mm 50 -o d.pdf");
+    // Three panels do not fit into this size without overlap.
+    const ProgramRun small = run_program_in(
+        folder, "still '" + scene_path("football") + "' --width-mm 50 --height-mm 50 -o d.pdf");
     EXPECT_EQ(small.code, 2);
     EXPECT_TRUE(contains(small.err, "too small for its labels")) << small.err;
     EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.pdf"));
+}
+
+// The author's caption says what title, caption and clock say; the report says what to check.
+TEST(VectorStill, AJournalLeavesTextToTheCaptionAndReports) {
+    const ScratchFolder folder;
+    const std::string still = "still '" + scene_path("separatrix") + "' --journal aip ";
+    const ProgramRun figure = run_program_in(folder, still + "-o a.svg");
+    ASSERT_EQ(figure.code, 0) << figure.err;
+    for (const std::string words :
+         {"size: 85.0 x ", "least line: 0.5 pt", "least type: 8 pt; sub- and superscripts: 6",
+          "least contrast with the page: type ", "least margin of type and arrows: ",
+          "left out: title, captions and clock (--keep-text draws them)"})
+        EXPECT_TRUE(contains(figure.err, words)) << words << " in " << figure.err;
+    const std::string svg = text_of(folder.path() / "a.svg");
+    EXPECT_TRUE(contains(svg, "<title>The separatrix</title>"));
+    EXPECT_FALSE(contains(svg, "id=\"clock-label\"")) << "drawn";
+    EXPECT_FALSE(contains(svg, "id=\"caption-label\"")) << "drawn";
+    EXPECT_TRUE(contains(svg, "(a)"));
+    EXPECT_TRUE(contains(svg, "(c)"));
+    EXPECT_FALSE(contains(figure.err, "theme")) << figure.err;
+    ASSERT_EQ(run_program_in(folder, "rerender a.svg -o b.svg").code, 0);
+    EXPECT_EQ(svg, text_of(folder.path() / "b.svg"));
+
+    const ProgramRun kept = run_program_in(folder, still + "--keep-text -o c.svg");
+    ASSERT_EQ(kept.code, 0) << kept.err;
+    EXPECT_FALSE(contains(kept.err, "--keep-text")) << kept.err;
+    EXPECT_TRUE(contains(text_of(folder.path() / "c.svg"), "id=\"caption-label\""));
+    const ProgramRun alone =
+        run_program_in(folder, "still '" + scene_path("generic") + "' --keep-text -o d.svg");
+    EXPECT_EQ(alone.code, 2);
+    EXPECT_TRUE(is_one_line(alone.err)) << alone.err;
+}
+
+TEST(VectorStill, AJournalSaysWhichThemeItReplaces) {
+    const ScratchFolder folder;
+    std::ofstream(folder.path() / "dark.toml")
+        << "theme = \"dark\"\n[body]\nmoments_kg_m2 = [4.0, 3.0, 1.5]\n"
+           "[start]\nomega_rad_s = [1.2, 0.8, 2.4]\n[film]\nduration_s = 1.0\n";
+    const ProgramRun replaced = run_program_in(folder, "still dark.toml --journal aps -o a.svg");
+    ASSERT_EQ(replaced.code, 0) << replaced.err;
+    EXPECT_TRUE(contains(replaced.err, "theme print, not in its own theme dark")) << replaced.err;
+    const ProgramRun kept =
+        run_program_in(folder, "still dark.toml --journal aps --theme dark -o b.svg");
+    ASSERT_EQ(kept.code, 0) << kept.err;
+    EXPECT_TRUE(contains(kept.err, "theme dark, which you give")) << kept.err;
 }
 
 TEST(VectorStill, PicturesCanBePlacedBetweenTheLines) {

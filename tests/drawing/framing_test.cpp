@@ -62,6 +62,49 @@ TEST(Framing, ContainsAllPointsAndTouchesTheMargin) {
     }
 }
 
+// The sight lines of each camera's corners, at two depths, are seen by the common one; moved
+// nearer, it would not see all.
+TEST(Framing, CommonViewSeesWhatEachCameraSeesAndNoMore) {
+    std::mt19937 random(11);
+    std::normal_distribution<double> normal;
+    for (int round = 0; round < 50; ++round) {
+        const PanelBox box{0, 0, round % 2 == 0 ? 800 : 300, 400};
+        const bool orthographic = round % 3 == 0;
+        const Eigen::Vector3d towards_eye = direction_of(11.0 * round, 25.0);
+        std::vector<Camera> cameras;
+        for (int k = 0; k < 4; ++k) {
+            Camera& camera = cameras.emplace_back();
+            camera.vertical_field_rad = 0.5;
+            camera.target = {normal(random), normal(random), normal(random)};
+            camera.eye = camera.target + (8.0 + normal(random)) * towards_eye;
+            camera.orthographic = orthographic;
+            camera.height_units = 2.0 + std::abs(normal(random));
+        }
+        const auto common = common_view(box, cameras);
+        ASSERT_TRUE(common);
+        std::vector<Eigen::Vector3d> corners;
+        for (const Camera& camera : cameras) {
+            const Eigen::Matrix3d axes = camera_axes(camera);
+            for (const double depth : {3.0, 9.0})
+                for (const double x : {-1.0, 1.0})
+                    for (const double y : {-1.0, 1.0}) {
+                        const double half =
+                            orthographic ? 0.5 * camera.height_units : std::tan(0.25) * depth;
+                        corners.push_back(
+                            camera.eye +
+                            axes * Eigen::Vector3d(x * half * box.width_px / box.height_px,
+                                                   y * half, -depth));
+                    }
+        }
+        // Measured 3e-12 px.
+        EXPECT_NEAR(least_margin(view_of(box, *common), corners), 0.0, 1e-6) << round;
+    }
+    Camera one, other;
+    EXPECT_EQ(common_view({0, 0, 100, 100}, std::vector<Camera>{one, one}), one);
+    other.eye = -one.eye;
+    EXPECT_FALSE(common_view({0, 0, 100, 100}, std::vector<Camera>{one, other}));
+}
+
 TEST(Framing, OnePointIsViewedFromADistance) {
     const std::vector<Eigen::Vector3d> points(3, Eigen::Vector3d(1.0, 2.0, 3.0));
     const Camera camera = framed({0, 0, 100, 100}, direction_of(10.0, 20.0),

@@ -2,10 +2,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
 #include <utility>
 #include <vector>
 
 #include "drawing/stage/panel.h"
+#include "drawing/stage/type/labels.h"
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"
 
@@ -36,6 +38,48 @@ TEST(Layout, PanelsLeaveSpaceForTitleAndCaption) {
         EXPECT_TRUE(bottom <= body.y_px || label.top_left_px.y() >= below.y_px + below.height_px)
             << label.top_left_px.transpose();
     }
+}
+
+// In reading order, whatever the order of the list.
+TEST(Layout, LettersOfPanelsFollowTheirPlaces) {
+    Scene scene = free_scene(generic_moments, generic_omega, "body");
+    scene.panels[0].row = 1;
+    PanelSpec plot;
+    plot.kind = "plot";
+    scene.grid.rows = {1.0, 1.0};
+    scene.panels.push_back(plot);
+    const auto headings = [&scene] {
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(1.0);
+        std::vector<std::string> found;
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels)
+                if (label.rank == rank_of_headings) found.push_back(label.mask->source.text);
+        return found;
+    };
+    EXPECT_EQ(headings().front().find('('), std::string::npos);
+    scene.panel_letters = true;
+    const std::vector<std::string> lettered = headings();
+    ASSERT_EQ(lettered.size(), 2u);
+    EXPECT_TRUE(lettered[0].starts_with("(b) ")) << lettered[0];
+    EXPECT_TRUE(lettered[1].starts_with("(a) ")) << lettered[1];
+}
+
+TEST(Layout, WithoutOverlaysPanelsHaveTheWholePicture) {
+    Scene scene = free_scene(generic_moments, generic_omega, "body");
+    scene.title = "Title";
+    scene.caption = "Caption";
+    scene.clock = true;
+    scene.captions.emplace_back().text = "Timed";
+    scene.panels.push_back(scene.panels[0]);
+    scene.panels[1].row = 1;
+    scene.grid.rows = {1.0, 1.0};
+    scene.overlays = false;
+    const StagedScene staged(scene, 1.0);
+    const Drawing drawing = staged.stage.at(1.0);
+    ASSERT_EQ(drawing.views.size(), 2u);  // no view of overlays
+    EXPECT_EQ(drawing.views[0].y_px, 0);
+    EXPECT_EQ(drawing.views[1].y_px + drawing.views[1].height_px, drawing.height_px);
 }
 
 TEST(Layout, NumbersOfAChartDoNotOverlapAtAnyHeight) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
+#include <vector>
 
 #include "pictures.h"
 
@@ -185,6 +187,46 @@ TEST(CurvePicture, IsDimmedInsideAndBehindAnEllipsoidAndAPlane) {
         EXPECT_NEAR(dark(10), 1.0, 0.02);
         EXPECT_NEAR(dark(50), geometry == &inside ? 0.25 : 1.0, 0.03);
     }
+}
+
+// As in PDF and SVG: behind a plane of opacity 0.6 alone, a line whose hidden parts are dashed or
+// omitted is solid, and 0.4 + 0.6 · 0.75 = 0.85 of it is seen; a pale one is dimmed to its hidden
+// opacity.
+TEST(CurvePicture, PlanesAreGlassWhereHiddenLinesAreDashedOrOmitted) {
+    const CurveGeometry line = curve_of(
+        9121, 2, false, [](double t) { return Eigen::Vector3d(-40.0 + 80.0 * t, 0.0, -5.0); });
+    Plane plane;
+    plane.normal = Eigen::Vector3d::UnitZ();
+    plane.centre = {0.0, 0.0, 0.0};
+    plane.radius = 1000.0;
+    plane.grid_px = 0.0;
+    plane.opacity = 0.6;
+    plane.colour = {1.0, 1.0, 1.0};
+    const auto darkness_along = [&](HiddenStyle hidden) {
+        Drawing drawing = flat_drawing(100, 100, 100.0);
+        View& view = drawing.views[0];
+        view.background.alpha = drawing.background.alpha = 1.0;
+        view.background.top = view.background.bottom = {1.0, 1.0, 1.0};
+        view.planes.push_back(plane);
+        const Image without = renderer().render(drawing);
+        Curve curve = stroke(line, 5.0);
+        curve.hidden = hidden;
+        curve.hidden_opacity = 0.3;
+        view.curves.push_back(curve);
+        const Image with = renderer().render(drawing);
+        // Light in proportion to what the black line leaves.
+        std::vector<double> found;
+        for (int x = 15; x < 85; ++x) {
+            const auto light = [x](const Image& image) {
+                return std::pow(image.at(x, 50).g / 255.0, 2.2);
+            };
+            found.push_back(1.0 - light(with) / light(without));
+        }
+        return found;
+    };
+    for (const HiddenStyle style : {HiddenStyle::dashed, HiddenStyle::absent})
+        for (const double dark : darkness_along(style)) EXPECT_NEAR(dark, 0.85, 0.03);
+    for (const double dark : darkness_along(HiddenStyle::dimmed)) EXPECT_LT(dark, 0.75);
 }
 
 TEST(CurvePicture, NeedsNoUploadIfOnlyItsRangeChanges) {

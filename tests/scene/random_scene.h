@@ -159,7 +159,7 @@ inline void write_picture(Dice& dice, Text& text) {
         if (dice.one_in(2)) text.set_text(key, dice.text());
     for (const char* key : {"show", "unlabelled"})
         if (dice.one_in(2)) text.set(key, some_texts(dice));
-    for (const char* key : {"labels", "clock"})
+    for (const char* key : {"labels", "clock", "overlays", "panel_letters"})
         if (dice.one_in(2)) text.set(key, toml_text(dice.one_in(2)));
     if (dice.one_in(2)) text.set_number("accuracy_px", dice.between(1e-6, 100.0));
     if (dice.one_in(2)) text.set_text("theme", "dark");

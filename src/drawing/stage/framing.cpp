@@ -24,6 +24,51 @@ Camera about_the_origin(const Eigen::Vector3d& towards_eye, const Eigen::Vector3
 
 }  // namespace
 
+std::optional<Camera> common_view(const PanelBox& box, std::span<const Camera> cameras) {
+    if (cameras.empty()) return std::nullopt;
+    const Camera& first = cameras.front();
+    const Eigen::Matrix3d axes = camera_axes(first);
+    const auto looks_alike = [&](const Camera& camera) {
+        constexpr double rounding = 1e-9;
+        return camera.orthographic == first.orthographic &&
+               std::abs(camera.vertical_field_rad - first.vertical_field_rad) < rounding &&
+               (camera_axes(camera) - axes).norm() < rounding;
+    };
+    if (!std::all_of(cameras.begin(), cameras.end(), looks_alike)) return std::nullopt;
+    if (std::all_of(cameras.begin(), cameras.end(),
+                    [&](const Camera& camera) { return camera == first; }))
+        return first;
+
+    // In the camera's axes, a perspective camera sees all that another one sees if that one's eye
+    // is in its field: |x − X| ≤ slope (Z − z). A parallel one sees a rectangle.
+    const double height_slope = std::tan(0.5 * first.vertical_field_rad);
+    const Eigen::Vector2d slope =
+        height_slope * Eigen::Vector2d(1.0 * box.width_px / box.height_px, 1.0);
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    Eigen::Vector2d least = Eigen::Vector2d::Constant(infinite), most = -least;
+    double target_depth = 0.0, eye_depth = -infinite;
+    for (const Camera& camera : cameras) {
+        const Eigen::Vector3d eye = axes.transpose() * camera.eye;
+        const double reach =
+            camera.orthographic ? 0.5 * camera.height_units / height_slope : eye.z();
+        least = least.cwiseMin(eye.head<2>() - reach * slope);
+        most = most.cwiseMax(eye.head<2>() + reach * slope);
+        eye_depth = std::max(eye_depth, eye.z());
+        target_depth +=
+            (axes.transpose() * camera.target).z() / static_cast<double>(cameras.size());
+    }
+    const double reach = 0.5 * (most - least).cwiseQuotient(slope).maxCoeff();
+    Camera common = first;
+    if (first.orthographic)
+        common.height_units = 2.0 * reach * height_slope;
+    else
+        eye_depth = reach;
+    const Eigen::Vector2d centre = 0.5 * (least + most);
+    common.eye = axes * Eigen::Vector3d(centre.x(), centre.y(), eye_depth);
+    common.target = axes * Eigen::Vector3d(centre.x(), centre.y(), target_depth);
+    return common;
+}
+
 Camera framed(const PanelBox& box, const Eigen::Vector3d& towards_eye, const Eigen::Vector3d& up,
               double vertical_field_rad, std::span<const Eigen::Vector3d> points,
               double margin_px) {

@@ -2,12 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "drawing/stage/panel.h"
 
 namespace poinsot {
+
+// The nearest camera that sees all that each of these sees in a panel of this shape: for pictures
+// beside each other. Empty if they look in different directions or by different projections.
+std::optional<Camera> common_view(const PanelBox& box, std::span<const Camera> cameras);
 
 // A perspective camera that looks from the direction `towards_eye`, at the distance where the
 // points just fit, centred, into the box less a margin on every side. Exact: no nearer camera with

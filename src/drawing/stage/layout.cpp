@@ -83,15 +83,18 @@ bool has_type(const StageOptions& options) {
 Drawer header_of(Panel& panel, StageStore& store, std::string_view text) {
     // The same size in all panels, whatever their size.
     const StageContext& stage = *panel.stage;
+    const double unscaled =
+        is_on_paper(stage)
+            ? paper_heading_size * paper_type_px(stage)
+            : 24.0 * std::max(header_share * stage.px, least_label_share * stage.options.samples);
     const double size =
-        std::max(24.0 * stage.scene.type_scale * stage.scene.style.heading_scale.value_or(1.0) *
-                     std::max(header_share * stage.px, least_label_share * stage.options.samples),
+        std::max(unscaled * stage.scene.type_scale * stage.scene.style.heading_scale.value_or(1.0),
                  least_type_px(stage));
     const TextBlock type = store.set(text, {.size_px = size, .mode = TypeMode::text});
     panel.header_px = 1.7 * size;
     // In the first column it is left-aligned with the title.
     const double left =
-        panel.box.x_px == 0 ? overlay_margin * panel.stage->px : panel.box.x_px + 0.7 * size;
+        panel.box.x_px == 0 ? overlay_margin_px(stage) : panel.box.x_px + 0.7 * size;
     return [&panel, &stage, type, size, left](const FrameInput&, ViewBuilder& builder) {
         Label label;
         label.mask = type.mask;
@@ -106,6 +109,17 @@ Drawer header_of(Panel& panel, StageStore& store, std::string_view text) {
         label.rank = rank_of_headings;
         if (type.mask->width > 0) builder.view.labels.push_back(label);
     };
+}
+
+// "(a) ", "(b) ", … of a panel, in reading order, if the scene asks for letters.
+std::string letter_of(const Scene& scene, const std::vector<PanelSpec>& specs, std::size_t index) {
+    constexpr std::size_t n_letters = 26;
+    if (!scene.panel_letters || specs.size() > n_letters) return "";
+    const auto place = [](const PanelSpec& spec) { return std::pair(spec.row, spec.column); };
+    const auto before = std::count_if(specs.begin(), specs.end(), [&](const PanelSpec& other) {
+        return place(other) < place(specs[index]);
+    });
+    return fmt::format("({}) ", static_cast<char>('a' + before));
 }
 
 // Rejects cells that are too small to show anything.
@@ -256,10 +270,10 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
                                      [&spec] { return &panel_kind_named(spec.kind); }));
 
     // If there are several panels, or one that fills its box, the title and the caption get their
-    // own rows.
+    // own rows; on paper always, so that no line runs under them.
     PanelBox room{0, 0, options.width_px, options.height_px};
     const OverlayBands bands = overlay_bands(stage, store.text());
-    if (specs.size() > 1 || kinds.front()->fills) {
+    if (specs.size() > 1 || kinds.front()->fills || is_on_paper(stage)) {
         room.y_px = bands.top_px;
         room.height_px = std::max(1, options.height_px - bands.top_px - bands.bottom_px);
     }
@@ -287,6 +301,7 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
         panel.unit_circle = store.unit_circle();
         panel.unit_segment = store.unit_segment();
         const auto index = static_cast<std::size_t>(&spec - specs.data());
+        panel.index = index;
         check_free_space(scene, panel.box, index);
         give_camera(panel, kind, index);
         const double share = line_scale(panel.box, options);
@@ -294,12 +309,14 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
         panel.type_px = has_type(options) ? std::max(stage.px * std::max(share, least_type_share),
                                                      least_label_share * options.samples)
                                           : stage.px * share;
+        if (is_on_paper(stage)) panel.type_px = paper_type_px(stage);
         panel.type_px *= scene.type_scale;
         Drawer header;
         if (specs.size() > 1)
-            header =
-                header_of(panel, store,
-                          spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
+            header = header_of(
+                panel, store,
+                letter_of(scene, specs, index) +
+                    spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
         // Errors of a chart refer to its quantity.
         if (spec.quantity.empty())
             kind.make(panel, store);

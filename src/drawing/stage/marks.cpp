@@ -113,7 +113,16 @@ Ellipsoid ellipsoid_of(const Panel& panel) {
     return ellipsoid;
 }
 
+double paper_type_px(const Scene& scene, double px, const LeastSizes& least) {
+    constexpr double script_share = 0.7;  // of a subscript, as the fonts for formulas say
+    const double name_px = label_size * scene.type_scale;
+    return std::max({px, least.type_px / name_px, least.script_px / (script_share * name_px)});
+}
+
 TextBlock set_label(const Panel& panel, StageStore& store, std::string_view text, double scale) {
+    // On paper all names have one size.
+    constexpr double least_name_scale = 0.75;
+    if (is_on_paper(*panel.stage) && scale >= least_name_scale) scale = 1.0;
     const TypeStyle style{.size_px =
                               std::max(scale * label_size * panel.type_px *
                                            panel.stage->scene.style.label_scale.value_or(1.0),

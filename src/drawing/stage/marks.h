@@ -116,6 +116,18 @@ Eigen::Vector2d offset_of_label(const StageContext& stage, std::string_view name
 // The name in [labels] of the label of a vector; empty: it has none.
 std::string_view name_of_label(const ShapeName& name);
 
+// On paper all text has sizes in points, the same in every panel: titles are larger than headings,
+// these than names, and these than numbers. Whether the stage is on paper:
+inline bool is_on_paper(const StageContext& stage) { return stage.options.least.type_px > 0.0; }
+// The scale of text on paper relative to 1080 rows: that of lines, `px`, or a larger one at which a
+// name and its subscript have their least sizes.
+double paper_type_px(const Scene& scene, double px, const LeastSizes& least);
+inline double paper_type_px(const StageContext& stage) {
+    return paper_type_px(stage.scene, stage.px, stage.options.least);
+}
+// Size of headings on paper, px per em at 1080 rows.
+constexpr double paper_heading_size = 36.5;
+
 // An arc of a circle about `centre` from the direction `from` towards the direction `towards`
 // (perpendicular unit vectors), over an angle from 0 to 2π; a whole circle from 2π on. Negative
 // angles are in the opposite sense. All arcs of a stage share one geometry.

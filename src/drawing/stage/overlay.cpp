@@ -10,6 +10,7 @@
 
 #include "drawing/stage/fade.h"
 #include "drawing/stage/live_values.h"
+#include "drawing/stage/marks.h"
 #include "drawing/stage/type/clock_text.h"
 #include "drawing/stage/type/time_unit.h"
 #include "scene/film_clock.h"
@@ -58,9 +59,29 @@ void add_text(const StageContext& stage, const TextBlock& type, double pen_x, do
     builder.view.labels.push_back(label);
 }
 
-// `px`: width of a line of one pixel at 1080 rows.
-double margin(double px) { return overlay_margin * px; }
-double margin(const StageContext& stage) { return margin(stage.px); }
+// The picture in which overlays are set.
+struct OverlayRoom {
+    int width_px = 0;
+    double px = 1.0;       // width of a line of one pixel at 1080 rows
+    double type_px = 1.0;  // the same for text
+    double margin_px = 0.0;
+    int samples = 1;  // samples × samples per pixel
+
+    OverlayRoom(const Scene& scene, int width, double line_px, const LeastSizes& least,
+                int n_samples)
+        : width_px(width), px(line_px), type_px(line_px), samples(n_samples) {
+        // A page has a margin already.
+        const bool on_paper = least.type_px > 0.0;
+        constexpr double margin = 40.0, paper_margin = 16.0;
+        margin_px = (on_paper ? paper_margin : margin) * px;
+        if (on_paper) type_px = paper_type_px(scene, px, least);
+    }
+    explicit OverlayRoom(const StageContext& stage)
+        : OverlayRoom(stage.scene, stage.options.width_px, stage.px, stage.options.least,
+                      stage.options.samples) {}
+};
+
+double margin(const StageContext& stage) { return OverlayRoom(stage).margin_px; }
 
 constexpr double title_size = 40.0;
 constexpr double chapter_size = 32.0;
@@ -72,14 +93,14 @@ double scale_of(const Scene& scene, double size) {
     return scene.type_scale * own.value_or(1.0);
 }
 
-// The style of text wrapped to a picture of this width, with samples × samples per pixel.
-TypeStyle text_style(const Scene& scene, int width_px, double px, double size, int samples) {
-    return {.size_px = size * px * scale_of(scene, size),
+// The style of text wrapped to a picture.
+TypeStyle text_style(const Scene& scene, const OverlayRoom& room, double size) {
+    return {.size_px = size * room.type_px * scale_of(scene, size),
             .mode = TypeMode::text,
-            .max_width_px = std::max(64.0 * samples, width_px - 2.0 * margin(px))};
+            .max_width_px = std::max(64.0 * room.samples, room.width_px - 2.0 * room.margin_px)};
 }
 TypeStyle text_style(const StageContext& stage, double size) {
-    return text_style(stage.scene, stage.options.width_px, stage.px, size, stage.options.samples);
+    return text_style(stage.scene, OverlayRoom(stage), size);
 }
 
 Drawer make_title(const StageContext& stage, StageStore& store, const QuietGround& ground) {
@@ -142,6 +163,7 @@ Drawer make_clock(const StageContext& stage, StageStore& store, const QuietGroun
 
 bool wants(const Scene& scene, const char* name) {
     const auto& show = scene.show;
+    if (!scene.overlays) return false;
     return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
 }
 
@@ -172,13 +194,15 @@ bool wants_chapters(const Scene& scene) {
 }
 
 // The top of the first line below the title.
-double below_title(const Scene& scene, double px) {
-    return margin(px) + (wants_title(scene) ? 62.0 * scene.type_scale * px : 0.0);
+double below_title(const Scene& scene, const OverlayRoom& room) {
+    return room.margin_px + (wants_title(scene) ? 62.0 * scene.type_scale * room.type_px : 0.0);
 }
 // Below the titles of the chapters, if they are shown.
-double below_chapters(const Scene& scene, double px) {
-    return below_title(scene, px) +
-           (wants_chapters(scene) ? 1.6 * chapter_size * scale_of(scene, chapter_size) * px : 0.0);
+double below_chapters(const Scene& scene, const OverlayRoom& room) {
+    return below_title(scene, room) +
+           (wants_chapters(scene)
+                ? 1.6 * chapter_size * scale_of(scene, chapter_size) * room.type_px
+                : 0.0);
 }
 
 // Sets the title of a chapter with the number under which players list it.
@@ -204,7 +228,7 @@ Drawer make_chapters(const StageContext& stage, StageStore& store, const QuietGr
         chapter.type = set_chapter(scene, i, store.text(), text_style(stage, chapter_size));
         chapters.push_back(chapter);
     }
-    const double top = below_title(scene, stage.px);
+    const double top = below_title(scene, OverlayRoom(stage));
     return [&stage, ground, chapters, top](const FrameInput& instant, ViewBuilder& builder) {
         for (const Chapter& chapter : chapters) {
             const double presence = chapter.presence(instant.film_s);
@@ -244,7 +268,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store,
         captions.push_back(caption);
     }
     const double foot = bottom_of_captions(stage, style);
-    const double head = below_chapters(scene, stage.px);
+    const double head = below_chapters(scene, OverlayRoom(stage));
     return [&stage, ground, captions, style, foot, head, &text = std::as_const(store).text()](
                const FrameInput& instant, ViewBuilder& builder) {
         for (const TimedCaption& caption : captions) {
@@ -268,7 +292,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store,
 
 // By default a loop has no clock, since it has no first instant.
 bool wants_clock(const Scene& scene) {
-    if (scene.clock) return *scene.clock;
+    if (scene.clock && scene.overlays) return *scene.clock;
     if (!scene.film.loop.empty() && scene.show.empty()) return false;
     return wants(scene, "clock");
 }
@@ -285,76 +309,82 @@ std::vector<Drawer> make_overlays(const StageContext& stage, StageStore& store,
         overlays.push_back(fading(stage, store, "chapter", make_chapters(stage, store, ground)));
     if (wants_caption(stage.scene))
         overlays.push_back(fading(stage, store, "caption", make_caption(stage, store, ground)));
-    if (!stage.scene.captions.empty())
+    if (!stage.scene.captions.empty() && stage.scene.overlays)
         overlays.push_back(make_timed_captions(stage, store, ground));
     if (wants_clock(stage.scene))
         overlays.push_back(fading(stage, store, "clock", make_clock(stage, store, ground)));
     return overlays;
 }
 
-// `type_case` sets text for a picture with samples × samples per pixel.
-OverlayBands overlay_bands(const Scene& scene, int width_px, double px, int samples,
-                           TextCache& type_case) {
+namespace {
+
+// `type_case` sets text for such a picture.
+OverlayBands overlay_bands(const Scene& scene, const OverlayRoom& room, TextCache& type_case) {
+    const double px = room.px;
     // Whole rows of final pixels, so that panels do not depend on the number of samples.
-    const auto rows = [samples](double high_px) {
+    const auto rows = [samples = room.samples](double high_px) {
         return samples * static_cast<int>(std::ceil(high_px / samples));
     };
     OverlayBands bands;
     if (wants_title(scene) || wants_clock(scene)) {
         bands.top_px =
-            rows(margin(px) + (wants_title(scene) ? 56.0 * scale_of(scene, title_size)
-                                                  : 40.0 * scale_of(scene, caption_size)) *
-                                  px);
+            rows(room.margin_px + (wants_title(scene) ? 56.0 * scale_of(scene, title_size)
+                                                      : 40.0 * scale_of(scene, caption_size)) *
+                                      room.type_px);
     }
     if (wants_title(scene)) {
         const TextBlock type = at_scene_key(scene, "title", [&] {
-            return type_case.set(scene.title, text_style(scene, width_px, px, title_size, samples));
+            return type_case.set(scene.title, text_style(scene, room, title_size));
         });
-        bands.title_right_px = margin(px) + type.width_px();
+        bands.title_right_px = room.margin_px + type.width_px();
     }
     if (wants_chapters(scene)) {
-        const TypeStyle style = text_style(scene, width_px, px, chapter_size, samples);
+        const TypeStyle style = text_style(scene, room, chapter_size);
         for (std::size_t i = 0; i < scene.chapters.size(); ++i)
             bands.title_right_px =
                 std::max(bands.title_right_px,
-                         margin(px) + set_chapter(scene, i, type_case, style).width_px());
-        bands.top_px = std::max(bands.top_px, rows(below_chapters(scene, px)));
+                         room.margin_px + set_chapter(scene, i, type_case, style).width_px());
+        bands.top_px = std::max(bands.top_px, rows(below_chapters(scene, room)));
     }
     if (wants_caption(scene)) {
         // Changing numbers affect the text's width, but hardly its number of lines.
         const TextBlock type = at_scene_key(scene, "caption", [&] {
             return type_case.set(live_text(scene, scene.caption, {}),
-                                 text_style(scene, width_px, px, caption_size, samples));
+                                 text_style(scene, room, caption_size));
         });
-        bands.bottom_px = rows(margin(px) + type.height_px() + 18.0 * px);
+        bands.bottom_px = rows(room.margin_px + type.height_px() + 18.0 * px);
     }
     // Rows of timed captions are reserved throughout, so that panels do not move.
     double top_px = 0.0;
     double bottom_px = 0.0;
-    for (std::size_t i = 0; i < scene.captions.size(); ++i) {
+    for (std::size_t i = 0; scene.overlays && i < scene.captions.size(); ++i) {
         const TimedCaptionSpec& caption = scene.captions[i];
         const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
             return type_case.set(live_text(scene, caption.text, {}),
-                                 text_style(scene, width_px, px, caption_size, samples));
+                                 text_style(scene, room, caption_size));
         });
-        double& room_px = caption.place == "top" ? top_px : bottom_px;
-        room_px = std::max(room_px, type.height_px() + 14.0 * px);
+        double& rows_px = caption.place == "top" ? top_px : bottom_px;
+        rows_px = std::max(rows_px, type.height_px() + 14.0 * px);
     }
-    if (top_px > 0.0) bands.top_px = std::max(bands.top_px, rows(margin(px))) + rows(top_px);
+    if (top_px > 0.0) bands.top_px = std::max(bands.top_px, rows(room.margin_px)) + rows(top_px);
     if (bottom_px > 0.0)
-        bands.bottom_px = std::max(bands.bottom_px, rows(margin(px))) + rows(bottom_px);
+        bands.bottom_px = std::max(bands.bottom_px, rows(room.margin_px)) + rows(bottom_px);
     return bands;
 }
 
+}  // namespace
+
+double overlay_margin_px(const StageContext& stage) { return margin(stage); }
+
 OverlayBands overlay_bands(const StageContext& stage, TextCache& text) {
-    return overlay_bands(stage.scene, stage.options.width_px, stage.px, stage.options.samples,
-                         text);
+    return overlay_bands(stage.scene, OverlayRoom(stage), text);
 }
 
 int rows_of_overlays(const Scene& scene, const FontSource& fonts, int width_px, double px,
                      const LeastSizes& least) {
     TextCache type_case(fonts, 1, least);
-    const OverlayBands bands = overlay_bands(scene, width_px, px, 1, type_case);
+    const OverlayBands bands =
+        overlay_bands(scene, OverlayRoom(scene, width_px, px, least, 1), type_case);
     return bands.top_px + bands.bottom_px;
 }
 

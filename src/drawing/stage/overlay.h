@@ -32,8 +32,8 @@ int rows_of_overlays(const Scene& scene, const FontSource& fonts, int width_px, 
 // places. Throws SceneError for an invalid caption.
 std::vector<std::string> caption_notes(const Scene& scene);
 
-// Distance between the overlays and the picture's sides, pixels at 1080 rows.
-constexpr double overlay_margin = 40.0;
+// Distance between the overlays and the picture's sides.
+double overlay_margin_px(const StageContext& stage);
 
 // Names of the overlays in `show` and in fades.
 struct OverlayName {

@@ -19,7 +19,10 @@ Camera projected(const Panel& panel, const Camera& camera) {
     return flat;
 }
 
-void aim(Panel& panel, const Camera& camera) {
+void aim(Panel& panel, const Camera& framing) {
+    const auto& views = panel.stage->options.views;
+    const bool is_given = panel.index < views.size() && views[panel.index];
+    const Camera& camera = is_given ? *views[panel.index] : framing;
     panel.camera = projected(panel, camera);
     const double distance = (camera.eye - camera.target).norm();
     panel.units_per_px =

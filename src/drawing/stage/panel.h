@@ -32,6 +32,7 @@ struct OverlayBands {
 struct Panel {
     const StageContext* stage = nullptr;
     PanelSpec spec;
+    std::size_t index = 0;  // in the list of panels
     PanelBox box;
     OverlayBands overlays;   // of the picture
     double px = 1.0;         // pixels per pixel of a panel with 1080 rows; scales lines
@@ -70,7 +71,8 @@ const Timeline& timeline_of(const Panel& panel);
 // view that the perspective camera has at its target.
 Camera projected(const Panel& panel, const Camera& camera);
 
-// Aims a panel's camera and stores the size of a pixel at its target.
+// Aims a panel's camera, unless the stage's options give its view, and stores the size of a pixel
+// at its target.
 void aim(Panel& panel, const Camera& camera);
 
 }  // namespace poinsot

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <optional>
+#include <vector>
 
 #include "drawing/stage/type/least_sizes.h"
+#include "shapes/camera.h"
 #include "typeset/font_source.h"
 
 namespace poinsot {
@@ -22,6 +24,9 @@ struct StageOptions {
     std::optional<double> first_shown_s{};  // no instant before it is drawn; else the first
     double loop_s = 0.0;  // after which the picture is the same again, seconds of motion; 0:
                           // it never is
+    // Cameras to use instead of those that frame the motion, by panel; empty: none. Moving cameras
+    // keep theirs.
+    std::vector<std::optional<Camera>> views{};
     FontSource fonts{};
 };
 

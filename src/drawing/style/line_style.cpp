@@ -354,7 +354,11 @@ void thicken(double least_px, View& view) {
     // A cone's rulings are thinner than its rim.
     constexpr double ruling_share = 0.6;
     for (Cone& cone : view.cones) raise(cone.rim_px, least_px / ruling_share);
-    for (Curve& curve : view.curves) raise(curve.width_px, least_px);
+    for (Curve& curve : view.curves) {
+        raise(curve.width_px, least_px);
+        const double least_share = std::min(1.0, least_px / std::max(curve.width_px, 1e-9));
+        curve.hidden_share = std::max(curve.hidden_share, least_share);
+    }
     for (Arrow& arrow : view.arrows) raise(arrow.shaft_px, least_px);
     for (Dot& dot : view.dots) raise(dot.rim_px, least_px);
 }

@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <deque>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <utility>
 #include <vector>
 
+#include "drawing/stage/framing.h"
 #include "drawing/stage/type/labels.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
@@ -188,32 +191,69 @@ class VectorSheet {
     TextCache text_{installed_fonts()};
 };
 
+// The jobs of all cells, with one view for all: only then can their pictures be compared.
+std::vector<std::unique_ptr<StillJob>> jobs_with_one_view(const SheetRequest& request,
+                                                          const StillRequest& still,
+                                                          const ProgressSink& progress) {
+    std::vector<std::unique_ptr<StillJob>> jobs;
+    for (const SheetCell& cell : request.cells) {
+        stop_if_interrupted();
+        SceneRequest scene = cell.scene;
+        scene.print = still.print;
+        jobs.push_back(std::make_unique<StillJob>(open_session(scene, progress), still));
+    }
+    const std::deque<Panel>& first = jobs.front()->panels();
+    const auto is_like_first = [&first](const std::unique_ptr<StillJob>& job) {
+        return std::equal(first.begin(), first.end(), job->panels().begin(), job->panels().end(),
+                          [](const Panel& a, const Panel& b) {
+                              return a.spec.kind == b.spec.kind &&
+                                     a.box.width_px * b.box.height_px ==
+                                         b.box.width_px * a.box.height_px;
+                          });
+    };
+    if (!std::all_of(jobs.begin(), jobs.end(), is_like_first)) return jobs;
+    std::vector<std::optional<Camera>> views(first.size());
+    bool all_equal = true;
+    for (std::size_t k = 0; k < first.size(); ++k) {
+        std::vector<Camera> cameras;
+        bool moves = false;
+        for (const auto& job : jobs) {
+            cameras.push_back(job->panels()[k].camera);
+            moves = moves || job->panels()[k].camera_at;
+            all_equal = all_equal && cameras.back() == cameras.front();
+        }
+        if (!moves) views[k] = common_view(first[k].box, cameras);
+    }
+    if (all_equal) return jobs;
+    for (const auto& job : jobs) job->look(views);
+    return jobs;
+}
+
 void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress) {
     if (has_pixels(request.vectors))
         throw InputError("--sheet: --shading picture is for single figures; leave it out");
     if (request.vectors.text == "latex")
         throw InputError("--sheet: --text latex is for single figures; take font or paths");
-    StillRequest still{request.output, request.time_s, request.print, 8, request.vectors, request.when};
+    StillRequest still{request.output,  request.time_s, request.print, 8,
+                       request.vectors, request.when};
     // A cell has its share of the sheet's width.
     if (still.print.width_mm) *still.print.width_mm /= request.n_columns;
     const OutputPlace place(request.output, Scene{}, ".pdf");
     progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
-    std::vector<std::unique_ptr<StillJob>> jobs;  // the drawings refer to them
+    // The drawings refer to the jobs.
+    const auto jobs = jobs_with_one_view(request, still, progress);
     std::optional<VectorSheet> sheet;
     Record record;
-    for (const SheetCell& cell : request.cells) {
-        SceneRequest scene = cell.scene;
-        scene.print = still.print;
-        jobs.push_back(std::make_unique<StillJob>(open_session(scene, progress), still));
-        Drawing drawing = jobs.back()->drawing();
+    for (std::size_t k = 0; k < jobs.size(); ++k) {
+        Drawing drawing = jobs[k]->drawing();
         if (!sheet) {
-            record = jobs.back()->vector_record();
+            record = jobs[k]->vector_record();
             sheet.emplace(request, drawing, record.dpi.value_or(default_dpi));
             record.sheet = fmt::format("{}x{}: ", request.n_columns, request.n_rows);
         }
-        record.sheet += (jobs.size() > 1 ? "; " : "") + cell.values;
-        sheet->put(jobs.size() - 1, std::move(drawing));
-        progress.done(static_cast<std::int64_t>(jobs.size()));
+        record.sheet += (k > 0 ? "; " : "") + request.cells[k].values;
+        sheet->put(k, std::move(drawing));
+        progress.done(static_cast<std::int64_t>(k + 1));
     }
     record_without_context(record);
     const Drawing drawing = sheet->take();
@@ -248,12 +288,13 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
     std::optional<ContactSheet> sheet;
     Record record;
     Image picture;
+    auto jobs =
+        jobs_with_one_view(request, {.time_s = request.time_s, .when = request.when}, progress);
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
         stop_if_interrupted();
         const SheetCell& cell = request.cells[k];
-        const Record of_cell = StillJob(open_session(cell.scene, progress),
-                                        {.time_s = request.time_s, .when = request.when})
-                                   .draw_into(renderer, picture);
+        const Record of_cell = jobs[k]->draw_into(renderer, picture);
+        jobs[k].reset();
         if (!sheet) {
             sheet.emplace(request, picture);
             record = of_cell;

@@ -15,6 +15,7 @@
 #include "production/jobs/banded_still.h"
 #include "production/jobs/output_place.h"
 #include "production/provenance/record.h"
+#include "production/vectors/figure_report.h"
 #include "production/vectors/latex_figure.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
@@ -101,6 +102,16 @@ void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file,
             name, listed(gaps.need_unicode)));
 }
 
+// Reports a journal's figure; `dpi`: of the drawing.
+void tell_figure(const Session& session, const Drawing& drawing, double dpi,
+                 const ProgressSink& progress) {
+    FigureReport report = report_on(drawing, pt_per_inch / dpi);
+    if (!session.scene.overlays)
+        report.left_out.insert(report.left_out.begin(),
+                               "title, captions and clock (--keep-text draws them)");
+    progress.say(in_words(report));
+}
+
 }  // namespace
 
 StillJob::StillJob(Session&& session, StillRequest request)
@@ -108,6 +119,12 @@ StillJob::StillJob(Session&& session, StillRequest request)
       request_(accepted(std::move(request), session_.scene)),
       moment_(still_moment(session_, request_.time_s, request_.when)),
       staging_(session_, span_of(session_, moment_.time_s), setting_for(session_.scene, request_)) {
+}
+
+void StillJob::look(std::vector<std::optional<Camera>> views) {
+    PictureSetting setting = setting_for(session_.scene, request_);
+    setting.views = std::move(views);
+    staging_ = PreparedPicture(session_, span_of(session_, moment_.time_s), setting);
 }
 
 std::int64_t StillJob::n_pixels() const {
@@ -140,7 +157,9 @@ void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
     } else {
         record_without_context(record);
     }
-    const VectorStill still = vector_still(place.path(), title(), drawing(), request_.vectors,
+    const double dpi = record.dpi.value_or(default_dpi);
+    const Drawing drawing = this->drawing();
+    const VectorStill still = vector_still(place.path(), title(), drawing, request_.vectors,
                                            std::move(record), draw_pixels);
     write_whole(place.path(), still.bytes);
     std::string files = printable(place.path().string());
@@ -151,6 +170,7 @@ void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
         files += "\n" + printable(beside.string());
     }
     progress.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, still.off_um));
+    if (!request_.print.journal.empty()) tell_figure(session_, drawing, dpi, progress);
 }
 
 Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {
@@ -171,6 +191,9 @@ void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressS
         draw_vectors(std::move(place), renderer, progress);
         return;
     }
+    if (!request_.print.journal.empty())
+        tell_figure(session_, drawing(),
+                    staging_.samples * request_.print.dpi.value_or(default_dpi), progress);
     PictureMaker pictures(std::move(staging_), renderer);
     Record record = record_of(session_, pictures, renderer.is_portable());
     record.time_s = moment_.time_s;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "production/jobs/output_place.h"
 #include "production/jobs/picture.h"
@@ -53,6 +55,10 @@ class StillJob {
     // page; the title.
     Drawing drawing() const { return staging_.stage.at(moment_); }
     Record vector_record() const;
+    // The panels, with the cameras that frame the motion; and the preparation of a drawing with
+    // other cameras, as in StageOptions.
+    const std::deque<Panel>& panels() const { return staging_.stage.panels(); }
+    void look(std::vector<std::optional<Camera>> views);
     std::string title() const { return title_of(session_.scene); }
 
  private:

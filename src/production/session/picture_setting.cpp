@@ -33,6 +33,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.least = setting.least.times(setting.samples);
     options.first_time_s = span.first_time_s;
     options.last_time_s = span.last_time_s;
+    options.views = setting.views;
     options.fonts = session.fonts;
     options.first_shown_s = span.first_shown_s;
     options.loop_s = session.loop ? session.loop->loop_s : 0.0;

@@ -22,11 +22,12 @@ struct PictureSpan {
 
 // Settings of a picture's quality; --quality selects some of these.
 struct PictureSetting {
-    double curve_tolerance = 1.0;  // in units of the scene's accuracy_px
-    int samples = 1;               // supersampling: samples × samples per pixel
-    double line_scale = 0.0;       // as in StageOptions, of the final picture
-    double px_per_pt = 0.0;        // as there
-    LeastSizes least{};            // as in StageOptions, of the final picture
+    double curve_tolerance = 1.0;                // in units of the scene's accuracy_px
+    int samples = 1;                             // supersampling: samples × samples per pixel
+    double line_scale = 0.0;                     // as in StageOptions, of the final picture
+    double px_per_pt = 0.0;                      // as there
+    LeastSizes least{};                          // as in StageOptions, of the final picture
+    std::vector<std::optional<Camera>> views{};  // as in StageOptions
 
     // Uses the sizes of lines and text on paper.
     void put_on(const PrintSize& paper) {

@@ -5,12 +5,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/figures/charts/chart_fit.h"
 #include "drawing/figures/panels/idle_keys.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/style/theme_contrast.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
+#include "production/session/paper_layout.h"
 #include "production/session/slow_work_notice.h"
 #include "scene/scene_keys.h"
 #include "scene/write_scene.h"
@@ -38,25 +38,6 @@ void extend(MotionProblem& problem, std::span<const double> times_s) {
         problem.first_time_s = std::min(problem.first_time_s, time_s);
         problem.last_time_s = std::max(problem.last_time_s, time_s);
     }
-}
-
-// Sets the size in pixels from a size on paper; the other options are used when the picture is
-// made.
-void set_size_on_paper(const SessionRequest& request, Scene& scene) {
-    const auto paper = print_size_of(request.print, scene.film.width_px, scene.film.height_px);
-    if (!paper) return;
-    scene.film.width_px = paper->width_px;
-    scene.film.height_px = paper->height_px;
-    if (!request.print.width_mm || request.print.height_mm) return;
-    // The figure keeps the scene's aspect ratio; title, caption and charts add rows, since their
-    // text has a fixed size in points.
-    const double px = paper->line_scale;
-    const FontSource& fonts = request.fonts;
-    int& height_px = scene.film.height_px;
-    height_px += rows_added_by_type(scene, fonts, paper->width_px, px, paper->least);
-    const int room_px =
-        height_px - rows_of_overlays(scene, fonts, paper->width_px, px, paper->least);
-    height_px += rows_added_by_charts(scene, paper->width_px, room_px, px, paper->least);
 }
 
 // Estimated seconds for stepping n_times. Throws InputError if it exceeds the limit.
@@ -106,9 +87,11 @@ ResolvedScene resolve(const Scene& given, const SessionRequest& request,
                       const SteppingWatch& watch) {
     ResolvedScene resolved;
     Scene& scene = resolved.scene = given;
-    set_size_on_paper(request, scene);
+    std::vector<std::string> paper_notes;
+    lay_out_on_paper(request.print, request.fonts, scene, paper_notes);
     resolved.theme = theme_of(scene);
     resolved.notes = notes_about(scene, resolved.theme);
+    resolved.notes.insert(resolved.notes.end(), paper_notes.begin(), paper_notes.end());
     resolved.loop = resolve_loop(scene, resolved.notes);
     resolved.as_read = values_replaced(given, scene);
     resolved.accuracy = accuracy_of(scene);

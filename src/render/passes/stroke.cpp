@@ -37,8 +37,14 @@ DashPattern dashes_of(const ViewScene& scene, const Curve& curve, double length)
     const double unit_px = p.scale(std::max(p.depth(scene.view->camera.target), p.near_depth)) *
                            scale_of(curve.placement);
     const bool solid = !(curve.dash_px > 0.0);
-    const double dash_px = solid ? 2.0 * curve.width_px : curve.dash_px;
-    const double gap_px = solid || !(curve.gap_px > 0.0) ? dash_px : curve.gap_px;
+    // Where hidden, as in PDF and SVG: shorter on a short curve.
+    constexpr double least_widths = 3.0, most_widths = 6.0, gap_share = 0.5;
+    const double thin_px = curve.hidden_share * curve.width_px;
+    const double hidden_px =
+        std::clamp(length * unit_px / 16.0, least_widths * thin_px, most_widths * thin_px);
+    const double dash_px = solid ? hidden_px : curve.dash_px;
+    double gap_px = curve.gap_px > 0.0 ? curve.gap_px : dash_px;
+    if (solid) gap_px = gap_share * dash_px;
     double period = (dash_px + gap_px) / unit_px;
     if (curve.geometry->closed) period = length / std::max(1.0, std::round(length / period));
     if (solid) period = curve.hidden == HiddenStyle::dashed ? -period : 0.0;

@@ -22,9 +22,12 @@ const PlotQuantity* quantity_of(const Scene& scene, const PanelSpec& panel) {
     return nullptr;
 }
 
-// The height that a panel's charts need, in pixels; `type_px`: scale of text relative to 1080 rows.
-// 0 for a panel without charts.
-double chart_rows(const Scene& scene, const PanelSpec& panel, double type_px) {
+}  // namespace
+
+double rows_of_charts(const Scene& scene, const PanelSpec& panel, double px,
+                      const LeastSizes& least) {
+    const double type_px = std::max(px * scene.type_scale * scene.style.chart_scale.value_or(1.0),
+                                    least.type_px / chart_number_size);
     std::size_t n_charts = 1;
     std::size_t n_names = 2;  // E and V of a potential
     if (panel.kind == "plot") {
@@ -50,13 +53,9 @@ double chart_rows(const Scene& scene, const PanelSpec& panel, double type_px) {
     return (n * (std::max(numbers, names) + title) + foot + header + chart_margin) * type_px;
 }
 
-}  // namespace
-
 int rows_added_by_charts(const Scene& scene, int width_px, int room_px, double px,
                          const LeastSizes& least) {
     if (scene.panels.size() < 2) return 0;
-    const double type_px = std::max(px * scene.type_scale * scene.style.chart_scale.value_or(1.0),
-                                    least.type_px / chart_number_size);
     double all = 0.0;
     for (const double row : scene.grid.rows) all += row;
     double needed = 0.0;
@@ -64,7 +63,7 @@ int rows_added_by_charts(const Scene& scene, int width_px, int room_px, double p
         double share = 0.0;
         for (int row = panel.row; row < panel.row + panel.rows; ++row)
             share += scene.grid.rows[static_cast<std::size_t>(row)];
-        needed = std::max(needed, chart_rows(scene, panel, type_px) * all / share);
+        needed = std::max(needed, rows_of_charts(scene, panel, px, least) * all / share);
     }
     constexpr double highest = 5.0 / 3.0;
     if (needed > highest * width_px) return 0;

@@ -6,6 +6,11 @@
 
 namespace poinsot {
 
+// The rows that the charts of a panel need so that their numbers and names fit one above another;
+// `px` and `least` as for rows_added_by_type. 0 for a panel without charts.
+double rows_of_charts(const Scene& scene, const PanelSpec& panel, double px,
+                      const LeastSizes& least);
+
 // Number of rows that a page of several panels, `width_px` wide, needs beyond the `room_px` rows of
 // its grid, so that the numbers and names of its charts fit one above another; `px` and `least` as
 // for rows_added_by_type. 0 if there are no charts, if the rows suffice, or if the grid's height

@@ -122,7 +122,12 @@ void aim_at_pixels(Panel& panel) {
 
 TextBlock set_chart_type(const Panel& panel, StageStore& store, std::string_view text,
                          TypeMode mode, double size_px) {
-    return store.set(text, {.size_px = size_px * panel.type_px, .mode = mode});
+    // On paper, names and titles have the size of all names.
+    const StageContext& stage = *panel.stage;
+    const double name_px = label_size * stage.scene.type_scale *
+                           stage.scene.style.chart_scale.value_or(1.0) * paper_type_px(stage);
+    const bool is_name = is_on_paper(stage) && size_px > chart_number_size;
+    return store.set(text, {.size_px = is_name ? name_px : size_px * panel.type_px, .mode = mode});
 }
 
 Label chart_label(const Panel& panel, const TextBlock& type, double x, double y, Anchor anchor,

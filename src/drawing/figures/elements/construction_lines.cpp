@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -73,17 +74,32 @@ double plane_presence(const Eigen::Vector3d& foot, const Camera& camera) {
 
 double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double least,
                       double wanted) {
-    const double bottom_px = panel.box.y_px + panel.box.height_px;
     View view;
     view.x_px = panel.box.x_px, view.y_px = panel.box.y_px;
     view.width_px = panel.box.width_px, view.height_px = panel.box.height_px;
     view.camera = panel.camera;
-    Eigen::Vector3d towards_us = panel.camera.eye - panel.camera.target;
-    towards_us.z() = 0.0;
-    if (!(towards_us.norm() > 0.0)) return wanted;
+    if ((panel.camera.eye - panel.camera.target).head<2>().isZero(0.0)) return wanted;
+    // On a screen, a plane may continue to the left, right and upper edges of the picture.
+    const StageOptions& picture = panel.stage->options;
+    const bool is_page = is_on_paper(*panel.stage);
+    const double unlimited = std::numeric_limits<double>::infinity();
+    const double right_px = panel.box.x_px + panel.box.width_px;
+    const double bottom_px = panel.box.y_px + panel.box.height_px;
+    const double from_px = panel.box.x_px > 0 || is_page ? panel.box.x_px : -unlimited;
+    const double to_px = right_px < picture.width_px || is_page ? right_px : unlimited;
+    const double top_px = panel.box.y_px > 0 || is_page ? panel.box.y_px : -unlimited;
     const auto is_seen = [&](double radius) {
-        const Eigen::Vector3d rim = centre + radius * towards_us.normalized();
-        return project(view, rim).depth > 0.0 && project(view, rim).px.y() < bottom_px;
+        constexpr int n_around = 32;
+        for (int k = 0; k < n_around; ++k) {
+            const double angle = 2.0 * std::numbers::pi * k / n_around;
+            const Eigen::Vector3d rim =
+                centre + radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+            const Projected seen = project(view, rim);
+            if (!(seen.depth > 0.0 && seen.px.y() < bottom_px && seen.px.y() > top_px &&
+                  seen.px.x() > from_px && seen.px.x() < to_px))
+                return false;
+        }
+        return true;
     };
     double seen = 0.0;
     double cut = wanted;

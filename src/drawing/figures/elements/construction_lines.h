@@ -14,8 +14,8 @@ namespace poinsot {
 double plane_presence(const Eigen::Vector3d& foot, const Camera& camera);
 
 // Radius to which a plane about a point is drawn, between `least` and `wanted`: so small that the
-// near rim is in view, so that the panel has no hard edge and the plane is faint behind the
-// caption. Needs the panel's camera.
+// rim is in view, so that the panel has no hard edge; only on a screen may the plane continue to
+// the picture's sides and its upper edge. Needs the panel's camera.
 double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double least,
                       double wanted);
 

@@ -133,7 +133,11 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = picture_of(panel);
     const double per_rho = picture.picture_per_rho;
     const LineStyle& ink = panel.stage->theme.herpolhode;
-    const double width_px = 4.0 * panel.stage->theme.herpolhode_weight;
+    const Polhode::Annulus annulus = picture.polhode.annulus();
+    const Eigen::Vector3d towards_eye = (panel.camera.eye - panel.camera.target).normalized();
+    const double width_px =
+        herpolhode_width_px(panel, (annulus.outer - annulus.inner) * per_rho / panel.units_per_px *
+                                       std::abs(towards_eye.z()));
     TimedCurve timed =
         herpolhode_trail(*panel.stage, panel.curve_units() / per_rho,
                          width_px * ink.weight * panel.px * panel.units_per_px / per_rho);

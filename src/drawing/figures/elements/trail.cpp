@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "drawing/figures/elements/filled_ring.h"
+#include "drawing/stage/marks.h"
 #include "drawing/stage/smooth_paths.h"
 #include "mechanics/top/heavy_top.h"
 
@@ -267,6 +268,21 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
     TimedCurve timed = as_curve(std::move(path), {});
     timed.ring = RingFromThen{always ? -endless : filled_s, ring->points};
     return timed;
+}
+
+double herpolhode_width_px(const Panel& panel, double ring_px) {
+    const StageContext& stage = *panel.stage;
+    const double usual_px = 4.0 * stage.theme.herpolhode_weight;
+    if (!is_on_paper(stage) || stage.rolling->dissipates) return usual_px;
+    // In its ring the turns are on average this far apart.
+    const double span_s =
+        std::max(stage.options.last_time_s - stage.options.first_time_s, stage.options.loop_s);
+    const double rate_rad_s = stage.motion.motion().free_constants().mean_advance_rate_rad_s;
+    const double n_turns = std::abs(rate_rad_s) * span_s / (2.0 * std::numbers::pi);
+    const double apart_px = ring_px / std::max(n_turns, 1.0);
+    constexpr double share = 0.5;
+    const double least_px = std::min(stage.options.least.line_px / panel.px, usual_px);
+    return std::clamp(share * apart_px / panel.px, least_px, usual_px);
 }
 
 TimedCurve polhode_trail(const StageContext& stage, double tolerance, const BodyMap& map) {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "construction/timed_path.h"
+#include "drawing/stage/panel.h"
 #include "drawing/stage/stage_context.h"
 #include "shapes/smooth_form.h"
 
@@ -70,6 +71,10 @@ struct TimedCurve {
 // a ring once such a line fills it; 0: never. Precondition, here and below: the stage has a
 // construction.
 TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double width = 0.0);
+
+// Width of the herpolhode's line, px at 1080 rows, where its ring has a width of `ring_px` pixels
+// in the picture. On paper the line is thin enough that its turns stay apart.
+double herpolhode_width_px(const Panel& panel, double ring_px);
 
 // Where a point of the ellipsoid, in body axes and its lengths, is drawn.
 using BodyMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;

@@ -142,7 +142,7 @@ std::vector<Label> legend_of(const Panel& panel, StageStore& store) {
     std::vector<Label> legend;
     // In the first column it is left-aligned with the title.
     const double left =
-        panel.box.x_px == 0 ? overlay_margin * panel.stage->px : 0.6 * chart_margin * panel.px;
+        panel.box.x_px == 0 ? overlay_margin_px(*panel.stage) : 0.6 * chart_margin * panel.px;
     double bottom = 0.5 * chart_margin * panel.px;
     for (const auto& [text, colour] : rows) {
         const TextBlock type = set_label(panel, store, text, 0.72);
@@ -179,8 +179,9 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
     for (const Eigen::Vector3d& tip : tips_of_arrows(panel)) points.push_back(tip);
     const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
     const std::vector<Label> legend = legend_of(panel, store);
-    const Margins margins{margin, margin, margin + panel.header_px,
-                          std::max(margin, legend_rows(panel, legend))};
+    // The legend is below the names of axes.
+    const double rows_px = legend_rows(panel, legend);
+    const Margins margins{margin, margin, margin + panel.header_px, margin + rows_px};
     aim_in_principal_axes(panel, std::move(points), margins);
 
     Ellipsoid sphere = ellipsoid_of(panel);

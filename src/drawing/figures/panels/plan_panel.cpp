@@ -101,7 +101,8 @@ struct HerpolhodeCurve {
 
 HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanScale& scale) {
     const LineStyle& ink = panel.stage->theme.herpolhode;
-    const double width_px = 4.0 * panel.stage->theme.herpolhode_weight;
+    const double width_px =
+        herpolhode_width_px(panel, (scale.outer - scale.inner) / panel.units_per_px);
     TimedCurve timed = herpolhode_trail(
         *panel.stage, panel.curve_units() / scale.plan_per_rho,
         width_px * ink.weight * panel.px * panel.units_per_px / scale.plan_per_rho);

@@ -63,8 +63,11 @@ void leave_out_type(Drawing& drawing) {
                 "show fewer elements");
         if (is_name || (!covers && is_on_page(box, drawing)))
             kept.push_back(box);
-        else
+        else {
+            const SetText& source = label->mask->source;
+            drawing.left_out.push_back(source.is_formula ? "$" + source.text + "$" : source.text);
             label->opacity = 0.0;
+        }
     }
     for (View& view : drawing.views)
         std::erase_if(view.labels, [](const Label& label) { return !(label.opacity > 0.0); });

@@ -1,0 +1,107 @@
+#include "production/session/paper_layout.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "drawing/figures/charts/chart_fit.h"
+#include "drawing/stage/marks.h"
+#include "drawing/stage/overlay.h"
+
+namespace poinsot {
+
+namespace {
+
+// The height of a stacked panel in units of its width.
+constexpr double wide_share = 0.62, half_share = 0.85;
+
+// Whether a panel is a column of the grid beside others that share one.
+bool is_tall(const Scene& scene, const PanelSpec& panel) {
+    return panel.rows > 1 && panel.columns < static_cast<int>(scene.grid.columns.size());
+}
+
+// Whether the page is a column of text: then half of its width is enough for a panel, but a panel
+// beside two others would be high and narrow.
+bool wants_stack(const Scene& scene, const PrintSize& paper) {
+    constexpr double most_ems = 40.0;  // 120 mm with labels of 8.5 points
+    return paper.width_px < most_ems * label_size * paper.line_scale &&
+           std::any_of(scene.panels.begin(), scene.panels.end(),
+                       [&](const PanelSpec& panel) { return is_tall(scene, panel); });
+}
+
+// Gives each tall panel a row of its own and puts the others below in pairs, in reading order.
+// Returns the height of the grid in pixels.
+double stack_panels(const PrintSize& paper, Scene& scene) {
+    std::vector<PanelSpec*> tall, others;
+    for (PanelSpec& panel : scene.panels) (is_tall(scene, panel) ? tall : others).push_back(&panel);
+    std::stable_sort(others.begin(), others.end(), [](const PanelSpec* a, const PanelSpec* b) {
+        return std::pair(a->row, a->column) < std::pair(b->row, b->column);
+    });
+    const auto height_of = [&](const PanelSpec& panel, double share) {
+        return std::max(share * paper.width_px,
+                        rows_of_charts(scene, panel, paper.line_scale, paper.least));
+    };
+    std::vector<double> heights_px;
+    const auto place = [&](PanelSpec& panel, int column, int columns) {
+        panel.row = static_cast<int>(heights_px.size()) - 1;
+        panel.column = column;
+        panel.columns = columns;
+        panel.rows = 1;
+    };
+    for (PanelSpec* panel : tall) {
+        heights_px.push_back(height_of(*panel, wide_share));
+        place(*panel, 0, 2);
+    }
+    for (std::size_t k = 0; k < others.size(); k += 2) {
+        const bool is_alone = k + 1 == others.size();
+        const double share = is_alone ? wide_share : 0.5 * half_share;
+        heights_px.push_back(height_of(*others[k], share));
+        if (!is_alone)
+            heights_px.back() = std::max(heights_px.back(), height_of(*others[k + 1], share));
+        place(*others[k], 0, is_alone ? 2 : 1);
+        if (!is_alone) place(*others[k + 1], 1, 1);
+    }
+    scene.grid.columns = {1.0, 1.0};
+    scene.grid.rows.clear();
+    double all_px = 0.0;
+    for (const double height_px : heights_px) {
+        // Relative to the first, to a thousandth: the grid is part of the record.
+        scene.grid.rows.push_back(std::round(1000.0 * height_px / heights_px[0]) / 1000.0);
+        all_px += height_px;
+    }
+    return all_px;
+}
+
+}  // namespace
+
+void lay_out_on_paper(const PrintChoices& print, const FontSource& fonts, Scene& scene,
+                      std::vector<std::string>& notes) {
+    const auto paper = print_size_of(print, scene.film.width_px, scene.film.height_px);
+    if (!paper) return;
+    scene.film.width_px = paper->width_px;
+    scene.film.height_px = paper->height_px;
+    if (!print.width_mm || print.height_mm) return;
+    // Title, caption and charts have text whose size is fixed in points.
+    const double px = paper->line_scale;
+    int& height_px = scene.film.height_px;
+    const int overlays_px = rows_of_overlays(scene, fonts, paper->width_px, px, paper->least);
+    if (wants_stack(scene, *paper)) {
+        height_px = overlays_px + static_cast<int>(std::ceil(stack_panels(*paper, scene)));
+        notes.push_back(fmt::format(
+            "on a page {:g} mm wide the panels stand one above another; --height-mm keeps the "
+            "scene's grid",
+            *print.width_mm));
+    } else {
+        height_px += rows_added_by_type(scene, fonts, paper->width_px, px, paper->least);
+        height_px +=
+            rows_added_by_charts(scene, paper->width_px, height_px - overlays_px, px, paper->least);
+    }
+    // The figure has three quarters of the page or more.
+    constexpr int overlays_share = 4;
+    height_px = std::max(height_px, overlays_share * overlays_px);
+}
+
+}  // namespace poinsot
