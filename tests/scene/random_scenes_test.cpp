@@ -93,6 +93,8 @@ std::string text_by_default(const SceneKey& key) {
 bool goes_without_saying(const std::string& row, const std::string& value) {
     static const std::map<std::string, std::string> defaults{
         {"labels", "true"},
+        {"overlays", "true"},
+        {"panel_letters", "false"},
         {"language", "\"en\""},
         {"torque.kind", "\"none\""},
         {"marks[].name", "\"\""},
@@ -135,7 +137,7 @@ TEST(RandomScenes, OfEveryKeyAreReadBack) {
     const MeshFolder folder;
     Dice dice(20260301);
     std::set<std::string> said;  // rows with a value other than their default
-    constexpr int n_scenes = 500;
+    constexpr int n_scenes = 1000;
     int n_read = 0;
     for (int n = 0; n < n_scenes && !HasFailure(); ++n) {
         const Text text = random_scene(dice);

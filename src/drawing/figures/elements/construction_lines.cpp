@@ -78,7 +78,11 @@ double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double 
     view.x_px = panel.box.x_px, view.y_px = panel.box.y_px;
     view.width_px = panel.box.width_px, view.height_px = panel.box.height_px;
     view.camera = panel.camera;
-    if ((panel.camera.eye - panel.camera.target).head<2>().isZero(0.0)) return wanted;
+    Eigen::Vector3d towards_us = panel.camera.eye - panel.camera.target;
+    towards_us.z() = 0.0;
+    if (!(towards_us.norm() > 0.0)) return wanted;
+    towards_us.normalize();
+    const Eigen::Vector3d across = Eigen::Vector3d::UnitZ().cross(towards_us);
     // On a screen, a plane may continue to the left, right and upper edges of the picture.
     const StageOptions& picture = panel.stage->options;
     const bool is_page = is_on_paper(*panel.stage);
@@ -92,8 +96,9 @@ double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double 
         constexpr int n_around = 32;
         for (int k = 0; k < n_around; ++k) {
             const double angle = 2.0 * std::numbers::pi * k / n_around;
+            // The first point is the nearest, which limits most planes.
             const Eigen::Vector3d rim =
-                centre + radius * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+                centre + radius * (std::cos(angle) * towards_us + std::sin(angle) * across);
             const Projected seen = project(view, rim);
             if (!(seen.depth > 0.0 && seen.px.y() < bottom_px && seen.px.y() > top_px &&
                   seen.px.x() > from_px && seen.px.x() < to_px))
