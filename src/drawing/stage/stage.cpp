@@ -1,5 +1,6 @@
 #include "drawing/stage/stage.h"
 
+#include <algorithm>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -106,6 +107,8 @@ struct Stage::Contents {
 
     // From instants all over the film, whichever part of it is made.
     void choose_sides_of_names() {
+        const auto has_none = [](const std::vector<ThingName>& each) { return each.empty(); };
+        if (std::all_of(names.begin(), names.end(), has_none)) return;
         constexpr int n_instants = 8;
         const FilmClock clock(context.scene);
         std::vector<std::vector<View>> views(panels.size());

@@ -160,7 +160,7 @@ double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
         top = std::min(top, label.top_left_px.y());
         right = std::max(right, label.top_left_px.x() + label.mask->width_px());
     }
-    const bool in_the_way = right - panel.box.x_px > 0.2 * panel.box.width_px;
+    const bool in_the_way = right - panel.box.x_px > 0.35 * panel.box.width_px;
     return in_the_way ? panel.box.y_px + panel.box.height_px - top : 0.0;
 }
 
