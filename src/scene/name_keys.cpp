@@ -8,7 +8,6 @@
 #include <string_view>
 #include <vector>
 
-#include "scene/named_things.h"
 #include "scene/scene_key_rows.h"
 
 namespace poinsot {

@@ -9,6 +9,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "image/image.h"
@@ -182,6 +183,15 @@ struct TimedCaptionSpec {
     std::string text;              // with live numbers, like the caption
     std::string place = "bottom";  // bottom, top
 };
+
+// The values of `names`, and keys of [symbols] and [labels].
+inline constexpr std::array<std::string_view, 8> named_things{
+    "polhode",   "herpolhode", "invariable-plane", "inertia-ellipsoid",
+    "body-cone", "space-cone", "separatrix",       "unit-sphere"};
+
+// The quantities of [symbols], which are also keys of [labels].
+inline constexpr std::array<std::string_view, 6> named_quantities{"omega", "momentum", "rho",
+                                                                  "e1",    "e2",       "e3"};
 
 // [symbols]: names of quantities in labels, as formulas; empty: the default names.
 struct SymbolsSpec {

@@ -269,10 +269,10 @@ int numbers_in(const std::string& svg) {
 
 TEST(PrintedStill, ChartsInAColumnHaveNumbersAndNames) {
     // Every vertical axis has at least two numbers, every time or angle axis three: four charts and
-    // two such axes in the tops, two of each with Explorer 1, one in the others.
+    // two such axes in this top, two of each with Explorer 1, one in the others.
     const ScratchFolder folder;
     for (const auto& [name, n_heights, n_feet] :
-         {std::tuple("heavy_top_cusp", 4, 2), std::tuple("heavy_top_conserved", 4, 2),
+         {std::tuple("heavy_top_cusp", 4, 2), std::tuple("heavy_top_conserved", 1, 1),
           std::tuple("four_views", 1, 1), std::tuple("explorer_1", 2, 2),
           std::tuple("momentum_sphere", 1, 1)}) {
         const ProgramRun run = run_program_in(

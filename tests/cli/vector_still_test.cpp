@@ -54,7 +54,7 @@ TEST(VectorStill, PdfIsValidSmallAndHasNoRaster) {
     for (std::size_t k = 2; k < fonts.size(); ++k)
         EXPECT_TRUE(contains(fonts[k], "yes yes yes")) << fonts[k];
     const std::string pdf = text_of(folder.path() / "g.pdf");
-    EXPECT_LT(pdf.size(), 70'000u);
+    EXPECT_LT(pdf.size(), 75'000u);
 }
 
 // A body takes some hundred gradients.
@@ -438,12 +438,11 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
         EXPECT_EQ(refused.code, 2) << options;
         EXPECT_TRUE(is_one_line(refused.err)) << options << ": " << refused.err;
     }
-    // Three panels do not fit into this size without overlap.
+    // Not all names of three panels have room at this size: a note says which.
     const ProgramRun small = run_program_in(
         folder, "still '" + scene_path("football") + "' --width-mm 50 --height-mm 50 -o d.pdf");
-    EXPECT_EQ(small.code, 2);
-    EXPECT_TRUE(contains(small.err, "too small for its labels")) << small.err;
-    EXPECT_FALSE(std::filesystem::exists(folder.path() / "d.pdf"));
+    EXPECT_EQ(small.code, 0) << small.err;
+    EXPECT_TRUE(contains(small.err, "note: no room for the name of ")) << small.err;
 }
 
 // The author's caption says what title, caption and clock say; the report says what to check.

@@ -30,6 +30,7 @@ TABLES = {
     "captions[]": "Text that is shown during a part of the film, one table for each text. Captions are also subtitles, in the film and in a file beside it.",
     "chapters[]": "Sections of the film, one table for each section.",
     "symbols": "Symbols of quantities in labels. Each value is a formula.",
+    "labels": "Labels moved by hand, as in `omega.offset_pt = [6.0, -4.0]`.",
     "style": "Values that override the theme. A theme file contains such lines without the header, and `extends = \"dark\"` at the top.",
     "marks[]": "Additional points, one table for each point.",
     "grid": "The grid whose cells hold the panels.",
@@ -69,6 +70,8 @@ def key_sections(keys):
     sections = {}
     for path, summary in keys:
         table, _, leaf = path.rpartition(".")
+        if table.startswith("labels."):  # one table for all labels
+            table, leaf = path.split(".", 1)
         sections.setdefault(table, []).append((leaf, *summary.split("; ", 1)))
     for table, rows in sections.items():
         if table not in TABLES:

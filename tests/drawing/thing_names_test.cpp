@@ -1,5 +1,5 @@
 // The names of curves and surfaces: which are shown, what they say, and how they move.
-#include "drawing/stage/thing_names.h"
+#include "drawing/stage/names/thing_names.h"
 
 #include <gtest/gtest.h>
 
@@ -10,7 +10,7 @@
 #include <string>
 
 #include "drawing/stage/marks.h"
-#include "scene/named_things.h"
+#include "scene/scene.h"
 #include "scenes_by_hand.h"
 #include "text/languages.h"
 

@@ -65,7 +65,8 @@ struct Body {
 };
 
 const std::string scene =
-    "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n";
+    "names = false\n[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, "
+    "0.75]\n";
 
 class DrawnPixels : public ::testing::Test {
  protected:

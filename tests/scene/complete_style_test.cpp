@@ -110,7 +110,7 @@ TEST(Marks, HaveAColourOrThatOfARole) {
     };
     EXPECT_EQ(mark("omega").role, "omega");
     EXPECT_FALSE(mark("omega").srgb);
-    EXPECT_TRUE(mark("red").role.empty());
+    EXPECT_EQ(mark("red").role, MarkSpec{}.role);
     EXPECT_EQ(mark("red").srgb, red);
     const Scene scene = scene_of(a_scene + "[[marks]]\nat = [1, 0, 0]\ncolour = \"omega\"\n");
     EXPECT_NE(to_toml(scene).find("colour = \"omega\""), std::string::npos);

@@ -21,6 +21,7 @@
 #include "scene/body_faces.h"
 #include "scene/camera_views.h"
 #include "scene/easing.h"
+#include "scene/scene.h"
 #include "scene/scene_keys.h"
 #include "scene/style_keys.h"
 #include "scene/toml_text.h"
@@ -153,14 +154,34 @@ inline std::string name_of_view(Dice& dice) {
 }
 inline std::string name_of_easing(Dice& dice) { return std::string(dice.one_of(easings()).name); }
 
+// A file has either labels = … or [labels].
+inline void write_names(Dice& dice, Text& text) {
+    if (dice.one_in(3))
+        text.set("names", toml_text(dice.one_in(2)));
+    else if (dice.one_in(2))
+        text.set("names", "[" + toml_text(dice.one_of(named_things)) + "]");
+    for (const std::string_view name : named_things)
+        if (dice.one_in(4)) text.set_text(fmt::format("symbols.{}", name), dice.text());
+    if (dice.one_in(2)) return text.set("labels", toml_text(dice.one_in(2)));
+    const auto move = [&](std::string_view name) {
+        const double x = dice.between(-1e3, 1e3), y = dice.between(-1e3, 1e3);
+        if (dice.one_in(4))
+            text.set(fmt::format("labels.{}.offset_pt", name),
+                     fmt::format("[{}, {}]", toml_text(x), toml_text(y)));
+    };
+    for (const std::string_view name : named_things) move(name);
+    for (const std::string_view name : named_quantities) move(name);
+}
+
 inline void write_picture(Dice& dice, Text& text) {
     for (const char* key : {"title", "caption", "symbols.omega", "symbols.momentum", "symbols.rho",
                             "symbols.e1", "symbols.e2", "symbols.e3"})
         if (dice.one_in(2)) text.set_text(key, dice.text());
     for (const char* key : {"show", "unlabelled"})
         if (dice.one_in(2)) text.set(key, some_texts(dice));
-    for (const char* key : {"labels", "clock", "overlays", "panel_letters"})
+    for (const char* key : {"clock", "overlays", "panel_letters"})
         if (dice.one_in(2)) text.set(key, toml_text(dice.one_in(2)));
+    write_names(dice, text);
     if (dice.one_in(2)) text.set_number("accuracy_px", dice.between(1e-6, 100.0));
     if (dice.one_in(2)) text.set_text("theme", "dark");
     if (dice.one_in(2)) text.set_number("type_scale", dice.between(0.25, 8.0));

@@ -93,6 +93,7 @@ std::string text_by_default(const SceneKey& key) {
 bool goes_without_saying(const std::string& row, const std::string& value) {
     static const std::map<std::string, std::string> defaults{
         {"labels", "true"},
+        {"names", "true"},
         {"overlays", "true"},
         {"panel_letters", "false"},
         {"language", "\"en\""},

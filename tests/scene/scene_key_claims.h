@@ -134,6 +134,93 @@ inline const std::map<std::string, Claim> claims_of_rows{
      {with("symbols", "e2 = 'y'"), [](const Scene& s) { return s.symbols.e2 == "y"; }}},
     {"symbols.e3",
      {with("symbols", "e3 = 'z'"), [](const Scene& s) { return s.symbols.e3 == "z"; }}},
+    {"symbols.polhode",
+     {with("symbols", "polhode = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("polhode") == "it"; }}},
+    {"symbols.herpolhode",
+     {with("symbols", "herpolhode = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("herpolhode") == "it"; }}},
+    {"symbols.invariable-plane",
+     {with("symbols", "invariable-plane = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("invariable-plane") == "it"; }}},
+    {"symbols.inertia-ellipsoid",
+     {with("symbols", "inertia-ellipsoid = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("inertia-ellipsoid") == "it"; }}},
+    {"symbols.body-cone",
+     {with("symbols", "body-cone = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("body-cone") == "it"; }}},
+    {"symbols.space-cone",
+     {with("symbols", "space-cone = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("space-cone") == "it"; }}},
+    {"symbols.separatrix",
+     {with("symbols", "separatrix = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("separatrix") == "it"; }}},
+    {"symbols.unit-sphere",
+     {with("symbols", "unit-sphere = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("unit-sphere") == "it"; }}},
+    {"labels.polhode.offset_pt",
+     {with("labels", "polhode.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("polhode") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.herpolhode.offset_pt",
+     {with("labels", "herpolhode.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("herpolhode") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.invariable-plane.offset_pt",
+     {with("labels", "invariable-plane.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("invariable-plane") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.inertia-ellipsoid.offset_pt",
+     {with("labels", "inertia-ellipsoid.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("inertia-ellipsoid") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.body-cone.offset_pt",
+     {with("labels", "body-cone.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("body-cone") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.space-cone.offset_pt",
+     {with("labels", "space-cone.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("space-cone") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.separatrix.offset_pt",
+     {with("labels", "separatrix.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("separatrix") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.unit-sphere.offset_pt",
+     {with("labels", "unit-sphere.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("unit-sphere") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.omega.offset_pt",
+     {with("labels", "omega.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) { return s.label_offsets_pt.at("omega") == Eigen::Vector2d(1.5, -2.0); }}},
+    {"labels.momentum.offset_pt",
+     {with("labels", "momentum.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("momentum") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.rho.offset_pt",
+     {with("labels", "rho.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) { return s.label_offsets_pt.at("rho") == Eigen::Vector2d(1.5, -2.0); }}},
+    {"labels.e1.offset_pt",
+     {with("labels", "e1.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) { return s.label_offsets_pt.at("e1") == Eigen::Vector2d(1.5, -2.0); }}},
+    {"labels.e2.offset_pt",
+     {with("labels", "e2.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) { return s.label_offsets_pt.at("e2") == Eigen::Vector2d(1.5, -2.0); }}},
+    {"labels.e3.offset_pt",
+     {with("labels", "e3.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) { return s.label_offsets_pt.at("e3") == Eigen::Vector2d(1.5, -2.0); }}},
+    {"names",
+     {"names = [\"polhode\"]\n" + a_scene,
+      [](const Scene& s) { return s.names == std::vector<std::string>{"polhode"}; }}},
     {"show",
      {"show = [\"plane\", \"omega\"]\n" + a_scene,
       [](const Scene& s) {

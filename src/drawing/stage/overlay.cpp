@@ -232,7 +232,7 @@ Drawer make_chapters(const StageContext& stage, StageStore& store, const QuietGr
     return [&stage, ground, chapters, top](const FrameInput& instant, ViewBuilder& builder) {
         for (const Chapter& chapter : chapters) {
             const double presence = chapter.presence(instant.film_s);
-            if (!(presence > 0.0)) continue;
+            if (!(presence > 0.0) || chapter.type.mask->width == 0) continue;
             add_text(stage, chapter.type, margin(stage), top + chapter.type.baseline_px,
                      rank_of_caption, ground.presence(instant.film_s), builder);
             builder.view.labels.back().opacity *= presence;

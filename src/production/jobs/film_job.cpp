@@ -231,11 +231,6 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     PictureMaker pictures(*session_, renderer,
                           {.first_time_s = film_.time_of(0), .last_time_s = film_.time_of(last_)});
     tell_stage_notes(pictures.stage(), progress);
-    std::vector<FilmTime> samples;
-    constexpr std::int64_t n_samples = 12;
-    for (std::int64_t k = 0; k < n_samples; ++k)
-        samples.push_back(film_.moment_of(last_ * k / (n_samples - 1)));
-    tell_unnamed(pictures.stage(), samples, progress);
     Record record = record_of(*session_, pictures, renderer.is_portable());
     record.frames = {first_, last_};
     plan.metadata = to_text(record);
@@ -250,6 +245,11 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
         plan.has_alpha = !is_opaque(first);
     }
     draw(pictures, plan, progress);
+    std::vector<FilmTime> samples;
+    constexpr std::int64_t n_samples = 12;
+    for (std::int64_t k = 0; k < n_samples; ++k)
+        samples.push_back(film_.moment_of(last_ * k / (n_samples - 1)));
+    tell_unnamed(pictures.stage(), samples, progress);
     if (!plan.part) write_beside(plan, progress);
     progress.finish(name);
     progress.say(in_words(pictures.bound(), session_->accuracy.asked_px));

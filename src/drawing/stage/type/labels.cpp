@@ -323,7 +323,10 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
         const double asked = label.opacity;
         for (const Shaft& shaft : shafts) {
             const PlacedBox core{shaft.head.centre, 0.3 * shaft.head.half};
-            const double clearance = distance(placed, core) / (0.3 * shaft.head.half.y());
+            const bool is_own = requests[i].at && (*requests[i].at - shaft.tip).isZero(0.0);
+            // A name may touch the head of its own arrow.
+            const double clearance =
+                distance(placed, core) / (0.3 * shaft.head.half.y()) + (is_own ? 1.0 : 0.0);
             label.opacity *= 1.0 - shaft.opacity * (1.0 - smooth_step(clearance));
         }
         for (const auto& [other, opacity] : fixed)

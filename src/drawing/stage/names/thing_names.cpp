@@ -1,4 +1,4 @@
-#include "drawing/stage/thing_names.h"
+#include "drawing/stage/names/thing_names.h"
 
 #include <fmt/format.h>
 
@@ -12,10 +12,10 @@
 #include <utility>
 
 #include "drawing/stage/marks.h"
-#include "drawing/stage/outlines.h"
+#include "drawing/stage/names/outlines.h"
 #include "drawing/style/theme_roles.h"
 #include "numerics/smooth_step.h"
-#include "scene/named_things.h"
+#include "scene/scene.h"
 #include "scene/scene_error.h"
 #include "shapes/projection.h"
 #include "text/languages.h"

@@ -1,4 +1,4 @@
-#include "drawing/stage/outlines.h"
+#include "drawing/stage/names/outlines.h"
 
 #include <Eigen/LU>
 #include <algorithm>
