@@ -6,7 +6,7 @@
 #include <array>
 #include <cmath>
 
-#include "drawing/stage/picture_quality.h"
+#include "drawing/style/picture_quality.h"
 #include "lab/measure.h"
 #include "lab/tradeoff.h"
 #include "production/jobs/picture.h"

@@ -83,7 +83,9 @@ Override parse_override(const std::string& given) {
     const std::string_view written = std::string_view(text).substr(equals + 1);
     TomlValue value = parse_override_value(written, where);
     const bool may_be_text = row != nullptr && row->type.may_be_text();
-    if (may_be_text && value.type != TomlValue::Type::array) {
+    const bool is_boolean =
+        row != nullptr && row->type.or_boolean && value.type == TomlValue::Type::boolean;
+    if (may_be_text && !is_boolean && value.type != TomlValue::Type::array) {
         // A string value needs no quotes on the command line: title=2024.
         value.text = value.type == TomlValue::Type::text ? value.text : std::string(written);
         value.type = TomlValue::Type::text;

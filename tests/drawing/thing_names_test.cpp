@@ -1,5 +1,5 @@
 // The names of curves and surfaces: which are shown, what they say, and how they move.
-#include "drawing/stage/names/thing_names.h"
+#include "drawing/stage/thing_names.h"
 
 #include <gtest/gtest.h>
 

@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "drawing/stage/picture_quality.h"
+#include "drawing/style/picture_quality.h"
 #include "output/quality.h"
 #include "production/provenance/record.h"
 #include "production/session/picture_setting.h"

@@ -161,7 +161,7 @@ inline void write_names(Dice& dice, Text& text) {
     else if (dice.one_in(2))
         text.set("names", "[" + toml_text(dice.one_of(named_things)) + "]");
     for (const std::string_view name : named_things)
-        if (dice.one_in(4)) text.set_text(fmt::format("symbols.{}", name), dice.text());
+        if (dice.one_in(12)) text.set_text(fmt::format("symbols.{}", name), dice.text());
     if (dice.one_in(2)) return text.set("labels", toml_text(dice.one_in(2)));
     const auto move = [&](std::string_view name) {
         const double x = dice.between(-1e3, 1e3), y = dice.between(-1e3, 1e3);

@@ -7,7 +7,7 @@
 
 #include "drawing/stage/layout.h"
 #include "drawing/stage/marks.h"
-#include "drawing/stage/names/thing_names.h"
+#include "drawing/stage/thing_names.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/stage_context.h"

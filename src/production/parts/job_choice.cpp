@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/stage/picture_quality.h"
+#include "drawing/style/picture_quality.h"
 #include "output/film_part.h"
 #include "output/frame_sink.h"
 #include "output/quality.h"

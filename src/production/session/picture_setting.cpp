@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-#include "drawing/stage/picture_quality.h"
+#include "drawing/style/picture_quality.h"
 #include "drawing/stage/stage_store.h"
 #include "scene/scene_error.h"
 #include "text/printable.h"

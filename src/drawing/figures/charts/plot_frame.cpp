@@ -240,9 +240,11 @@ PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const ChartArea& reg
             chart_label(panel, number, area_.left - gap, height, Anchor::right_middle, theme.text));
         labels_.back().rank = rank_of_numbers;
     }
-    // A long title starts further left, as far as there is space.
+    // A long title starts further left, as far as there is space: beside another panel also a
+    // little way above it.
+    const double least_left = panel.box.x_px > 0 ? -0.2 * panel.box.width_px : 0.0;
     const double title_left =
-        std::max(std::min(region.left, panel.box.width_px - y_type.width_px() - gap), 0.0);
+        std::max(std::min(region.left, panel.box.width_px - y_type.width_px() - gap), least_left);
     labels_.push_back(chart_label(panel, y_type, title_left, area_.top + 1.3 * gap,
                                   Anchor::bottom_left, theme.text));
 

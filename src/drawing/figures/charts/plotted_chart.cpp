@@ -14,9 +14,10 @@ void place_names(PlottedChart& plotted, const std::vector<EndName>& names, const
         heights.push_back(name.type.height_px());
     }
     const ChartArea& area = plotted.chart.area();
+    // The title of the axis is below the lowest name.
     const double margin = 0.3 * chart_name_size * panel.type_px;
     const std::vector<double> middles =
-        spread_apart(ends, heights, 8.0 * panel.px, area.bottom - margin, area.top + margin);
+        spread_apart(ends, heights, 8.0 * panel.px, area.bottom + 0.5 * margin, area.top + margin);
     const double left = area.right + 12.0 * panel.px;
     for (std::size_t i = 0; i < names.size(); ++i) {
         const Colour& colour = names[i].colour;

@@ -43,7 +43,7 @@ void push_off_head(const PlacedBox& head, double opacity, PlacedBox& box) {
     const Eigen::Vector2d between = box.centre - head.centre;
     const double nearness = between.cwiseQuotient(sum).norm();
     if (!(nearness < 1.0)) return;
-    box.centre += opacity * (1.0 - nearness) * between / std::max(nearness, 0.3);
+    box.centre += opacity * (1.0 - nearness) * between / std::max(nearness, 0.5);
 }
 
 // How far apart boxes are, or a negative depth if they overlap.
@@ -270,11 +270,9 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
         boxes.push_back({request.anchor_px + away * (nearness * (request.gap_px + reach)), half});
         gaps.push_back(nearness * request.gap_px);
         if (request.side != 0) keep_off(shafts, request, boxes.back());
-        constexpr int n_passes = 3;
-        for (int pass = 0; pass < n_passes; ++pass)
-            for (const Shaft& shaft : shafts)
-                if (!(request.at && (*request.at - shaft.tip).isZero(0.0)))
-                    push_off_head(shaft.head, shaft.opacity, boxes.back());
+        for (const Shaft& shaft : shafts)
+            if (!(request.at && (*request.at - shaft.tip).isZero(0.0)))
+                push_off_head(shaft.head, shaft.opacity, boxes.back());
     }
 
     // Overlapping pairs are moved apart along the line between their centres; boxes are treated as

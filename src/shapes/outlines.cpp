@@ -1,11 +1,10 @@
-#include "drawing/stage/names/outlines.h"
+#include "shapes/outlines.h"
 
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
 
-#include "numerics/smooth_step.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -53,7 +52,8 @@ double facing(const Ellipsoid& ellipsoid, const Projection& projection, const Ei
     const Eigen::Matrix3d to_sphere = ellipsoid.half_axes.inverse();
     const Eigen::Vector3d normal = to_sphere.transpose() * (to_sphere * (at - ellipsoid.centre));
     const double cosine = normal.normalized().dot(projection.towards_eye(at).normalized());
-    return smooth_step(cosine / 0.2);
+    const double share = std::clamp(cosine / 0.2, 0.0, 1.0);
+    return share * share * (3.0 - 2.0 * share);
 }
 
 Outline closed_outline(const Projection& projection, const std::vector<Eigen::Vector3d>& points,

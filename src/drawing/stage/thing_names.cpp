@@ -1,4 +1,4 @@
-#include "drawing/stage/names/thing_names.h"
+#include "drawing/stage/thing_names.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +12,7 @@
 #include <utility>
 
 #include "drawing/stage/marks.h"
-#include "drawing/stage/names/outlines.h"
+#include "shapes/outlines.h"
 #include "drawing/style/theme_roles.h"
 #include "numerics/smooth_step.h"
 #include "scene/scene.h"

@@ -1,4 +1,4 @@
-#include "drawing/stage/picture_quality.h"
+#include "drawing/style/picture_quality.h"
 
 #include "error/error.h"
 #include "text/nearest.h"
