@@ -134,7 +134,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"cli/suffixes", "all commands ignore the case of suffixes"},
     {"drawing/dissipation", "friction in all panels"},
     {"drawing/kept_curves", "the bound of every curve of every panel"},
-    {"production/names", "labels over the whole page, in all scenes"},
+    {"production/page_labels", "labels over the whole page, in all scenes"},
     {"drawing/lecture_claims", "what the scenes of the lecture say, in all panels"},
     {"drawing/legible", "text and lines of every scene in every theme"},
     {"drawing/pixel_geometry", "errors in pixels over whole films"},

@@ -194,7 +194,7 @@ inline void write_picture(Dice& dice, Text& text) {
 inline void write_rows_with_names(Dice& dice, Text& text) {
     for (const SceneKey& key : scene_keys()) {
         const bool in_array = key.path.find("[]") != std::string_view::npos;
-        if (key.type.names.empty() || in_array || key.path == "torque.kind" ||
+        if (key.type.names.empty() || key.type.size || in_array || key.path == "torque.kind" ||
             key.path == "object.marked_face" || key.path == "camera.look_at" ||
             key.path == "film.loop_changes" || key.path == "camera.motion")
             continue;

@@ -7,11 +7,11 @@
 
 #include "drawing/stage/layout.h"
 #include "drawing/stage/marks.h"
-#include "drawing/stage/thing_names.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/stage_context.h"
 #include "drawing/stage/stage_store.h"
+#include "drawing/stage/thing_names.h"
 #include "drawing/stage/type/label_fit.h"
 #include "drawing/stage/type/labels.h"
 #include "drawing/style/line_style.h"

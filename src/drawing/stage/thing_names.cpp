@@ -12,11 +12,11 @@
 #include <utility>
 
 #include "drawing/stage/marks.h"
-#include "shapes/outlines.h"
 #include "drawing/style/theme_roles.h"
 #include "numerics/smooth_step.h"
 #include "scene/scene.h"
 #include "scene/scene_error.h"
+#include "shapes/outlines.h"
 #include "shapes/projection.h"
 #include "text/languages.h"
 

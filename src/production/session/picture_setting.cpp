@@ -6,8 +6,8 @@
 #include <set>
 #include <string_view>
 
-#include "drawing/style/picture_quality.h"
 #include "drawing/stage/stage_store.h"
+#include "drawing/style/picture_quality.h"
 #include "scene/scene_error.h"
 #include "text/printable.h"
 
