@@ -130,7 +130,11 @@ bool Renderer::Impl::still_is_same(const Drawing& drawing) {
     for (const ViewScene& scene : scenes_) {
         StillView still{box_of(scene.projection), scene.view->camera, scene.view->background, {}};
         for (std::size_t k = 0; k < scene.maps.size(); ++k)
-            if (!scene.before_solids[k]) still.planes.push_back(scene.view->planes[k]);
+            if (!scene.before_solids[k]) {
+                still.planes.push_back(scene.view->planes[k]);
+                // Names belong to the stage, which the renderer may outlive.
+                still.planes.back().name = {};
+            }
         views.push_back(std::move(still));
     }
     if (drawing.background == still_background_ &&

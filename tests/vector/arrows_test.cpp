@@ -129,7 +129,7 @@ TEST(Arrows, AreCutAlongTheOutline) {
             if (opacities_at(alone, arrow.colour, at).empty()) continue;
             bool near_outline = false;
             for (const Eigen::Vector2d& off :
-                 {Eigen::Vector2d(0.02, 0.0), Eigen::Vector2d(0.0, 0.02)})
+                 {Eigen::Vector2d(0.04, 0.0), Eigen::Vector2d(0.0, 0.04)})
                 near_outline |= meets(view, at + off) != meets(view, at - off);
             if (near_outline) continue;
             const bool hidden = meets(view, at);
