@@ -127,9 +127,12 @@ TEST(Arrows, AreCutAlongTheOutline) {
                                      view.height_px * pt_per_px * part(random));
             // Shaft and head may overlap there.
             if (opacities_at(alone, arrow.colour, at).empty()) continue;
+            // Where the outline runs along the arrow, its cut is interpolated between lines 0.02 pt
+            // apart.
             bool near_outline = false;
             for (const Eigen::Vector2d& off :
-                 {Eigen::Vector2d(0.04, 0.0), Eigen::Vector2d(0.0, 0.04)})
+                 {Eigen::Vector2d(0.1, 0.0), Eigen::Vector2d(0.0, 0.1), Eigen::Vector2d(0.07, 0.07),
+                  Eigen::Vector2d(0.07, -0.07)})
                 near_outline |= meets(view, at + off) != meets(view, at - off);
             if (near_outline) continue;
             const bool hidden = meets(view, at);
