@@ -30,6 +30,7 @@ std::string named_times(const std::vector<double>& times) {
 
 std::string json_times(const std::vector<double>& times) {
     std::vector<std::string> numbers;
+    numbers.reserve(times.size());
     for (const double time : times) numbers.push_back(json_number(time));
     return json_list(numbers);
 }
@@ -42,6 +43,7 @@ void add_flips(const Session& session, const FilmPlan& film, std::vector<Summary
     const auto [first_s, last_s] = std::minmax({film.start_s, film.last_time_s()});
     const std::vector<double> times = flips->between(first_s, last_s, most_listed);
     std::vector<double> film_times;
+    film_times.reserve(times.size());
     for (const double time_s : times)
         film_times.push_back(film.clock.film_second_of(time_s).value_or(0.0));
     const std::string interval =
