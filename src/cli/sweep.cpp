@@ -104,7 +104,7 @@ constexpr std::pair<std::string_view, std::string_view> symbols_of_keys[] = {
 // the value is no number, the last part of the key and the value as they are.
 std::string formula_of(std::string_view key, const std::string& value) {
     std::string_view name = key.substr(key.rfind('.') + 1);
-    const std::string plain = as_caption(fmt::format("{} = {}", name, value));
+    std::string plain = as_caption(fmt::format("{} = {}", name, value));
     std::optional<int> index;
     if (const std::size_t bracket = name.find('['); bracket != std::string_view::npos) {
         index = number_of<int>(name.substr(bracket + 1, name.size() - bracket - 2));
