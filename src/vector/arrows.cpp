@@ -244,11 +244,12 @@ class Strands {
           part_(part),
           from_(begin_of(shape, part)),
           to_(end_of(shape, part)) {
-        // The rings at the ends reach beyond the ends of the axis, by their share of it.
+        // The lines on the near side begin at one end of a ring's outline on the page: its other
+        // end is two open radii further along the axis.
         const double radius = part == ArrowPart::shaft ? shape.shaft_radius : shape.head_radius;
         constexpr double most_radii = 2.0;
         const double radii = shape.open / std::sqrt(std::max(1.0 - shape.open * shape.open, 1e-6));
-        beyond_ = std::min(radii, most_radii) * radius / (shape.tip - shape.tail).norm();
+        beyond_ = 2.0 * std::min(radii, most_radii) * radius / (shape.tip - shape.tail).norm();
         // Seen along its axis, the arrow has one line.
         if (shape.to_front.isZero(0.0)) {
             strands_.push_back(strand_at(canvas, 0.0));
@@ -295,9 +296,18 @@ class Strands {
             const auto& spans = strands_[first].spans;
             for (std::size_t i = 0; i < spans.size(); ++i) {
                 if (!(spans[i].cover == cover)) continue;
+                // Round the region; its sides bend where the part begins and ends.
                 std::vector<Eigen::Vector2d> edge = edge_of(first, end, i, false);
-                const std::vector<Eigen::Vector2d> back = edge_of(first, end, i, true);
-                edge.insert(edge.end(), back.rbegin(), back.rend());
+                const auto add = [&edge](const std::vector<Eigen::Vector2d>& points) {
+                    edge.insert(edge.end(), points.begin(), points.end());
+                };
+                add(bends_of(end - 1, i, 1));
+                std::vector<Eigen::Vector2d> back = edge_of(first, end, i, true);
+                std::reverse(back.begin(), back.end());
+                add(back);
+                back = bends_of(first, i, -1);
+                std::reverse(back.begin(), back.end());
+                add(back);
                 region.move(edge.front());
                 for (std::size_t k = 1; k < edge.size(); ++k) region.line(edge[k]);
                 region.close();
@@ -369,6 +379,29 @@ class Strands {
         return projection_.place(at(side, s).position);
     }
 
+    // A point of the border of strand k towards a neighbour (step 1 or −1): half-way between both,
+    // or beyond the side of the part.
+    Eigen::Vector2d border(std::size_t k, std::ptrdiff_t step, double s) const {
+        const Eigen::Vector2d here = place(strands_[k].side, s);
+        const auto next = static_cast<std::ptrdiff_t>(k) + step;
+        if (next >= 0 && next < static_cast<std::ptrdiff_t>(strands_.size()))
+            return 0.5 * (here + place(strands_[static_cast<std::size_t>(next)].side, s));
+        // Sides towards which the strands are numbered.
+        const Eigen::Vector2d across = place(1.0, from_) - place(-1.0, from_);
+        const double length = across.norm();
+        const Eigen::Vector2d out = length > 1e-9 ? (across / length).eval() : shape_.across;
+        return here + static_cast<double>(step) * reach_pt(shape_, part_) * out;
+    }
+
+    // The points inside span i at which that border bends.
+    std::vector<Eigen::Vector2d> bends_of(std::size_t k, std::size_t i, std::ptrdiff_t step) const {
+        std::vector<Eigen::Vector2d> bends;
+        const Span& span = strands_[k].spans[i];
+        for (const double s : {from_, to_})
+            if (span.from < s && s < span.to) bends.push_back(border(k, step, s));
+        return bends;
+    }
+
     // One end of span i of the strands [first, end), continued to the middle between them and their
     // neighbours, and beyond the sides and the ends of the part.
     std::vector<Eigen::Vector2d> edge_of(std::size_t first, std::size_t end, std::size_t i,
@@ -386,19 +419,7 @@ class Strands {
             edge.push_back(point + ahead * shape_.along);
         };
         const auto add_border = [&](std::size_t k, std::ptrdiff_t step) {
-            const double s = end_at(k);
-            const Eigen::Vector2d here = place(strands_[k].side, s);
-            const auto next = static_cast<std::ptrdiff_t>(k) + step;
-            if (next >= 0 && next < static_cast<std::ptrdiff_t>(strands_.size())) {
-                const double side = strands_[static_cast<std::size_t>(next)].side;
-                add(0.5 * (here + place(side, s)), s);
-                return;
-            }
-            // Sides towards which the strands are numbered.
-            const Eigen::Vector2d across = place(1.0, from_) - place(-1.0, from_);
-            const double length = across.norm();
-            const Eigen::Vector2d out = length > 1e-9 ? (across / length).eval() : shape_.across;
-            add(here + static_cast<double>(step) * reach * out, s);
+            add(border(k, step, end_at(k)), end_at(k));
         };
         add_border(first, -1);
         for (std::size_t k = first; k < end; ++k)
