@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/smooth_step.h"
+
 namespace poinsot {
 namespace {
 
@@ -12,8 +14,7 @@ constexpr double unseen = 1.0 / 256.0;
 }  // namespace
 
 double smoothstep(double from, double to, double x) {
-    const double t = std::clamp((x - from) / (to - from), 0.0, 1.0);
-    return t * t * (3.0 - 2.0 * t);
+    return smooth_step((x - from) / (to - from));
 }
 
 double opacity_at(const Plane& plane, double distance) {

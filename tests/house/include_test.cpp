@@ -30,7 +30,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"typeset", {"error", "text", "system"}},
     {"scene", {"error", "text", "system", "mesh", "mechanics", "image"}},
     {"construction", {"error", "numerics", "mechanics"}},
-    {"shapes", {"error"}},
+    {"shapes", {"error", "numerics"}},
     {"drawing",
      {"error", "colour", "text", "numerics", "mesh", "mechanics", "scene", "construction",
       "typeset", "shapes"}},

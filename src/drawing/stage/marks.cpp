@@ -10,6 +10,7 @@
 #include <numbers>
 #include <utility>
 
+#include "numerics/smooth_step.h"
 #include "scene/scene_error.h"
 #include "shapes/projection.h"
 
@@ -80,8 +81,7 @@ void mark_arrows_at_viewer(const Panel& panel, View& view) {
                                      : Eigen::Vector3d((view.camera.eye - arrow.tip).normalized());
         if (!(way.dot(to_eye) > 0.5 * way.norm())) continue;
         const double seen_px = (tip.px - project(view, arrow.tail).px).norm();
-        const double u = std::clamp(1.6 - seen_px / (0.75 * arrow.head_length_px), 0.0, 1.0);
-        const double presence = u * u * (3.0 - 2.0 * u);
+        const double presence = smooth_step(1.6 - seen_px / (0.75 * arrow.head_length_px));
         if (!(presence > 0.0)) continue;
         Dot ring;
         ring.at = arrow.tip;

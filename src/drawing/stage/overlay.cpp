@@ -13,6 +13,7 @@
 #include "drawing/stage/marks.h"
 #include "drawing/stage/type/clock_text.h"
 #include "drawing/stage/type/time_unit.h"
+#include "numerics/smooth_step.h"
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
 #include "text/languages.h"
@@ -176,8 +177,7 @@ struct TimedText {
         const double ramp_s = std::min(0.33, (end_s - begin_s) / 3.0);
         const double in = (film_s - begin_s) / ramp_s;
         const double out = (end_s - film_s) / ramp_s;
-        const double u = std::clamp(std::min(in, out), 0.0, 1.0);
-        return u * u * (3.0 - 2.0 * u);
+        return smooth_step(std::min(in, out));
     }
 };
 

@@ -46,6 +46,7 @@ struct Panel {
     Camera camera;                            // at the film's start
     std::function<Camera(double)> camera_at;  // if it moves; argument: film time, s
     double units_per_px = 0.001;              // at the camera's target
+    std::optional<double> herpolhode_radius;  // of its outer circle, if it has lengths of its own
     Light light;                              // the theme's, unless the panel turns it
     Quantities needs = omega_alone;           // what its drawer reads of an instant besides ω
     bool shows_comparison = false;            // whether it reads FrameInput::comparison

@@ -201,7 +201,8 @@ Drawing Stage::at(const FilmTime& moment) const {
         }
         rules.halo_px = 4.0 * panel.px;
         for (const ShapeName& name : place_labels(builder.requests, rules, view))
-            drawing.unnamed.push_back(name_of_label(name));
+            if (const std::string_view of = name_of_label(name); !of.empty())
+                drawing.unnamed.push_back(of);
         for (const std::string_view name :
              place_thing_names(panel, contents_->names[i], rules.overlays, view))
             drawing.unnamed.push_back(name);

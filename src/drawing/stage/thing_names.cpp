@@ -12,6 +12,7 @@
 #include <utility>
 
 #include "drawing/stage/marks.h"
+#include "drawing/stage/panel_kind.h"
 #include "drawing/style/theme_roles.h"
 #include "numerics/smooth_step.h"
 #include "scene/scene.h"
@@ -99,43 +100,15 @@ constexpr std::array<NamedThing, named_things.size()> things{{
 
 constexpr double size_of_names = 0.8;  // of the names of vectors
 
-struct NameBox {
-    Eigen::Vector2d centre, half;
-
-    // Distance of a point from the box along the worse of the axes; negative inside.
-    double distance(const Eigen::Vector2d& px) const {
-        return ((px - centre).cwiseAbs() - half).maxCoeff();
-    }
-    double distance(const NameBox& other) const {
-        return ((other.centre - centre).cwiseAbs() - half - other.half).maxCoeff();
-    }
-    // Length of a segment inside the box.
-    double length_inside(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
-        const Eigen::Vector2d way = to - from;
-        double first = 0.0, last = 1.0;
-        for (int i = 0; i < 2; ++i) {
-            const double low = centre[i] - half[i] - from[i], high = centre[i] + half[i] - from[i];
-            if (std::abs(way[i]) < 1e-9) {
-                if (low > 0.0 || high < 0.0) return 0.0;
-                continue;
-            }
-            const double a = low / way[i], b = high / way[i];
-            first = std::max(first, std::min(a, b));
-            last = std::min(last, std::max(a, b));
-        }
-        return std::max(0.0, last - first) * way.norm();
-    }
-};
-
 // What a name keeps away from.
 struct Surroundings {
-    std::vector<std::pair<NameBox, double>> labels;  // and their opacity
+    std::vector<LabelBox> labels;
     struct Shaft {
         Eigen::Vector2d tail, tip;
         double head_px, opacity;
     };
     std::vector<Shaft> shafts;
-    Outline lines;  // points of all curves
+    Outline lines;  // of all curves
     const View* view = nullptr;
     double margin_px = 6.0;
 };
@@ -145,12 +118,8 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
     Surroundings around;
     around.view = &view;
     around.margin_px = margin_px;
-    for (const LabelBox& box : overlays)
-        around.labels.push_back({{box.centre_px, box.half_px}, box.opacity});
-    for (const Label& label : view.labels) {
-        const LabelBox box = label_box(label);
-        around.labels.push_back({{box.centre_px, box.half_px}, box.opacity});
-    }
+    around.labels = overlays;
+    for (const Label& label : view.labels) around.labels.push_back(label_box(label));
     const Projection projection(view);
     for (const Arrow& arrow : view.arrows) {
         if (projection.depth(arrow.tail) <= projection.near_depth ||
@@ -168,22 +137,21 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
     return around;
 }
 
-// How bad a place is: 0 for a free one, some 1 for one on a line, and 8 on another label.
-double cost_of(const NameBox& box, const Surroundings& around, bool keeps_off_bodies) {
-    const double height = 2.0 * box.half.y();
+// How bad a place is: 0 for a free one, about 1.5 for one on a line, and 8 on another label.
+double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing& thing) {
+    const double height = 2.0 * box.half_px.y();
     const auto within = [height](double distance) {
         return smooth_step((0.6 * height - distance) / (0.8 * height));
     };
     double cost = 0.0;
     const View& view = *around.view;
-    const double outside =
-        std::max({view.x_px + around.margin_px - (box.centre.x() - box.half.x()),
-                  box.centre.x() + box.half.x() + around.margin_px - view.x_px - view.width_px,
-                  view.y_px + around.margin_px - (box.centre.y() - box.half.y()),
-                  box.centre.y() + box.half.y() + around.margin_px - view.y_px - view.height_px});
+    const Eigen::Vector2d low = box.centre_px - box.half_px, high = box.centre_px + box.half_px;
+    const double outside = around.margin_px + std::max({view.x_px - low.x(), view.y_px - low.y(),
+                                                        high.x() - view.x_px - view.width_px,
+                                                        high.y() - view.y_px - view.height_px});
     cost += 8.0 * smooth_step(1.0 + outside / height);
-    for (const auto& [other, opacity] : around.labels)
-        cost += 8.0 * opacity * within(box.distance(other));
+    for (const LabelBox& other : around.labels)
+        cost += 8.0 * other.opacity * within(box.distance(other));
     for (const Surroundings::Shaft& shaft : around.shafts) {
         cost += 6.0 * shaft.opacity * within(box.distance(shaft.tip) - 0.5 * shaft.head_px);
         cost += 2.0 * shaft.opacity *
@@ -191,15 +159,19 @@ double cost_of(const NameBox& box, const Surroundings& around, bool keeps_off_bo
     }
     double length = 0.0;
     for (const VisiblePoint& point : around.lines)
-        if (point.length_px > 0.0)
-            length += point.length_px * smooth_step(-box.distance(point.px) / (0.3 * height) + 0.5);
+        length += box.length_inside(point.before_px, point.px);
     cost += 1.5 * smooth_step(length / (3.0 * height));
-    if (keeps_off_bodies) {
+    if (thing.keeps_off_bodies)
         for (const Ellipsoid& ellipsoid : view.ellipsoids) {
             if (ellipsoid.opacity < 0.4) continue;
-            const double nearness = nearness_to_ellipsoid(view, ellipsoid, box.centre);
+            const double nearness = nearness_to_ellipsoid(view, ellipsoid, box.centre_px);
             cost += 1.2 * ellipsoid.presence * smooth_step((1.25 - nearness) / 0.3);
         }
+    // On another thing's cone it would be read as that cone's name.
+    for (const Cone& cone : view.cones) {
+        if (cone.name.element == thing.element && cone.name.part == thing.part) continue;
+        const double nearness = nearness_to_cone(view, cone, box.centre_px);
+        cost += 3.0 * cone.presence * smooth_step((1.6 - nearness) / 0.6);
     }
     return cost;
 }
@@ -208,16 +180,16 @@ double cost_of(const NameBox& box, const Surroundings& around, bool keeps_off_bo
 struct Spot {
     Eigen::Vector3d at;
     Eigen::Vector2d anchor_px;
-    NameBox box;
+    LabelBox box;
     double spread_px = 0.0;
 };
 
-// Where the name of a thing may stand: a direction in the picture, and a level from 0 (near) to 1.
+// Where the name of a thing may stand: a direction in the picture, and a level, from 0 (near) on.
 class Spots {
  public:
-    // `final`: the outline instead of that of the shapes, if it has points.
+    // `grown`: the outline of the thing in the end, instead of its own.
     Spots(const View& view, const NamedThing& thing, const TextBlock& type, double px,
-          Outline final = {})
+          const Outline& grown = {})
         : view_(view), half_(0.5 * Eigen::Vector2d(type.width_px(), type.height_px())), px_(px) {
         const auto is_own = [&thing](const auto& shape) {
             return shape.name.element == thing.element && shape.name.part == thing.part;
@@ -226,11 +198,6 @@ class Spots {
             outline_.insert(outline_.end(), outline.begin(), outline.end());
             opacity_ = std::max(opacity_, opacity);
         };
-        if (!final.empty()) {
-            outline_ = std::move(final);
-            opacity_ = 1.0;
-            return;
-        }
         constexpr int n_points = 512;
         for (const Curve& curve : view.curves)
             if (is_own(curve)) add(outline_of(view, curve, n_points), curve.opacity);
@@ -243,8 +210,9 @@ class Spots {
                 plane_ = &plane;
                 opacity_ = std::clamp(plane.opacity, 0.0, 1.0);
             }
+        if (opacity_ > 0.0 && !grown.empty()) outline_ = grown;
         double length_px = 0.0;
-        for (const VisiblePoint& point : outline_) length_px += point.length_px;
+        for (const VisiblePoint& point : outline_) length_px += point.weight_px;
         // The name of a curve that grows appears with it.
         if (plane_ == nullptr) opacity_ *= smooth_step(length_px / (60.0 * px_));
     }
@@ -302,19 +270,19 @@ constexpr double most_cost = 2.2;
 double angle_of(int direction) { return 2.0 * std::numbers::pi * direction / n_directions; }
 
 // The cost of a place by itself: directions near the preferred one, and near places, are better.
-double taste(const NamedThing& thing, double angle, double level) {
+double preference_cost(const NamedThing& thing, double angle, double level) {
     const double from_preferred = std::remainder(
         angle - thing.preferred_deg * std::numbers::pi / 180.0, 2.0 * std::numbers::pi);
-    // The second term breaks ties between the sides.
+    // The clockwise side costs more, so that two sides are seldom equally good.
     return 0.35 * (1.0 - std::cos(from_preferred)) +
            0.25 * (0.5 + 0.5 * from_preferred / std::numbers::pi) + 0.45 * level;
 }
 
 double cost_at(const Spot& spot, const NamedThing& thing, const NameSide& side,
                const Surroundings& around) {
-    const double spread = 2.0 * smooth_step(spot.spread_px / (4.0 * spot.box.half.y()) - 0.5);
-    return taste(thing, side.angle_rad, side.level) + spread +
-           cost_of(spot.box, around, thing.keeps_off_bodies);
+    const double spread = 2.0 * smooth_step(spot.spread_px / (4.0 * spot.box.half_px.y()) - 0.5);
+    return preference_cost(thing, side.angle_rad, side.level) + spread +
+           cost_of(spot.box, around, thing);
 }
 
 // The side with the least sum of costs; `cost` of a side: infinite if it has no place.
@@ -338,22 +306,22 @@ std::optional<PlacedName> placed_at(const Spots& spots, const NamedThing& thing,
     const auto spot = spots.at(side.angle_rad, side.level);
     if (!spot) return std::nullopt;
     const double cost =
-        cost_at(*spot, thing, side, around) - taste(thing, side.angle_rad, side.level);
+        cost_at(*spot, thing, side, around) - preference_cost(thing, side.angle_rad, side.level);
     return PlacedName{*spot, smooth_step((most_cost - cost) / 0.5 + 0.5)};
 }
 
-// The outline of a curve that grows in time, as it may be in the end: what a film's side is chosen
-// for does not depend on how much of the curve is drawn.
-Outline final_outline(const View& view, const NamedThing& thing, const Panel& panel) {
-    if (thing.name == "polhode" && !view.ellipsoids.empty())
+// The outline of a curve that grows in time, as it is in the end: the side of a film's name does
+// not depend on how much of the curve is drawn. Empty for other things.
+Outline grown_outline(const View& view, const NamedThing& thing, const Panel& panel) {
+    const StageContext& stage = *panel.stage;
+    if (!stage.rolling) return {};
+    const bool is_whole = stage.scene.trail.polhode == "whole" && !stage.rolling->dissipates;
+    if (thing.name == "polhode" && !is_whole && !view.ellipsoids.empty())
         return outline_of(view, view.ellipsoids.front(), 96);
     if (thing.name != "herpolhode" || view.planes.empty()) return {};
     const Plane& plane = view.planes.front();
-    Cone ring;  // whose rim is the circle around the herpolhode
-    ring.apex = plane.centre - plane.normal;
-    ring.axis = plane.normal;
-    ring.half_angle_rad = std::atan(panel.stage->rolling->herpolhode_radius);
-    return outline_of(view, ring, 96);
+    return outline_of(view, plane.centre, plane.normal,
+                      panel.herpolhode_radius.value_or(stage.rolling->herpolhode_radius), 96);
 }
 
 double margin_of(const Panel& panel) {
@@ -368,8 +336,8 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
     const auto is_in = [](const std::vector<std::string>& list, std::string_view name) {
         return std::find(list.begin(), list.end(), name) != list.end();
     };
-    Theme theme = stage.theme;
     std::vector<ThingName> names;
+    if ((panel_kind_named(panel.spec.kind).takes & takes_names) == 0) return names;
     if (!scene.labels || is_in(scene.unlabelled, panel.spec.kind)) return names;
     for (const NamedThing& thing : things) {
         if (scene.names && !is_in(*scene.names, thing.name)) continue;
@@ -383,7 +351,7 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
         const TypeStyle style{
             .size_px = std::max(size_of_names * label_size * panel.type_px, least_type_px(stage)),
             .mode = TypeMode::text};
-        const Colour colour = *look_of(theme, thing.role).colour;
+        const Colour colour = line_of(stage.theme, thing.role);
         names.push_back({&thing, at_scene_key(scene, key, [&] { return store.set(text, style); }),
                          colour, offset_of_label(stage, thing.name)});
     }
@@ -394,22 +362,23 @@ std::vector<std::string_view> place_thing_names(const Panel& panel,
                                                 const std::vector<ThingName>& names,
                                                 const std::vector<LabelBox>& overlays, View& view) {
     std::vector<std::string_view> left_out;
+    std::optional<Surroundings> around;  // made for the first name that the view shows
     for (const ThingName& name : names) {
         if (name.type.mask->width == 0) continue;
         const Spots spots(view, *name.thing, name.type, panel.px);
         if (!(spots.opacity() > 0.0)) continue;
-        const Surroundings around = surroundings_of(view, overlays, margin_of(panel), true);
+        if (!around) around = surroundings_of(view, overlays, margin_of(panel), true);
         const NameSide side = name.side ? *name.side : best_side([&](const NameSide& each) {
             const auto spot = spots.at(each.angle_rad, each.level);
-            return spot ? cost_at(*spot, *name.thing, each, around)
+            return spot ? cost_at(*spot, *name.thing, each, *around)
                         : std::numeric_limits<double>::infinity();
         });
-        const auto placed = placed_at(spots, *name.thing, side, around);
+        const auto placed = placed_at(spots, *name.thing, side, *around);
         if (!placed || placed->room < 0.5) left_out.push_back(name.thing->name);
         if (!placed || !(placed->room > 0.0)) continue;
         Label label;
         label.mask = name.type.mask;
-        label.top_left_px = placed->spot.box.centre - placed->spot.box.half + name.offset_px;
+        label.top_left_px = placed->spot.box.centre_px - placed->spot.box.half_px + name.offset_px;
         label.colour = name.colour;
         label.halo_colour = panel.stage->theme.halo;
         label.halo_px = 4.0 * panel.px;
@@ -418,11 +387,12 @@ std::vector<std::string_view> place_thing_names(const Panel& panel,
         label.at = placed->spot.at;
         label.name = {name.thing->name, 0, ""};
         view.labels.push_back(label);
+        const LabelBox box = label_box(label);
+        around->labels.push_back(box);
         if (!spots.has_leader()) continue;
-        const NameBox box{label.top_left_px + placed->spot.box.half, placed->spot.box.half};
         const Leader leader{.at = placed->spot.at,
                             .from_px = placed->spot.anchor_px,
-                            .to = label_box(label),
+                            .to = box,
                             .colour = name.colour,
                             .width_px = 1.6 * panel.px,
                             .name = {name.thing->name, 0, "leader"}};
@@ -447,14 +417,14 @@ void choose_sides(const Panel& panel, std::vector<PlacedLabels> instants,
         for (PlacedLabels& instant : instants) {
             const View& view = *instant.view;
             Spots spots(view, *name.thing, name.type, panel.px,
-                        final_outline(view, *name.thing, panel));
+                        grown_outline(view, *name.thing, panel));
             if (spots.opacity() > 0.0)
                 seen.push_back({&instant, std::move(spots),
-                                surroundings_of(view, instant.overlays, margin_of(panel), false)});
+                                surroundings_of(view, instant.taken, margin_of(panel), false)});
         }
         // The cost of each side, at most that of no room, added up over the instants.
         name.side = best_side([&](const NameSide& side) {
-            double sum = taste(*name.thing, side.angle_rad, side.level);
+            double sum = preference_cost(*name.thing, side.angle_rad, side.level);
             for (const auto& [instant, spots, around] : seen) {
                 const auto spot = spots.at(side.angle_rad, side.level);
                 sum += spot ? std::min(most_cost, cost_at(*spot, *name.thing, side, around))
@@ -465,8 +435,8 @@ void choose_sides(const Panel& panel, std::vector<PlacedLabels> instants,
         // The names after it keep off it.
         for (const auto& [instant, spots, around] : seen)
             if (const auto placed = placed_at(spots, *name.thing, *name.side, around))
-                instant->overlays.push_back(
-                    {placed->spot.box.centre, placed->spot.box.half, placed->room});
+                instant->taken.push_back(
+                    {placed->spot.box.centre_px, placed->spot.box.half_px, placed->room});
     }
 }
 

@@ -44,10 +44,11 @@ std::vector<std::string_view> place_thing_names(const Panel& panel,
                                                 const std::vector<ThingName>& names,
                                                 const std::vector<LabelBox>& overlays, View& view);
 
-// A view whose labels are placed, without the names of things, and the text over all panels.
+// A view whose labels are placed, without the names of things, and the boxes that are taken
+// besides: at first those of the text over all panels.
 struct PlacedLabels {
     const View* view = nullptr;
-    std::vector<LabelBox> overlays;
+    std::vector<LabelBox> taken;
 };
 
 // Chooses the side of each name for all frames of a film, from instants of it. It depends neither

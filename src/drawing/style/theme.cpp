@@ -19,9 +19,9 @@ constexpr Colour hex(std::uint32_t rgb) {
 
 // The hues start from Okabe & Ito (2008). They were changed as little as needed to make the
 // quantities of one view distinguishable for all common kinds of colour vision;
-// tests/drawing/theme_test.cpp has the margins. Quantities that no view shows together may have one
-// colour: N needs a torque, ∇F and the path of a point on the ellipsoid need a motion without one,
-// and φ needs a heavy top.
+// tests/drawing/theme_test.cpp has the margins. N, ∇F and φ, which no view shows together, have one
+// colour. Marked points have it, too: a scene that marks a point beside N or ∇F gives the point
+// another colour.
 const Theme light{
     .name = "light",
     .summary = "for bright rooms, on a projector or screen; colour-blind safe",

@@ -52,6 +52,12 @@ constexpr ThemeRole role_rows[] = {
 
 std::span<const ThemeRole> theme_roles() { return role_rows; }
 
+LineStyle line_of(const Theme& theme, std::string_view role) {
+    Theme copy = theme;
+    const RoleLook look = look_of(copy, role);
+    return look.line != nullptr ? *look.line : LineStyle(*look.colour);
+}
+
 RoleLook look_of(Theme& theme, std::string_view role) {
     const ThemeRole* row = find_row(role_rows, role);
     assert(row != nullptr);

@@ -22,6 +22,9 @@ struct ThemeRole {
 
 std::span<const ThemeRole> theme_roles();
 
+// The line style of a role, or a line in its colour. Precondition: there is such a role.
+LineStyle line_of(const Theme& theme, std::string_view role);
+
 // Precondition: there is such a role.
 RoleLook look_of(Theme& theme, std::string_view role);
 

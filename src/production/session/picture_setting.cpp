@@ -6,6 +6,7 @@
 #include <set>
 #include <string_view>
 
+#include "drawing/stage/marks.h"
 #include "drawing/stage/stage_store.h"
 #include "drawing/style/picture_quality.h"
 #include "scene/scene_error.h"
@@ -62,7 +63,7 @@ void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments,
         const Drawing drawing = stage.at(moment);
         unnamed.insert(drawing.unnamed.begin(), drawing.unnamed.end());
         for (const View& view : drawing.views)
-            for (const Label& label : view.labels) named.insert(label.name.element);
+            for (const Label& label : view.labels) named.insert(name_of_label(label.name));
     }
     std::erase_if(unnamed, [&named](std::string_view name) { return named.contains(name); });
     if (unnamed.empty()) return;

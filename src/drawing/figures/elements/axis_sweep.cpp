@@ -53,7 +53,7 @@ AxisSweep::AxisSweep(const Panel& panel, StageStore& store, const Eigen::Vector3
     trace_ = curve_of(panel, keep(panel, store, std::move(geometry), off, "the trace of ρ"),
                       panel.stage->theme.rho, 2.4);
     trace_.on_surface = first_ellipsoid;
-    trace_.hidden_opacity = 0.14;
+    trace_.hidden_opacity = 0.3;
 }
 
 double AxisSweep::index_at(double share) const {
@@ -68,15 +68,10 @@ void AxisSweep::add_to(const Eigen::Matrix3d& picture_from_principal, double sha
                        ViewBuilder& builder) const {
     const Panel& panel = *panel_;
     const Theme& theme = panel.stage->theme;
-    // The surface is too clear to make the far part of the trace pale: that part is drawn as one of
-    // two curves, which both continue on the near side.
     Curve traced = trace_;
     traced.placement.linear() = picture_from_principal;
+    traced.lasting = picture_from_principal.isIdentity(0.0);
     traced.last = index_at(share);
-    Curve far = traced;
-    far.opacity = 0.3;
-    traced.hidden = HiddenStyle::absent;
-    builder.view.curves.push_back(far);
     builder.view.curves.push_back(traced);
     name_shapes("trace", builder);
 
@@ -110,6 +105,7 @@ void AxisSweep::add_to(const Eigen::Matrix3d& picture_from_principal, double sha
     number.gap_px = 6.0 * panel.stage->options.samples;
     number.colour = theme.text;
     builder.requests.push_back(number);
+    name_shapes("moment", builder);
 }
 
 // The sweep from the film's beginning until the element fades out.
@@ -121,7 +117,7 @@ Drawer make_direction(const Panel& panel, StageStore& store) {
         const auto& names = fade.elements;
         const bool fades_out = !(fade.opacity > 0.0) &&
                                std::find(names.begin(), names.end(), "direction") != names.end();
-        if (fades_out) end_s = std::min(end_s, fade.at_s);
+        if (fades_out) end_s = fade.at_s;
     }
     return [&panel, sweep, end_s](const FrameInput& instant, ViewBuilder& builder) {
         const double share = end_s > 0.0 ? std::clamp(instant.film_s / end_s, 0.0, 1.0) : 1.0;

@@ -14,6 +14,7 @@
 
 #include "drawing/figures/elements/elements.h"
 #include "drawing/stage/marks.h"
+#include "numerics/smooth_step.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -68,8 +69,7 @@ double plane_presence(const Eigen::Vector3d& foot, const Camera& camera) {
     constexpr double glass = 0.38;
     const Eigen::Vector3d from_foot = camera.eye - foot;
     const double sine = foot.stableNormalized().dot(from_foot) / from_foot.norm();
-    const double beyond = std::clamp(sine / 0.06, 0.0, 1.0);
-    return 1.0 + (glass - 1.0) * beyond * beyond * (3.0 - 2.0 * beyond);
+    return 1.0 + (glass - 1.0) * smooth_step(sine / 0.06);
 }
 
 double radius_in_view(const Panel& panel, const Eigen::Vector3d& centre, double least,

@@ -13,6 +13,7 @@
 #include "drawing/figures/elements/trail.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/smooth_paths.h"
+#include "numerics/smooth_step.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -35,12 +36,11 @@ Drawer ringed(const Panel& panel, Plane plane) {
     for (int k = 1; k * plane.grid_spacing < plane.radius; ++k) {
         const double radius = k * plane.grid_spacing;
         const double share = (radius / plane.radius - plane.fade_from) / (1.0 - plane.fade_from);
-        const double u = std::clamp(share, 0.0, 1.0);
         Curve ring =
             arc_about(panel, plane.centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
                       radius, 2.0 * std::numbers::pi, plane.grid_colour, 1.1);
         ring.on_plane = the_plane;
-        ring.opacity = plane.opacity * (1.0 - u * u * (3.0 - 2.0 * u));
+        ring.opacity = plane.opacity * (1.0 - smooth_step(share));
         rings.push_back(ring);
     }
     return [plane, rings](const FrameInput&, ViewBuilder& builder) {

@@ -75,14 +75,12 @@ Eigen::Vector3d on_body_m(const Scene& scene, const MarkSpec& mark) {
 
 Drawer make_user_marks(Panel& panel, StageStore& store, const MarkPlace& place) {
     const StageContext& stage = *panel.stage;
-    Theme theme = stage.theme;
     std::vector<UserMark> marks;
     for (std::size_t i = 0; i < stage.scene.marks.size(); ++i) {
         UserMark mark;
         mark.spec = &stage.scene.marks[i];
         if (!place(*mark.spec, RotationState{})) continue;
-        const RoleLook look = look_of(theme, mark.spec->role);
-        mark.ink = look.line != nullptr ? *look.line : LineStyle(*look.colour);
+        mark.ink = line_of(stage.theme, mark.spec->role);
         if (mark.spec->srgb) {
             const auto [r, g, b] = *mark.spec->srgb;
             mark.ink = Colour{r, g, b};

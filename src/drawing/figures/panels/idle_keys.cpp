@@ -37,6 +37,7 @@ class UnusedKeys {
         // The stage refuses a panel that does not exist.
         if (kinds_.size() < scene_.panels.size()) return {};
         add_camera();
+        add_names();
         add_trails();
         add_elements();
         add_panels();
@@ -75,6 +76,12 @@ class UnusedKeys {
         if (!any_view) add_leaves({"field_deg", "projection"});
         if (use < CameraUse::direction) add_leaves({"azimuth_deg", "elevation_deg", "view"});
         if (use < CameraUse::all) add_leaves({"distance", "target", "look_at"});
+    }
+
+    void add_names() {
+        if (!any(takes_names))
+            add("names", fmt::format("only panels {} name curves and surfaces",
+                                     panels_that_take(takes_names, "and")));
     }
 
     void add_trails() {

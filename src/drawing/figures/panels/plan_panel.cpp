@@ -152,6 +152,7 @@ void make_plan_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = false, .herpolhode = true, .euler_angles = false};
     aim_from_above(panel);
     const PlanScale scale = scale_of(panel);
+    panel.herpolhode_radius = 1.0;
 
     std::vector<Curve> circles;
     if (scale.outer > 0.0) {

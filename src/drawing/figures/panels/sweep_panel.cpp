@@ -93,6 +93,7 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.half_axes = half_axes.asDiagonal();
     ellipsoid.casts_shadow = false;
+    ellipsoid.hides_far_curves = true;  // though it is nearly clear
     panel.draw = [&panel, half_axes, axis_sweep, body, axis_types, half_types, ellipsoid](
                      const FrameInput& instant, ViewBuilder& builder) {
         const StageContext& stage = *panel.stage;

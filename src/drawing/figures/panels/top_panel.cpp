@@ -317,15 +317,19 @@ void make_top_panel(Panel& panel, StageStore& store) {
                      const FrameInput& instant, ViewBuilder& builder) {
         builder.view.ellipsoids.push_back(stand.sphere);
         builder.view.curves = stand.curves;
+        name_shapes("unit-sphere", builder);
         for (const Arrow& arrow : stand.arrows) builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, stand.arrows[0], names.z, builder);
         wish_at_tip(panel, stand.arrows[1], names.x, builder);
         wish_at_tip(panel, stand.arrows[2], names.y, builder);
-        name_shapes("unit-sphere", builder);
+        name_shapes("space-axes", builder);
         TopDrawer drawer(panel, builder, instant.euler);
         drawer.body(body, spokes, hangs);
         name_shapes("top", builder);
-        vertical != 0 ? drawer.turn(names, vertical) : drawer.angles(names);
+        if (vertical != 0)
+            drawer.turn(names, vertical);
+        else
+            drawer.angles(names);
         name_shapes("angles", builder);
         drawer.height(names.height, hangs);
         name_shapes("height", builder);

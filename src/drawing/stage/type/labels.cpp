@@ -22,33 +22,15 @@ double nearness_to_view(const Eigen::Vector2d& at_px, const View& view) {
     return std::clamp(1.0 - outside_px / reach_px, 0.0, 1.0);
 }
 
-struct PlacedBox {
-    Eigen::Vector2d centre;
-    Eigen::Vector2d half;
-};
-
-// Moves a box off another that does not move, as far as both treated as ellipses overlap.
-void push_off(const PlacedBox& fixed, double opacity, PlacedBox& box) {
-    const Eigen::Vector2d sum = 1.2 * (fixed.half + box.half);
-    const Eigen::Vector2d between = box.centre - fixed.centre;
+// Moves a box off another that does not move, as far as both treated as ellipses overlap. The
+// nearer than `blind` their middles are, the less: what passes right under a label leaves it in its
+// place.
+void push_off(const LabelBox& fixed, double opacity, double blind, LabelBox& box) {
+    const Eigen::Vector2d sum = 1.2 * (fixed.half_px + box.half_px);
+    const Eigen::Vector2d between = box.centre_px - fixed.centre_px;
     const double nearness = between.cwiseQuotient(sum).norm();
     if (!(nearness < 1.0)) return;
-    box.centre += opacity * (1.0 - nearness) * between / std::max(nearness, 1e-3);
-}
-
-// Moves a box off an arrow's head. The way is a smooth function of where the head is: a head that
-// passes right under the box leaves it in its place.
-void push_off_head(const PlacedBox& head, double opacity, PlacedBox& box) {
-    const Eigen::Vector2d sum = 1.2 * (head.half + box.half);
-    const Eigen::Vector2d between = box.centre - head.centre;
-    const double nearness = between.cwiseQuotient(sum).norm();
-    if (!(nearness < 1.0)) return;
-    box.centre += opacity * (1.0 - nearness) * between / std::max(nearness, 0.5);
-}
-
-// How far apart boxes are, or a negative depth if they overlap.
-double distance(const PlacedBox& a, const PlacedBox& b) {
-    return ((a.centre - b.centre).cwiseAbs() - a.half - b.half).maxCoeff();
+    box.centre_px += opacity * (1.0 - nearness) * between / std::max(nearness, blind);
 }
 
 // An arrow's projection to the picture.
@@ -56,7 +38,7 @@ struct Shaft {
     Eigen::Vector3d tip, direction;  // a unit vector
     Eigen::Vector2d from, along;     // px; `along` is a unit vector
     double length_px = 0.0, half_px = 0.0, opacity = 1.0;
-    PlacedBox head;
+    LabelBox head;
 };
 
 std::vector<Shaft> shafts_of(const View& view) {
@@ -68,17 +50,17 @@ std::vector<Shaft> shafts_of(const View& view) {
         const double length = way.norm();
         if (!(length > 0.0)) continue;
         const Eigen::Vector3d direction = (arrow.tip - arrow.tail).stableNormalized();
-        const double head_px = std::min(arrow.head_length_px, length);
-        const double radius = 0.5 * std::max(arrow.head_px, head_px);
-        shafts.push_back(
-            {arrow.tip,
-             direction,
-             from,
-             way / length,
-             length,
-             0.5 * arrow.shaft_px,
-             std::clamp(arrow.opacity, 0.0, 1.0),
-             {from + (1.0 - 0.5 * head_px / length) * way, Eigen::Vector2d::Constant(radius)}});
+        const double head_length_px = std::min(arrow.head_length_px, length);
+        const double radius = 0.5 * std::max(arrow.head_px, head_length_px);
+        shafts.push_back({arrow.tip,
+                          direction,
+                          from,
+                          way / length,
+                          length,
+                          0.5 * arrow.shaft_px,
+                          std::clamp(arrow.opacity, 0.0, 1.0),
+                          {from + (1.0 - 0.5 * head_length_px / length) * way,
+                           Eigen::Vector2d::Constant(radius)}});
     }
     return shafts;
 }
@@ -87,7 +69,7 @@ std::vector<Shaft> shafts_of(const View& view) {
 // Other shafts pass under the label: avoiding them would make it move back and forth. The label
 // starts to move while the shaft approaches, and is clear of it when the shaft reaches the
 // requested position.
-void keep_off(const std::vector<Shaft>& shafts, const LabelRequest& request, PlacedBox& box) {
+void keep_off(const std::vector<Shaft>& shafts, const LabelRequest& request, LabelBox& box) {
     constexpr double clear = 1.15;                        // of the box's size
     constexpr double passes = 0.90, accompanies = 0.985;  // cosines: 26° and 10°
     const auto own = std::find_if(shafts.begin(), shafts.end(), [&request](const Shaft& shaft) {
@@ -100,20 +82,21 @@ void keep_off(const std::vector<Shaft>& shafts, const LabelRequest& request, Pla
             smooth_step((own->direction.dot(shaft.direction) - passes) / (accompanies - passes));
         const Eigen::Vector2d normal =
             request.side * Eigen::Vector2d(-shaft.along.y(), shaft.along.x());
-        const Eigen::Vector2d from = box.centre - shaft.from;
-        const double reach_along = box.half.dot(shaft.along.cwiseAbs());
+        const Eigen::Vector2d from = box.centre_px - shaft.from;
+        const double reach_along = box.half_px.dot(shaft.along.cwiseAbs());
         const double past = from.dot(shaft.along);
         // An arrow is wider at its head.
         const double at_head = smooth_step((past - shaft.length_px) / reach_along + 1.0 +
-                                           shaft.head.half.x() / reach_along);
-        const double half_px = shaft.half_px + at_head * (shaft.head.half.x() - shaft.half_px);
+                                           shaft.head.half_px.x() / reach_along);
+        const double half_px = shaft.half_px + at_head * (shaft.head.half_px.x() - shaft.half_px);
         const double reach =
-            clear * box.half.dot(normal.cwiseAbs()) + half_px + 0.3 * request.gap_px;
+            clear * box.half_px.dot(normal.cwiseAbs()) + half_px + 0.3 * request.gap_px;
         const double aside = from.dot(normal);
         const double beside = std::min(past, shaft.length_px - past) + reach_along;
         const double move =
             std::min(reach * smooth_step(1.0 + 0.5 * aside / reach), std::max(reach - aside, 0.0));
-        box.centre += company * move * smooth_step(beside / reach_along) * shaft.opacity * normal;
+        box.centre_px +=
+            company * move * smooth_step(beside / reach_along) * shaft.opacity * normal;
     }
 }
 
@@ -188,6 +171,23 @@ TextBlock TextCache::set_live(std::string_view text, const TypeStyle& style, Vie
     return set_among(view.live_masks, text, style);
 }
 
+double LabelBox::length_inside(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+    const Eigen::Vector2d way = to - from;
+    double first = 0.0, last = 1.0;
+    for (int i = 0; i < 2; ++i) {
+        const double low = centre_px[i] - half_px[i] - from[i];
+        const double high = centre_px[i] + half_px[i] - from[i];
+        if (std::abs(way[i]) < 1e-9) {
+            if (low > 0.0 || high < 0.0) return 0.0;
+            continue;
+        }
+        const double a = low / way[i], b = high / way[i];
+        first = std::max(first, std::min(a, b));
+        last = std::min(last, std::max(a, b));
+    }
+    return std::max(0.0, last - first) * way.norm();
+}
+
 LabelBox label_box(const Label& label) {
     const Eigen::Vector2d half =
         0.5 * Eigen::Vector2d(label.mask->width_px(), label.mask->height_px());
@@ -196,8 +196,7 @@ LabelBox label_box(const Label& label) {
 
 void add_leader(const Leader& leader, double opacity, const CurveGeometry* segment, View& view) {
     if (!(opacity > 0.0)) return;
-    const Eigen::Vector2d nearest = leader.from_px.cwiseMax(leader.to.centre_px - leader.to.half_px)
-                                        .cwiseMin(leader.to.centre_px + leader.to.half_px);
+    const Eigen::Vector2d nearest = leader.to.nearest(leader.from_px);
     const Eigen::Vector2d way = nearest - leader.from_px;
     if (!(way.norm() > 0.0)) return;
     const Projected anchor = project(view, leader.at);
@@ -223,9 +222,7 @@ namespace {
 void add_leader_of(const LabelRequest& request, const Label& label, double before_px,
                    const LabelRules& rules, View& view) {
     const LabelBox box = label_box(label);
-    const Eigen::Vector2d nearest = request.anchor_px.cwiseMax(box.centre_px - box.half_px)
-                                        .cwiseMin(box.centre_px + box.half_px);
-    const double distance = (nearest - request.anchor_px).norm();
+    const double distance = (box.nearest(request.anchor_px) - request.anchor_px).norm();
     const double height = 2.0 * box.half_px.y();
     const double presence = smooth_step((distance - before_px - 0.35 * height) / (0.4 * height));
     add_leader({.at = *request.at,
@@ -244,14 +241,9 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
     std::vector<ShapeName> left_out;
     const std::vector<Shaft> shafts = shafts_of(view);
     // What labels are moved off: text that is placed already.
-    std::vector<std::pair<PlacedBox, double>> fixed;
-    for (const LabelBox& box : rules.overlays)
-        fixed.push_back({{box.centre_px, box.half_px}, box.opacity});
-    for (const Label& label : view.labels) {
-        const LabelBox box = label_box(label);
-        fixed.push_back({{box.centre_px, box.half_px}, box.opacity});
-    }
-    std::vector<PlacedBox> boxes;
+    std::vector<LabelBox> fixed = rules.overlays;
+    for (const Label& label : view.labels) fixed.push_back(label_box(label));
+    std::vector<LabelBox> boxes;
     std::vector<double> gaps;  // requested distance between the named point and the label
     boxes.reserve(requests.size());
     gaps.reserve(requests.size());
@@ -272,7 +264,7 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
         if (request.side != 0) keep_off(shafts, request, boxes.back());
         for (const Shaft& shaft : shafts)
             if (!(request.at && (*request.at - shaft.tip).isZero(0.0)))
-                push_off_head(shaft.head, shaft.opacity, boxes.back());
+                push_off(shaft.head, shaft.opacity, 0.5, boxes.back());
     }
 
     // Overlapping pairs are moved apart along the line between their centres; boxes are treated as
@@ -281,32 +273,32 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
     for (int round = 0; round < n_rounds; ++round) {
         for (std::size_t i = 0; i < boxes.size(); ++i) {
             for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-                const Eigen::Vector2d sum = 1.25 * (boxes[i].half + boxes[j].half);
-                const Eigen::Vector2d between = boxes[j].centre - boxes[i].centre;
+                const Eigen::Vector2d sum = 1.25 * (boxes[i].half_px + boxes[j].half_px);
+                const Eigen::Vector2d between = boxes[j].centre_px - boxes[i].centre_px;
                 const double nearness = between.cwiseQuotient(sum).norm();
                 // NaN for two omitted labels.
                 if (!(nearness < 1.0)) continue;
                 const Eigen::Vector2d push =
                     0.5 * (1.0 - nearness) * between.cwiseQuotient(sum).cwiseProduct(sum) /
                     std::max(nearness, 1e-3) * requests[i].opacity * requests[j].opacity;
-                boxes[i].centre -= 0.5 * push;
-                boxes[j].centre += 0.5 * push;
+                boxes[i].centre_px -= 0.5 * push;
+                boxes[j].centre_px += 0.5 * push;
             }
         }
-        for (PlacedBox& box : boxes)
-            for (const auto& [obstacle, opacity] : fixed) push_off(obstacle, opacity, box);
+        for (LabelBox& box : boxes)
+            for (const LabelBox& obstacle : fixed) push_off(obstacle, obstacle.opacity, 1e-3, box);
     }
 
     for (std::size_t i = 0; i < boxes.size(); ++i) {
         if (requests[i].type.mask->width == 0) continue;
         const double margin =
             std::max(rules.margin_px, rules.halo_px + 2.0 * requests[i].type.mask->samples);
-        Eigen::Vector2d corner = boxes[i].centre - boxes[i].half + requests[i].offset_px;
+        Eigen::Vector2d corner = boxes[i].centre_px - boxes[i].half_px + requests[i].offset_px;
         const auto keep = [&](double value, double from, double size, double box) {
             return std::max(from + margin, std::min(value, from + size - box - margin));
         };
-        corner.x() = keep(corner.x(), view.x_px, view.width_px, 2.0 * boxes[i].half.x());
-        corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half.y());
+        corner.x() = keep(corner.x(), view.x_px, view.width_px, 2.0 * boxes[i].half_px.x());
+        corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half_px.y());
         Label label;
         label.mask = requests[i].type.mask;
         label.top_left_px = corner;
@@ -317,23 +309,23 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
         label.at = requests[i].at;
         label.opacity = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
         // What cannot be moved apart: the later label fades out.
-        const PlacedBox placed{corner + boxes[i].half, boxes[i].half};
+        const LabelBox placed{corner + boxes[i].half_px, boxes[i].half_px};
         const double asked = label.opacity;
         for (const Shaft& shaft : shafts) {
-            const PlacedBox core{shaft.head.centre, 0.3 * shaft.head.half};
+            const LabelBox core{shaft.head.centre_px, 0.3 * shaft.head.half_px};
             const bool is_own = requests[i].at && (*requests[i].at - shaft.tip).isZero(0.0);
             // A name may touch the head of its own arrow.
             const double clearance =
-                distance(placed, core) / (0.3 * shaft.head.half.y()) + (is_own ? 1.0 : 0.0);
+                placed.distance(core) / (0.3 * shaft.head.half_px.y()) + (is_own ? 1.0 : 0.0);
             label.opacity *= 1.0 - shaft.opacity * (1.0 - smooth_step(clearance));
         }
-        for (const auto& [other, opacity] : fixed)
-            label.opacity *=
-                1.0 - opacity * smooth_step(-distance(placed, other) / (0.2 * boxes[i].half.y()));
+        for (const LabelBox& other : fixed)
+            label.opacity *= 1.0 - other.opacity * smooth_step(-placed.distance(other) /
+                                                               (0.2 * boxes[i].half_px.y()));
         if (asked > 0.5 && label.opacity < 0.5) left_out.push_back(requests[i].name);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
-        fixed.emplace_back(placed, label.opacity);
+        fixed.push_back(label_box(label));
         if (rules.segment != nullptr && requests[i].at)
             add_leader_of(requests[i], label, gaps[i], rules, view);
     }

@@ -105,6 +105,19 @@ struct LabelRequest {
 struct LabelBox {
     Eigen::Vector2d centre_px, half_px;
     double opacity = 1.0;
+
+    // The greater distance along both axes from a point or another box; negative if they overlap.
+    double distance(const Eigen::Vector2d& px) const {
+        return ((px - centre_px).cwiseAbs() - half_px).maxCoeff();
+    }
+    double distance(const LabelBox& other) const {
+        return ((other.centre_px - centre_px).cwiseAbs() - half_px - other.half_px).maxCoeff();
+    }
+    Eigen::Vector2d nearest(const Eigen::Vector2d& px) const {
+        return px.cwiseMax(centre_px - half_px).cwiseMin(centre_px + half_px);
+    }
+    // The length of a segment inside.
+    double length_inside(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 };
 LabelBox label_box(const Label& label);
 
@@ -120,10 +133,7 @@ struct Leader {
 // `segment`: from the origin to x.
 void add_leader(const Leader& leader, double opacity, const CurveGeometry* segment, View& view);
 
-// Adds the requested labels to the view: each is placed, moved off the shafts of arrows that it
-// does not name, moved apart from labels that it overlaps and off the text in `overlays` and in the
-// view, and kept inside the view. Labels that end up away from their requested position get
-// leaders: lines along `segment` (from the origin to x; null: no leaders).
+// What all labels of a view have in common.
 struct LabelRules {
     Colour halo;
     double halo_px = 4.0;
@@ -131,8 +141,12 @@ struct LabelRules {
     const CurveGeometry* segment = nullptr;
     std::vector<LabelBox> overlays{};
 };
-// Returns the names of labels that fade out, because there is no room for them beside arrowheads
-// and other labels.
+// Adds the requested labels to the view: each is placed, moved off the shafts of arrows that it
+// does not name, moved apart from labels that it overlaps and off the text in `overlays` and in the
+// view, and kept inside the view. Labels that end up away from their requested position get
+// leaders: lines along `segment` (from the origin to x; null: no leaders). Returns the
+// names of labels that fade out, because there is no room for them beside arrowheads and other
+// labels.
 std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
                                     const LabelRules& rules, View& view);
 
