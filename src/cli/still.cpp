@@ -43,13 +43,6 @@ struct StillChoices {
     bool quiet = false;
 };
 
-// Whether an override gives the key a value.
-bool is_given(const std::vector<std::string>& overrides, const std::string& key) {
-    return std::any_of(overrides.begin(), overrides.end(), [&key](const std::string& one) {
-        return assignment_of(one).starts_with(key + "=");
-    });
-}
-
 // Renders all scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
     const PrintChoices& print = choices.print;
@@ -113,7 +106,7 @@ int draw_sheet_of(const StillChoices& choices) {
 }
 
 // Draws as journals ask: in theme print, with letters on the panels, and without the text that
-// belongs into the author's caption. What the command line gives itself has precedence.
+// belongs in the author's caption. What the scene or the command line says itself has precedence.
 void follow_journal(const StillChoices& choices, SceneRequest& request,
                     const ProgressSink& progress) {
     set_journal(journal_named(choices.print.journal), request.print);
@@ -128,13 +121,13 @@ void follow_journal(const StillChoices& choices, SceneRequest& request,
         request.overrides.emplace_back(fmt::format("--journal theme={}", theme));
     } else if (scene.theme != theme) {
         progress.say(
-            fmt::format("note: {} is drawn in theme {}, which you give; without it the "
-                        "theme is {}, for white paper",
+            fmt::format("note: {} is drawn in theme {}, as the command line says; the default "
+                        "for journals is {}",
                         request.file, scene.theme, theme));
     }
-    if (!choices.keeps_text && !is_given(request.overrides, "overlays"))
+    if (!choices.keeps_text && !scene.locations.contains("overlays"))
         request.overrides.emplace_back("--journal overlays=false");
-    if (!is_given(request.overrides, "panel_letters"))
+    if (!scene.locations.contains("panel_letters"))
         request.overrides.emplace_back("--journal panel_letters=true");
 }
 
@@ -227,9 +220,10 @@ CommandLine still_line(std::any& storage) {
          {"--type-pt", "size of labels on paper in points; default 8.5; line widths scale with it",
           &c.print.type_pt, "points"},
          {"--journal",
-          "NAME: width, type and line sizes of the journal's author pages, theme print, (a), (b) "
-          "on "
-          "panels, and no title, captions and clock; reports the figure's sizes and contrasts",
+          "NAME: width, type and line sizes of the journal's author pages, theme print, letters "
+          "(a), "
+          "(b), … on panels, and no title, captions and clock; reports the figure's sizes and "
+          "contrasts",
           &c.print.journal,
           "",
           {},

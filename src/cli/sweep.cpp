@@ -5,10 +5,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <optional>
+#include <iterator>
+#include <string>
+#include <string_view>
 #include <utility>
 
 #include "error/error.h"
+#include "scene/scene_keys.h"
 #include "text/label_text.h"
 #include "text/numbers.h"
 #include "text/printable.h"
@@ -75,54 +78,44 @@ std::string with_values(std::string output, const SweepPoint& point) {
     return output;
 }
 
-// Units at the end of a key, the longest first, and as they are set.
-constexpr std::pair<std::string_view, std::string_view> units_of_keys[] = {{"_kg_m2_s", "kg~m²/s"},
-                                                                           {"_kg_m2", "kg~m²"},
-                                                                           {"_rad_s", "rad/s"},
-                                                                           {"_N_m", "N~m"},
-                                                                           {"_rad", "rad"},
-                                                                           {"_deg", "°"},
-                                                                           {"_kg", "kg"},
-                                                                           {"_J", "J"},
-                                                                           {"_m", "m"},
-                                                                           {"_s", "s"}};
-
-// Symbols of quantities in keys.
+// Symbols of quantities, by the last part of their key.
 constexpr std::pair<std::string_view, std::string_view> symbols_of_keys[] = {
-    {"omega", "\\omega"},
-    {"omega3", "\\omega_3"},
-    {"moments", "I"},
-    {"theta", "\\theta"},
-    {"theta_dot", "\\dot{\\theta}"},
-    {"phi_dot", "\\dot{\\varphi}"},
-    {"mgl", "Mgl"},
-    {"mass", "m"},
-    {"energy", "T"},
-    {"momentum", "L"}};
+    {"omega_rad_s", "\\omega"},
+    {"omega3_rad_s", "\\omega_3"},
+    {"moments_kg_m2", "I"},
+    {"theta_rad", "\\theta"},
+    {"theta_dot_rad_s", "\\dot{\\theta}"},
+    {"phi_dot_rad_s", "\\dot{\\varphi}"},
+    {"mgl_N_m", "Mgl"},
+    {"mass_kg", "m"},
+    {"energy_J", "T"},
+    {"momentum_kg_m2_s", "L"}};
 
-// "$\omega_2 = 0.057$~rad/s" for start.omega_rad_s[1] and 0.057; if the quantity has no symbol or
-// the value is no number, the last part of the key and the value as they are.
+// "$\omega_2 = 0.057$~rad/s" for start.omega_rad_s[1] and 0.057; if the quantity has no symbol, the
+// key has another index, or the value is no plain decimal: the last part of the key and the value
+// as they are.
 std::string formula_of(std::string_view key, const std::string& value) {
-    std::string_view name = key.substr(key.rfind('.') + 1);
+    const std::size_t dot = key.rfind('.');
+    std::string_view name = key.substr(dot + 1);
     std::string plain = as_caption(fmt::format("{} = {}", name, value));
-    std::optional<int> index;
+    if (dot != std::string_view::npos && key.substr(0, dot).find('[') != std::string_view::npos)
+        return as_caption(fmt::format("{} = {}", key, value));
+    std::string subscript;
     if (const std::size_t bracket = name.find('['); bracket != std::string_view::npos) {
-        index = number_of<int>(name.substr(bracket + 1, name.size() - bracket - 2));
+        const auto index = number_of<int>(name.substr(bracket + 1, name.size() - bracket - 2));
         if (!index || name.back() != ']') return plain;
+        subscript = fmt::format("_{}", *index + 1);
         name = name.substr(0, bracket);
+        key.remove_suffix(key.size() - key.rfind('['));
     }
-    std::string_view unit;
-    for (const auto& [suffix, set] : units_of_keys)
-        if (unit.empty() && name.ends_with(suffix)) {
-            unit = set;
-            name.remove_suffix(suffix.size());
-        }
-    const auto* row = std::find_if(std::begin(symbols_of_keys), std::end(symbols_of_keys),
-                                   [name](const auto& symbol) { return symbol.first == name; });
-    if (row == std::end(symbols_of_keys) || unit.empty() || !number_of<double>(value)) return plain;
-    const std::string subscript = index ? fmt::format("_{}", *index + 1) : "";
-    return fmt::format("${}{} = {}${}{}", row->second, subscript, value, unit == "°" ? "" : "~",
-                       unit);
+    const auto* symbol = std::find_if(std::begin(symbols_of_keys), std::end(symbols_of_keys),
+                                      [name](const auto& row) { return row.first == name; });
+    const SceneKey* row = find_scene_key(key);
+    const bool is_decimal = value.find_first_not_of("+-.0123456789") == std::string::npos;
+    if (symbol == std::end(symbols_of_keys) || row == nullptr || !is_decimal) return plain;
+    std::string unit(row->type.unit);
+    for (std::size_t at = 0; (at = unit.find(' ', at)) != std::string::npos;) unit[at] = '~';
+    return fmt::format("${}{} = {}$~{}", symbol->second, subscript, value, unit);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // Keys of the names of curves and surfaces, and of labels that are moved by hand.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <deque>
 #include <optional>
 #include <span>
@@ -30,24 +31,15 @@ std::string names_text(const Scene& scene, std::size_t) {
     return scene.names->empty() ? "false" : toml_text(std::span<const std::string>(*scene.names));
 }
 
-constexpr std::string_view summary_of_thing(std::string_view name) {
-    if (name == "invariable-plane") return "name of the invariable plane, as text with $formulas$";
-    if (name == "inertia-ellipsoid")
-        return "name of the inertia ellipsoid, as text with $formulas$";
-    if (name == "body-cone") return "name of the body cone, as text with $formulas$";
-    if (name == "space-cone") return "name of the space cone, as text with $formulas$";
-    if (name == "unit-sphere") return "name of the unit sphere, as text with $formulas$";
-    if (name == "polhode") return "name of the polhode, as text with $formulas$";
-    if (name == "herpolhode") return "name of the herpolhode, as text with $formulas$";
-    return "name of the separatrix, as text with $formulas$";
-}
-
 // The name of a curve or surface. The deque holds the texts to which its string views refer.
 SceneKey thing_row(std::string_view name) {
     static std::deque<std::string> words;
-    return key_rows::row(words.emplace_back(fmt::format("symbols.{}", name)),
-                         {.kind = ValueType::Kind::text}, R"("rolling curve")",
-                         summary_of_thing(name))
+    std::string thing(name);
+    std::replace(thing.begin(), thing.end(), '-', ' ');
+    return key_rows::row(
+               words.emplace_back(fmt::format("symbols.{}", name)), {.kind = ValueType::Kind::text},
+               R"("rolling curve")",
+               words.emplace_back(fmt::format("name of the {}, as text with $formulas$", thing)))
         .read_by([name](const GivenValue& given, SceneDraft& draft) {
             draft.scene.symbols.things.insert_or_assign(std::string(name), given.text());
         })

@@ -130,7 +130,19 @@ void apply_override(TomlValue& root, const std::string& text) {
     TomlValue* table = &root;
     std::string_view rest = given.key;
     while (true) {
-        // If the file has another type here than a table, the reader reports it later.
+        // If the file has another type here than a table, the reader reports it later, except for a
+        // boolean that may stand for its table: labels = true is [labels].
+        const std::string_view path =
+            std::string_view(given.key).substr(0, given.key.size() - rest.size());
+        const bool stands_for_table = !path.empty() && table->type == TomlValue::Type::boolean &&
+                                      find_scene_key(path.substr(0, path.size() - 1)) != nullptr &&
+                                      is_scene_table(path.substr(0, path.size() - 1));
+        if (stands_for_table && !table->boolean)
+            throw SceneError(given.where, fmt::format("{} = false leaves nothing to set here; set "
+                                                      "{} to true, or leave this key out",
+                                                      path.substr(0, path.size() - 1),
+                                                      path.substr(0, path.size() - 1)));
+        if (stands_for_table) table->type = TomlValue::Type::table;
         if (table->type != TomlValue::Type::table) return;
         const std::size_t dot = rest.find('.');
         const std::string_view part = rest.substr(0, dot);
@@ -138,6 +150,11 @@ void apply_override(TomlValue& root, const std::string& text) {
         TomlEntry& entry = entry_of(*table, part.substr(0, bracket), given.where);
         if (dot == std::string_view::npos) {
             TomlValue& value = item_of(entry.value, part, given.where);
+            // [labels] says that there are labels: labels = true changes nothing.
+            const bool is_said = value.type == TomlValue::Type::table &&
+                                 given.value.type == TomlValue::Type::boolean &&
+                                 given.value.boolean && is_scene_table(given.key);
+            if (is_said) return;
             entry.where = given.where;
             value = std::move(given.value);
             return;
@@ -231,6 +248,16 @@ class Reader {
 FileBytes no_scene_file(const NamedFile& file) {
     throw InputError(fmt::format("{} = \"{}\": no files can be read here; leave it out", file.key,
                                  printable(file.name)));
+}
+
+bool is_given(std::span<const std::string> overrides, std::string_view key) {
+    return std::any_of(overrides.begin(), overrides.end(), [key](const std::string& given) {
+        const std::string_view text = assignment_of(given);
+        const std::string_view name = text.substr(0, text.find('='));
+        const std::size_t first = name.find_first_not_of(" \t");
+        const std::size_t last = name.find_last_not_of(" \t");
+        return first != std::string_view::npos && name.substr(first, last - first + 1) == key;
+    });
 }
 
 std::string_view assignment_of(std::string_view override_text) {

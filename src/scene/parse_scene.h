@@ -42,6 +42,9 @@ FileBytes no_scene_file(const NamedFile& file);
 // film.size=640x360".
 std::string_view assignment_of(std::string_view override_text);
 
+// Whether one of the overrides gives this key a value.
+bool is_given(std::span<const std::string> overrides, std::string_view key);
+
 // Reads a scene from text; `file_name` is used in messages, for the scene's name and for its
 // folder. The overrides replace values of the text, in order; a value that is not TOML is taken as
 // a string. `files` gives the bytes of the files that the scene names. Throws SceneError.

@@ -299,7 +299,7 @@ class LatexWriter {
         std::string rows;
         for (const std::vector<MathList>& row : atom.rows) {
             n_columns = std::max(n_columns, row.size());
-            if (!rows.empty()) rows += "\\\\ ";
+            if (!rows.empty()) rows += "\\\\{} ";  // a row may begin with [ or *
             for (std::size_t i = 0; i < row.size(); ++i)
                 rows += (i > 0 ? " & " : "") + formula(row[i]);
         }

@@ -487,6 +487,7 @@ void draw_part(const Canvas& canvas, const Arrow& arrow, const ArrowShape& shape
 }
 
 void draw_arrow(const Canvas& canvas, const Arrow& arrow, ArrowLayer layer) {
+    if (layer == ArrowLayer::hidden && arrow.hidden_opacity < 0.0) return;
     const ArrowShape shape = shape_of(canvas, arrow);
     if (!shape.seen) return;
     canvas.enter(arrow.name, layer == ArrowLayer::hidden ? "hidden" : "");

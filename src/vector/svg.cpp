@@ -345,33 +345,6 @@ class SvgWriter {
         return text;
     }
 
-    // The stops without which the interpolated colours would be off by more than one and a half
-    // levels.
-    static std::vector<Stop> needed(const std::vector<Stop>& stops) {
-        constexpr double most_off = 1.5 / 255.0;
-        std::vector<Stop> kept{stops.front()};
-        const auto is_straight = [&](std::size_t from, std::size_t to) {
-            const Stop &a = stops[from], &b = stops[to];
-            for (std::size_t k = from + 1; k < to; ++k) {
-                const double t = (stops[k].at - a.at) / (b.at - a.at);
-                const auto off = [&](double Colour::*c) {
-                    return std::abs((1.0 - t) * a.ink.colour.*c + t * b.ink.colour.*c -
-                                    stops[k].ink.colour.*c);
-                };
-                if (std::max({off(&Colour::r), off(&Colour::g), off(&Colour::b)}) > most_off)
-                    return false;
-            }
-            return true;
-        };
-        for (std::size_t from = 0; from + 1 < stops.size();) {
-            std::size_t to = from + 1;
-            while (to + 1 < stops.size() && is_straight(from, to + 1)) ++to;
-            kept.push_back(stops[to]);
-            from = to;
-        }
-        return kept;
-    }
-
     std::string paint_of(const Paint& paint) {
         if (const PaperInk* ink = std::get_if<PaperInk>(&paint)) {
             std::string text = fmt::format(" fill=\"{}\"", hex(ink->colour));

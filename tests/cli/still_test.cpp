@@ -226,7 +226,7 @@ TEST(PrintedStill, InBandsEqualsThePictureDrawnAtOnce) {
     // other picture within the dither of less than a level (measured 0.91).
     const ScratchFolder folder;
     const std::string common =
-        "still '" + scene_path("generic") + "' --time 2 --width-mm 60 --dpi 1200 --theme print ";
+        "still '" + scene_path("generic") + "' --time 3 --width-mm 60 --dpi 1200 --theme print ";
     expect_same_to_a_level(folder, common);
     // The bit depth in IHDR.
     EXPECT_EQ(text_of(folder.path() / "deep.png").at(24), 16);

@@ -68,17 +68,5 @@ TEST(RoomForType, DropsTextOutsideThePageUnlessItIsAName) {
     EXPECT_EQ(line.words(), (Words{"L"}));
 }
 
-TEST(RoomForType, OverlappingNamesAreRejected) {
-    Line line;
-    line.add("omega", 100.0, rank_of_names);
-    line.add("omega", 110.0, rank_of_names);
-    EXPECT_THROW(line.words(), InputError);
-    // A label that is fading out does not count as overlapping.
-    Line fading;
-    fading.add("omega", 100.0, rank_of_names);
-    fading.add("omega", 110.0, rank_of_names, 0.1);
-    EXPECT_EQ(fading.words().size(), 2u);
-}
-
 }  // namespace
 }  // namespace poinsot

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -47,7 +47,6 @@ Box box_of_label(const Label& label) {
 struct Faults {
     std::vector<std::string> lines;
     int n_labels = 0, n_unnamed = 0;
-    std::map<std::string, int> left_out;  // by scene and name
 };
 
 std::string name_of(const Label& label) {
@@ -61,8 +60,6 @@ void look_at(const Drawing& drawing, double px_per_pt, const std::string& where,
             if (label.opacity >= 0.5 && !label.mask->letters.empty()) labels.push_back(&label);
     faults.n_labels += static_cast<int>(labels.size());
     faults.n_unnamed += static_cast<int>(drawing.unnamed.size());
-    for (const std::string_view name : drawing.unnamed)
-        ++faults.left_out[where.substr(0, where.find(' ')) + " " + std::string(name)];
     const auto fault = [&](const std::string& what) { faults.lines.push_back(where + what); };
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Box box = box_of_label(*labels[i]);
@@ -101,10 +98,13 @@ void look_at(const Drawing& drawing, double px_per_pt, const std::string& where,
 TEST(Names, StandClearOfEachOtherOfArrowheadsAndOfTheEdges) {
     const FontSource fonts = installed_fonts();
     Faults faults;
-    std::size_t turn = 0;
+    // The places depend little on the theme: every size sees each of them in some scenes.
+    std::size_t scene_number = 0;
     for (const auto& file : scene_files()) {
+        std::size_t turn = scene_number++;
         for (const Size& size : sizes) {
-            const Theme& theme = themes()[turn++ % themes().size()];
+            const Theme& theme = themes()[turn % themes().size()];
+            turn += 2;
             Scene scene = load_scene(file, {});
             scene.theme = theme.name;
             SessionRequest request;
@@ -136,13 +136,13 @@ TEST(Names, StandClearOfEachOtherOfArrowheadsAndOfTheEdges) {
     RecordProperty("labels", faults.n_labels);
     RecordProperty("left out", faults.n_unnamed);
     std::string all;
-    if (std::getenv("DBG"))
-        for (const auto& [name, n] : faults.left_out)
-            fprintf(stderr, "LEFT %d %s\n", n, name.c_str());
     for (const std::string& line : faults.lines) all += line + "\n";
     EXPECT_TRUE(faults.lines.empty()) << faults.lines.size() << " of " << faults.n_labels
                                       << " labels, left out " << faults.n_unnamed << "\n"
                                       << all;
+    // Measured: 38,400 labels, and 1,250 left out, nearly all of them names of curves in films.
+    EXPECT_GT(faults.n_labels, 36'000);
+    EXPECT_LT(faults.n_unnamed, 1'600);
 }
 
 }  // namespace

@@ -208,8 +208,9 @@ TEST(Arrows, AreCutAlongTheOutlineOfABody) {
         drawing.views[0].meshes.clear();
         const Page alone = page_of(drawing, choices);
         for (int n = 0; n < 1000; ++n) {
-            const Eigen::Vector2d at(view.width_px * pt_per_px * part(random),
-                                     view.height_px * pt_per_px * part(random));
+            const double right = part(random), down = part(random);
+            const Eigen::Vector2d at(view.width_px * pt_per_px * right,
+                                     view.height_px * pt_per_px * down);
             if (opacities_at(alone, arrow.colour, at).empty()) continue;
             // Between the lines on which the visibility is computed, the cut is straight: at a
             // corner of the outline it differs by less than their distance.
@@ -221,7 +222,9 @@ TEST(Arrows, AreCutAlongTheOutlineOfABody) {
             if (near_outline) continue;
             const bool hidden = within_mesh(view, geometry, at);
             (hidden ? n_hidden : n_seen) += 1;
-            for (const double opacity : opacities_at(page, arrow.colour, at))
+            const std::vector<double> opacities = opacities_at(page, arrow.colour, at);
+            ASSERT_FALSE(opacities.empty()) << k << " at " << at.transpose();
+            for (const double opacity : opacities)
                 n_wrong += std::abs(opacity - (hidden ? hidden_opacity : 1.0)) > 0.01 ? 1 : 0;
         }
     }

@@ -16,6 +16,7 @@
 #include "drawing/stage/type/labels.h"
 #include "drawing/style/line_style.h"
 #include "drawing/style/theme_contrast.h"
+#include "error/error.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {
@@ -200,9 +201,14 @@ Drawing Stage::at(const FilmTime& moment) const {
             view.background.alpha = 0.0;
         }
         rules.halo_px = 4.0 * panel.px;
-        for (const ShapeName& name : place_labels(builder.requests, rules, view))
-            if (const std::string_view of = name_of_label(name); !of.empty())
+        for (const LeftOutLabel& label : place_labels(builder.requests, rules, view)) {
+            if (label.is_covered && is_on_paper(context))
+                throw InputError(
+                    "the picture is too small for its labels: they would overlap; make it larger, "
+                    "or show fewer elements");
+            if (const std::string_view of = name_of_label(label.name); !of.empty())
                 drawing.unnamed.push_back(of);
+        }
         for (const std::string_view name :
              place_thing_names(panel, contents_->names[i], rules.overlays, view))
             drawing.unnamed.push_back(name);

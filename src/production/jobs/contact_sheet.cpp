@@ -9,6 +9,7 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -122,10 +123,19 @@ class VectorSheet {
         : request_(&request),
           width_px_(first.width_px),
           height_px_(first.height_px),
-          type_px_(request.print.type_pt.value_or(default_type_pt) * dpi / pt_per_inch),
-          caption_px_(static_cast<int>(std::ceil(2.2 * type_px_))) {
+          type_px_(request.print.type_pt.value_or(default_type_pt) * dpi / pt_per_inch) {
+        // One height for all captions: that of the one with most lines.
+        for (const SheetCell& cell : request.cells)
+            caption_px_ = std::max(caption_px_, set(cell.caption).mask->height_px());
+        caption_px_ += static_cast<int>(std::ceil(1.2 * type_px_));
         drawing_.width_px = width_px_ * request.n_columns;
         drawing_.height_px = (height_px_ + caption_px_) * request.n_rows;
+        if (std::max(drawing_.width_px, drawing_.height_px) > longest_inches * dpi)
+            throw InputError(fmt::format(
+                "--sheet: a side of {:.0f} mm: a page has {:.0f} mm at most; make the cells "
+                "smaller, or take fewer",
+                std::max(drawing_.width_px, drawing_.height_px) / dpi * mm_per_inch,
+                longest_inches * mm_per_inch));
         drawing_.background = first.background;
         captions_.width_px = drawing_.width_px;
         captions_.height_px = drawing_.height_px;
@@ -161,14 +171,18 @@ class VectorSheet {
     }
 
  private:
-    // Centred below the cell.
-    void write(const std::string& caption, int left, int top) {
+    TextBlock set(const std::string& caption) {
         TypeStyle style;
         style.mode = TypeMode::text;
         style.size_px = type_px_;
         style.alignment = TypeAlignment::centre;
         style.max_width_px = 0.94 * width_px_;
-        const TextBlock type = text_.set(caption, style);
+        return text_.set(caption, style);
+    }
+
+    // Centred below the cell.
+    void write(const std::string& caption, int left, int top) {
+        const TextBlock type = set(caption);
         Label& label = captions_.labels.emplace_back();
         label.mask = type.mask;
         label.top_left_px = {left + 0.5 * (width_px_ - type.width_px()),
@@ -184,49 +198,56 @@ class VectorSheet {
     const SheetRequest* request_;
     int width_px_, height_px_;
     double type_px_;
-    int caption_px_;
+    int caption_px_ = 0;
     Drawing drawing_;
     std::vector<Drawing> cells_;
     View captions_;
     TextCache text_{installed_fonts()};
 };
 
-// The jobs of all cells, with one view for all: only then can their pictures be compared.
-std::vector<std::unique_ptr<StillJob>> jobs_with_one_view(const SheetRequest& request,
-                                                          const StillRequest& still,
-                                                          const ProgressSink& progress) {
-    std::vector<std::unique_ptr<StillJob>> jobs;
+std::unique_ptr<StillJob> job_of(const SheetCell& cell, const StillRequest& still,
+                                 const ProgressSink& progress) {
+    stop_if_interrupted();
+    SceneRequest scene = cell.scene;
+    scene.print = still.print;
+    return std::make_unique<StillJob>(open_session(scene, progress), still);
+}
+
+// For each panel the camera that sees in every cell what that cell's own camera sees: only then can
+// the pictures be compared. None for a panel whose camera moves, and none at all if the cells have
+// different panels.
+std::vector<std::optional<Camera>> common_views(const SheetRequest& request,
+                                                const StillRequest& still,
+                                                const ProgressSink& progress) {
+    std::vector<PanelBox> boxes;
+    std::vector<std::string> kinds;
+    std::vector<std::vector<Camera>> cameras;
+    std::vector<bool> moves;
     for (const SheetCell& cell : request.cells) {
-        stop_if_interrupted();
-        SceneRequest scene = cell.scene;
-        scene.print = still.print;
-        jobs.push_back(std::make_unique<StillJob>(open_session(scene, progress), still));
-    }
-    const std::deque<Panel>& first = jobs.front()->panels();
-    const auto is_like_first = [&first](const std::unique_ptr<StillJob>& job) {
-        return std::equal(first.begin(), first.end(), job->panels().begin(), job->panels().end(),
-                          [](const Panel& a, const Panel& b) {
-                              return a.spec.kind == b.spec.kind &&
-                                     a.box.width_px * b.box.height_px ==
-                                         b.box.width_px * a.box.height_px;
-                          });
-    };
-    if (!std::all_of(jobs.begin(), jobs.end(), is_like_first)) return jobs;
-    std::vector<std::optional<Camera>> views(first.size());
-    bool all_equal = true;
-    for (std::size_t k = 0; k < first.size(); ++k) {
-        std::vector<Camera> cameras;
-        bool moves = false;
-        for (const auto& job : jobs) {
-            cameras.push_back(job->panels()[k].camera);
-            moves = moves || job->panels()[k].camera_at;
-            all_equal = all_equal && cameras.back() == cameras.front();
+        const auto job = job_of(cell, still, progress);
+        const std::deque<Panel>& panels = job->panels();
+        if (cameras.empty()) {
+            cameras.resize(panels.size());
+            moves.resize(panels.size());
+            for (const Panel& panel : panels) {
+                boxes.push_back(panel.box);
+                kinds.push_back(panel.spec.kind);
+            }
         }
-        if (!moves) views[k] = common_view(first[k].box, cameras);
+        if (panels.size() != boxes.size()) return {};
+        for (std::size_t k = 0; k < panels.size(); ++k) {
+            const PanelBox &a = boxes[k], &b = panels[k].box;
+            if (panels[k].spec.kind != kinds[k] ||
+                a.width_px * b.height_px != b.width_px * a.height_px)
+                return {};
+            cameras[k].push_back(panels[k].camera);
+            moves[k] = moves[k] || panels[k].camera_at;
+        }
     }
-    if (all_equal) return jobs;
-    for (const auto& job : jobs) job->look(views);
-    return jobs;
+    std::vector<std::optional<Camera>> views(boxes.size());
+    for (std::size_t k = 0; k < boxes.size(); ++k)
+        if (!moves[k]) views[k] = common_view(boxes[k], cameras[k]);
+    return views;
 }
 
 void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress) {
@@ -240,11 +261,12 @@ void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress
     if (still.print.width_mm) *still.print.width_mm /= request.n_columns;
     const OutputPlace place(request.output, Scene{}, ".pdf");
     progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
-    // The drawings refer to the jobs.
-    const auto jobs = jobs_with_one_view(request, still, progress);
+    still.views = common_views(request, still, progress);
+    std::vector<std::unique_ptr<StillJob>> jobs;  // to which the drawings refer
     std::optional<VectorSheet> sheet;
     Record record;
-    for (std::size_t k = 0; k < jobs.size(); ++k) {
+    for (std::size_t k = 0; k < request.cells.size(); ++k) {
+        jobs.push_back(job_of(request.cells[k], still, progress));
         Drawing drawing = jobs[k]->drawing();
         if (!sheet) {
             record = jobs[k]->vector_record();
@@ -274,6 +296,7 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
         throw InputError(
             fmt::format("--sheet {}x{}: has {} places for {} pictures; give more columns or rows",
                         request.n_columns, request.n_rows, n_places, request.cells.size()));
+    watch_for_interrupts();
     if (is_vector_name(request.output)) {
         draw_vector_sheet(request, progress);
         return;
@@ -283,18 +306,17 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
             fmt::format("{}: a sheet is a PNG, a PDF or an SVG; name it with -o FILE.png, FILE.pdf "
                         "or FILE.svg",
                         printable(request.output)));
-    watch_for_interrupts();
     progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
+    StillRequest still;
+    still.time_s = request.time_s;
+    still.when = request.when;
+    still.views = common_views(request, still, progress);
     std::optional<ContactSheet> sheet;
     Record record;
     Image picture;
-    auto jobs =
-        jobs_with_one_view(request, {.time_s = request.time_s, .when = request.when}, progress);
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
-        stop_if_interrupted();
         const SheetCell& cell = request.cells[k];
-        const Record of_cell = jobs[k]->draw_into(renderer, picture);
-        jobs[k].reset();
+        const Record of_cell = job_of(cell, still, progress)->draw_into(renderer, picture);
         if (!sheet) {
             sheet.emplace(request, picture);
             record = of_cell;

@@ -245,11 +245,13 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
         plan.has_alpha = !is_opaque(first);
     }
     draw(pictures, plan, progress);
-    std::vector<FilmTime> samples;
-    constexpr std::int64_t n_samples = 12;
-    for (std::int64_t k = 0; k < n_samples; ++k)
-        samples.push_back(film_.moment_of(last_ * k / (n_samples - 1)));
-    tell_unnamed(pictures.stage(), samples, progress);
+    if (!plan.part || plan.part->number == 1) {
+        std::vector<FilmTime> samples;
+        const std::int64_t n_samples = std::min<std::int64_t>(12, film_.n_frames);
+        for (std::int64_t k = 0; k < n_samples; ++k)
+            samples.push_back(film_.moment_of(first_ + (last_ - first_) * k / n_samples));
+        tell_unnamed(pictures.stage(), samples, progress);
+    }
     if (!plan.part) write_beside(plan, progress);
     progress.finish(name);
     progress.say(in_words(pictures.bound(), session_->accuracy.asked_px));

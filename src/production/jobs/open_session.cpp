@@ -11,10 +11,7 @@ namespace {
 
 void refuse_two_sizes(const SceneRequest& request) {
     if (!request.print.width_mm && !request.print.height_mm) return;
-    const bool sized_twice = std::any_of(
-        request.overrides.begin(), request.overrides.end(),
-        [](const std::string& given) { return assignment_of(given).starts_with("film.size="); });
-    if (sized_twice)
+    if (is_given(request.overrides, "film.size"))
         throw InputError(
             "--size and --width-mm or --height-mm both set the picture's size; leave one out");
 }

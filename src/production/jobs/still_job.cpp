@@ -81,8 +81,10 @@ vector::Raster pixels_of(const Drawing& drawing, LazyRenderer& renderer) {
 }
 
 PictureSetting setting_for(const Scene& scene, const StillRequest& request) {
-    return is_vector_name(request.output) ? vector_setting(scene, request.print)
-                                          : setting_of(scene, request.print);
+    PictureSetting setting = is_vector_name(request.output) ? vector_setting(scene, request.print)
+                                                            : setting_of(scene, request.print);
+    setting.views = request.views;
+    return setting;
 }
 
 // Reports text that LaTeX may set differently than the figure shows.
@@ -106,9 +108,12 @@ void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file,
 void tell_figure(const Session& session, const Drawing& drawing, double dpi,
                  const ProgressSink& progress) {
     FigureReport report = report_on(drawing, pt_per_inch / dpi);
-    if (!session.scene.overlays)
+    if (!session.scene.overlays) {
+        const bool by_journal = session.scene.where("overlays").starts_with("--journal");
         report.left_out.insert(report.left_out.begin(),
-                               "title, captions and clock (--keep-text draws them)");
+                               fmt::format("title, captions and clock{}",
+                                           by_journal ? " (--keep-text draws them)" : ""));
+    }
     progress.say(in_words(report));
 }
 
@@ -119,12 +124,6 @@ StillJob::StillJob(Session&& session, StillRequest request)
       request_(accepted(std::move(request), session_.scene)),
       moment_(still_moment(session_, request_.time_s, request_.when)),
       staging_(session_, span_of(session_, moment_.time_s), setting_for(session_.scene, request_)) {
-}
-
-void StillJob::look(std::vector<std::optional<Camera>> views) {
-    PictureSetting setting = setting_for(session_.scene, request_);
-    setting.views = std::move(views);
-    staging_ = PreparedPicture(session_, span_of(session_, moment_.time_s), setting);
 }
 
 std::int64_t StillJob::n_pixels() const {

@@ -26,6 +26,7 @@ struct StillRequest {
     int bit_depth = 8;  // of a component
     VectorChoices vectors{};
     StillTime when = StillTime::of_scene;
+    std::vector<std::optional<Camera>> views{};  // as in StageOptions
 };
 
 // A prepared picture. Any thread may construct it.
@@ -55,10 +56,7 @@ class StillJob {
     // page; the title.
     Drawing drawing() const { return staging_.stage.at(moment_); }
     Record vector_record() const;
-    // The panels, with the cameras that frame the motion; and the preparation of a drawing with
-    // other cameras, as in StageOptions.
     const std::deque<Panel>& panels() const { return staging_.stage.panels(); }
-    void look(std::vector<std::optional<Camera>> views);
     std::string title() const { return title_of(session_.scene); }
 
  private:

@@ -91,8 +91,8 @@ void lay_out_on_paper(const PrintChoices& print, const FontSource& fonts, Scene&
     if (wants_stack(scene, *paper)) {
         height_px = overlays_px + static_cast<int>(std::ceil(stack_panels(*paper, scene)));
         notes.push_back(fmt::format(
-            "on a page {:g} mm wide the panels stand one above another; --height-mm keeps the "
-            "scene's grid",
+            "on a page {:g} mm wide, tall panels have a row of their own, and the others stand in "
+            "pairs; --height-mm keeps the scene's grid",
             *print.width_mm));
     } else {
         height_px += rows_added_by_type(scene, fonts, paper->width_px, px, paper->least);
@@ -100,8 +100,8 @@ void lay_out_on_paper(const PrintChoices& print, const FontSource& fonts, Scene&
             rows_added_by_charts(scene, paper->width_px, height_px - overlays_px, px, paper->least);
     }
     // The figure has three quarters of the page or more.
-    constexpr int overlays_share = 4;
-    height_px = std::max(height_px, overlays_share * overlays_px);
+    constexpr int least_heights = 4;  // of the overlays
+    height_px = std::max(height_px, least_heights * overlays_px);
 }
 
 }  // namespace poinsot

@@ -38,7 +38,7 @@ std::optional<PrintSize> print_size_of(const PrintChoices& print, int scene_widt
     if (!print.width_mm && !print.height_mm && !print.dpi && !print.type_pt) return std::nullopt;
     check_between("--width-mm", print.width_mm, 1.0, 1e5, "millimetres");
     check_between("--height-mm", print.height_mm, 1.0, 1e5, "millimetres");
-    check_between("--dpi", print.dpi, 10.0, 10'000.0, "dots per inch");
+    check_between("--dpi", print.dpi, least_dpi, most_dpi, "dots per inch");
     check_between("--type-pt", print.type_pt, 1.0, 1'000.0, "points");
 
     if (print.type_pt && *print.type_pt < print.least_type_pt)

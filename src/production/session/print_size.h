@@ -16,6 +16,8 @@ constexpr double pt_per_inch = 72.0;  // as in PDF
 // principal sections, rulings and grids 0.5; titles are 10 points, captions and all other text 8
 // points.
 constexpr double default_type_pt = 8.5;
+constexpr double longest_inches = 200.0;  // of a PDF page's side: ISO 32000-1, annex C
+constexpr double least_dpi = 10.0, most_dpi = 10'000.0;
 constexpr double default_dpi = 300.0;
 
 // Options for a still's size on paper.

@@ -24,7 +24,7 @@ double contrast_with(const Background& page, const Colour& colour) {
     return std::min(contrast(colour, page.top), contrast(colour, page.bottom));
 }
 
-// Nearly invisible shapes are ignored, and pale lines are so on purpose.
+// Shapes below the first opacity are ignored; contrast is measured only of lines above the second.
 constexpr double visible = 0.2, opaque = 0.95;
 
 void measure_type(const Drawing& drawing, const View& view, double pt_per_px,
@@ -78,6 +78,7 @@ void measure_lines(const Drawing& drawing, const View& view, double pt_per_px,
         lower(report.least_line_pt, pt_per_px * ellipsoid.ruling_px);
     }
     for (const Plane& plane : view.planes) lower(report.least_line_pt, pt_per_px * plane.grid_px);
+    for (const Cone& cone : view.cones) lower(report.least_line_pt, pt_per_px * cone.rim_px);
 }
 
 }  // namespace

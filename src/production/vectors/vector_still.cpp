@@ -20,8 +20,6 @@ namespace poinsot {
 
 namespace {
 
-constexpr double longest_inches = 200.0;  // ISO 32000-1, annex C: 14,400 units
-
 enum class Lettering { font, paths, latex };
 
 // The value of an option's choice, by its name.
@@ -64,6 +62,7 @@ PrintChoices on_paper(PrintChoices print, int width_px, int height_px) {
         print.dpi = size->width_px / *print.width_mm * mm_per_inch;
     else if (print.height_mm)
         print.dpi = size->height_px / *print.height_mm * mm_per_inch;
+    print.dpi = std::clamp(*print.dpi, least_dpi, most_dpi);
     return print;
 }
 
@@ -85,7 +84,8 @@ PictureSetting vector_setting(const Scene& scene, const PrintChoices& print) {
 }
 
 std::string title_of(const Scene& scene) {
-    return scene.title.empty() ? scene.name : plain_text(scene.title);
+    if (scene.title.empty()) return scene.name;
+    return at_scene_key(scene, "title", [&] { return plain_text(scene.title); });
 }
 
 VectorStill vector_still(const std::filesystem::path& path, const std::string& title,

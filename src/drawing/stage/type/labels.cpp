@@ -188,6 +188,15 @@ double LabelBox::length_inside(const Eigen::Vector2d& from, const Eigen::Vector2
     return std::max(0.0, last - first) * way.norm();
 }
 
+double LabelBox::shared_with(const LabelBox& other) const {
+    const Eigen::Vector2d both =
+        (half_px + other.half_px - (centre_px - other.centre_px).cwiseAbs())
+            .cwiseMin(2.0 * half_px)
+            .cwiseMin(2.0 * other.half_px);
+    if (!(both.minCoeff() > 0.0)) return 0.0;
+    return both.prod() / (4.0 * std::min(half_px.prod(), other.half_px.prod()));
+}
+
 LabelBox label_box(const Label& label) {
     const Eigen::Vector2d half =
         0.5 * Eigen::Vector2d(label.mask->width_px(), label.mask->height_px());
@@ -236,9 +245,9 @@ void add_leader_of(const LabelRequest& request, const Label& label, double befor
 
 }  // namespace
 
-std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
-                                    const LabelRules& rules, View& view) {
-    std::vector<ShapeName> left_out;
+std::vector<LeftOutLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                       const LabelRules& rules, View& view) {
+    std::vector<LeftOutLabel> left_out;
     const std::vector<Shaft> shafts = shafts_of(view);
     // What labels are moved off: text that is placed already.
     std::vector<LabelBox> fixed = rules.overlays;
@@ -319,10 +328,13 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
                 placed.distance(core) / (0.3 * shaft.head.half_px.y()) + (is_own ? 1.0 : 0.0);
             label.opacity *= 1.0 - shaft.opacity * (1.0 - smooth_step(clearance));
         }
-        for (const LabelBox& other : fixed)
+        bool is_covered = false;
+        for (const LabelBox& other : fixed) {
             label.opacity *= 1.0 - other.opacity * smooth_step(-placed.distance(other) /
                                                                (0.2 * boxes[i].half_px.y()));
-        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back(requests[i].name);
+            is_covered = is_covered || (other.opacity > 0.5 && placed.shared_with(other) > 0.5);
+        }
+        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back({requests[i].name, is_covered});
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
         fixed.push_back(label_box(label));

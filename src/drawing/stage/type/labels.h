@@ -116,6 +116,8 @@ struct LabelBox {
     Eigen::Vector2d nearest(const Eigen::Vector2d& px) const {
         return px.cwiseMax(centre_px - half_px).cwiseMin(centre_px + half_px);
     }
+    // The area of the overlap as a fraction of the smaller box.
+    double shared_with(const LabelBox& other) const;
     // The length of a segment inside.
     double length_inside(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 };
@@ -141,13 +143,18 @@ struct LabelRules {
     const CurveGeometry* segment = nullptr;
     std::vector<LabelBox> overlays{};
 };
+// A label that fades out, because there is no room for it beside arrowheads and other labels.
+struct LeftOutLabel {
+    ShapeName name;
+    bool is_covered = false;  // more than half of it or of another label would be covered
+};
+
 // Adds the requested labels to the view: each is placed, moved off the shafts of arrows that it
 // does not name, moved apart from labels that it overlaps and off the text in `overlays` and in the
 // view, and kept inside the view. Labels that end up away from their requested position get
 // leaders: lines along `segment` (from the origin to x; null: no leaders). Returns the
-// names of labels that fade out, because there is no room for them beside arrowheads and other
-// labels.
-std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
-                                    const LabelRules& rules, View& view);
+// labels that fade out.
+std::vector<LeftOutLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                       const LabelRules& rules, View& view);
 
 }  // namespace poinsot
