@@ -75,7 +75,7 @@ SceneKey offset_row(std::string_view name) {
             const Eigen::Vector2d& xy = found->second;
             return toml_text(std::span<const double>(xy.data(), 2));
         })
-        .default_is("not moved");
+        .default_is("[0, 0]");
 }
 
 }  // namespace

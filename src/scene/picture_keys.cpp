@@ -72,8 +72,8 @@ std::span<const SceneKey> picture_keys() {
                "with a gap on both sides of the nearer line")
             .default_is("that of the theme (through in every supplied theme)"),
         boolean("overlays", &Scene::overlays, "false",
-                "whether the title, the captions and the clock are drawn; the title also names the "
-                "file's document")
+                "whether the title, the chapter, the captions and the clock are drawn; the title "
+                "is also the document title of a PDF or SVG")
             .omitted_if_default(),
         boolean("panel_letters", &Scene::panel_letters, "true",
                 "whether the headings of several panels begin with (a), (b), … in reading order")

@@ -277,8 +277,8 @@ std::span<const SceneKey> mark_keys() {
                 "whether the path of the point is drawn")
             .omitted_if_default(),
         row("marks[].colour", {.kind = ValueType::Kind::text}, R"("#cf4a12")",
-            "colour of the point and its path, or the name of a key of [style], such as \"ghost\": "
-            "then the theme chooses it")
+            "colour of the point and its path, or a key of [style] such as \"ghost\", whose colour "
+            "follows the theme")
             .default_is("\"mark\"")
             .read_by(read_mark_colour)
             .written_by(mark_colour_text),

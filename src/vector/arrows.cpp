@@ -27,8 +27,7 @@ struct ArrowShape {
                                                 // circles about the axis appear
     Eigen::Vector2d along, across;              // on paper, unit vectors
     // The vector from the axis to the line of the shaft's surface nearest to the eye, and the share
-    // of the axis up to which it runs parallel to the axis. The visibility of the arrow is computed
-    // on this line.
+    // of the axis up to which it runs parallel to the axis. Colours are computed on this line.
     Eigen::Vector3d to_front = Eigen::Vector3d::Zero();
     double neck_at = 1.0;  // share of the axis
 

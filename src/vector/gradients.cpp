@@ -239,7 +239,7 @@ std::vector<Fill> fills_of(std::span<const ShadedTriangle> triangles, const Neig
 }  // namespace
 
 std::vector<Fill> gradient_fills(std::span<const ShadedTriangle> triangles, double most_off,
-                                 std::size_t most_fills) {
+                                 std::size_t wanted_fills) {
     const Neighbours neighbours = neighbours_of(triangles);
     std::vector<std::size_t> order(triangles.size());
     std::iota(order.begin(), order.end(), 0);
@@ -249,7 +249,7 @@ std::vector<Fill> gradient_fills(std::span<const ShadedTriangle> triangles, doub
     constexpr double coarser = 1.4, coarsest = 10.0 / 255.0;
     for (double off = most_off;; off *= coarser) {
         std::vector<Fill> fills = fills_of(triangles, neighbours, order, off);
-        if (fills.size() <= most_fills || off > coarsest) return fills;
+        if (fills.size() <= wanted_fills || off > coarsest) return fills;
     }
 }
 

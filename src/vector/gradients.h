@@ -23,8 +23,9 @@ constexpr double least_shade = 1.5 / 255.0;
 // Fills that cover the triangles in the order of their layers. In a layer they must not overlap:
 // neighbours are filled together as long as one linear gradient has the colours of all their
 // corners within `most_off` of each component; within up to six times as much on details smaller
-// than four points, and within more if there would be more fills than `most_fills` otherwise.
+// than four points. If there are more fills than `wanted_fills`, the deviation grows, to 10/255 at
+// most.
 std::vector<Fill> gradient_fills(std::span<const ShadedTriangle> triangles, double most_off,
-                                 std::size_t most_fills);
+                                 std::size_t wanted_fills);
 
 }  // namespace poinsot::vector

@@ -24,7 +24,7 @@ struct Cover {
 };
 
 // The visible share of what only planes cover, where hidden objects are dashed or omitted: planes
-// are glass, and hide nothing.
+// are glass, which dims what is behind it to three quarters at most.
 double seen_through_planes(const Cover& cover);
 
 // An ellipsoid for intersections with lines of sight.

@@ -23,10 +23,10 @@ namespace poinsot {
 namespace {
 
 // If one panel fills the picture and its camera moves close, its figure may run under the title and
-// the captions: then their letters get a wide halo, a quiet ground that covers nothing beside them.
-class QuietGround {
+// the captions: then their letters get a wide halo.
+class WideHalo {
  public:
-    QuietGround(const StageContext& stage, const std::deque<Panel>& panels) {
+    WideHalo(const StageContext& stage, const std::deque<Panel>& panels) {
         const bool runs_under = panels.size() == 1 &&
                                 panels.front().box.height_px == stage.options.height_px &&
                                 stage.theme.background.alpha >= 1.0;
@@ -104,23 +104,23 @@ TypeStyle text_style(const StageContext& stage, double size) {
     return text_style(stage.scene, OverlayRoom(stage), size);
 }
 
-Drawer make_title(const StageContext& stage, StageStore& store, const QuietGround& ground) {
+Drawer make_title(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     const TextBlock type = at_scene_key(stage.scene, "title", [&] {
         return store.set(stage.scene.title, text_style(stage, title_size));
     });
-    return [&stage, type, ground](const FrameInput& instant, ViewBuilder& builder) {
+    return [&stage, type, halo](const FrameInput& instant, ViewBuilder& builder) {
         add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, rank_of_title,
-                 ground.presence(instant.film_s), builder);
+                 halo.presence(instant.film_s), builder);
     };
 }
 
-Drawer make_caption(const StageContext& stage, StageStore& store, const QuietGround& ground) {
+Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     const TypeStyle style = text_style(stage, caption_size);
     const auto place = [&stage, ground](const TextBlock& type, const FrameInput& instant,
                                         ViewBuilder& builder) {
         const double below = type.height_px() - type.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
-                 rank_of_caption, ground.presence(instant.film_s), builder);
+                 rank_of_caption, halo.presence(instant.film_s), builder);
     };
     // Always set here, so that an invalid caption is rejected before the first frame.
     const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
@@ -139,7 +139,7 @@ Drawer make_caption(const StageContext& stage, StageStore& store, const QuietGro
     };
 }
 
-Drawer make_clock(const StageContext& stage, StageStore& store, const QuietGround& ground) {
+Drawer make_clock(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     const auto clock = [text = ClockText(stage.film_first_s, stage.film_last_s),
                         mark = decimal_mark_of(stage.scene.language)](double time_s) {
         return with_decimal_mark(text.at(time_s), mark);
@@ -154,11 +154,10 @@ Drawer make_clock(const StageContext& stage, StageStore& store, const QuietGroun
     }
     const double pen = stage.options.width_px - margin(stage) - widest_px;
     const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
-    return [&stage, ground, clock, style, pen, baseline, &text = std::as_const(store).text()](
+    return [&stage, halo, clock, style, pen, baseline, &text = std::as_const(store).text()](
                const FrameInput& instant, ViewBuilder& builder) {
         const TextBlock type = text.set_live(clock(instant.time_s), style, builder.view);
-        add_text(stage, type, pen, baseline, rank_of_clock, ground.presence(instant.film_s),
-                 builder);
+        add_text(stage, type, pen, baseline, rank_of_clock, halo.presence(instant.film_s), builder);
     };
 }
 
@@ -212,7 +211,7 @@ TextBlock set_chapter(const Scene& scene, std::size_t i, TextCache& text, const 
     });
 }
 
-Drawer make_chapters(const StageContext& stage, StageStore& store, const QuietGround& ground) {
+Drawer make_chapters(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     const Scene& scene = stage.scene;
     struct Chapter : TimedText {
         TextBlock type;
@@ -229,12 +228,12 @@ Drawer make_chapters(const StageContext& stage, StageStore& store, const QuietGr
         chapters.push_back(chapter);
     }
     const double top = below_title(scene, OverlayRoom(stage));
-    return [&stage, ground, chapters, top](const FrameInput& instant, ViewBuilder& builder) {
+    return [&stage, halo, chapters, top](const FrameInput& instant, ViewBuilder& builder) {
         for (const Chapter& chapter : chapters) {
             const double presence = chapter.presence(instant.film_s);
             if (!(presence > 0.0) || chapter.type.mask->width == 0) continue;
             add_text(stage, chapter.type, margin(stage), top + chapter.type.baseline_px,
-                     rank_of_caption, ground.presence(instant.film_s), builder);
+                     rank_of_caption, halo.presence(instant.film_s), builder);
             builder.view.labels.back().opacity *= presence;
         }
     };
@@ -250,8 +249,7 @@ double bottom_of_captions(const StageContext& stage, const TypeStyle& style) {
     return bottom - type.height_px() - 14.0 * stage.px;
 }
 
-Drawer make_timed_captions(const StageContext& stage, StageStore& store,
-                           const QuietGround& ground) {
+Drawer make_timed_captions(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     const Scene& scene = stage.scene;
     const TypeStyle style = text_style(stage, caption_size);
     std::vector<TimedCaption> captions;
@@ -269,7 +267,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store,
     }
     const double foot = bottom_of_captions(stage, style);
     const double head = below_chapters(scene, OverlayRoom(stage));
-    return [&stage, ground, captions, style, foot, head, &text = std::as_const(store).text()](
+    return [&stage, halo, captions, style, foot, head, &text = std::as_const(store).text()](
                const FrameInput& instant, ViewBuilder& builder) {
         for (const TimedCaption& caption : captions) {
             const double presence = caption.presence(instant.film_s);
@@ -283,7 +281,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store,
                                         : foot - (type.height_px() - type.baseline_px);
             const std::size_t n_before = builder.view.labels.size();
             add_text(stage, type, margin(stage), baseline, rank_of_caption,
-                     ground.presence(instant.film_s), builder);
+                     halo.presence(instant.film_s), builder);
             if (builder.view.labels.size() > n_before)
                 builder.view.labels.back().opacity *= presence;
         }
@@ -302,17 +300,17 @@ bool wants_clock(const Scene& scene) {
 std::vector<Drawer> make_overlays(const StageContext& stage, StageStore& store,
                                   const std::deque<Panel>& panels) {
     std::vector<Drawer> overlays;
-    const QuietGround ground(stage, panels);
+    const WideHalo halo(stage, panels);
     if (wants_title(stage.scene))
-        overlays.push_back(fading(stage, store, "title", make_title(stage, store, ground)));
+        overlays.push_back(fading(stage, store, "title", make_title(stage, store, halo)));
     if (wants_chapters(stage.scene))
-        overlays.push_back(fading(stage, store, "chapter", make_chapters(stage, store, ground)));
+        overlays.push_back(fading(stage, store, "chapter", make_chapters(stage, store, halo)));
     if (wants_caption(stage.scene))
-        overlays.push_back(fading(stage, store, "caption", make_caption(stage, store, ground)));
+        overlays.push_back(fading(stage, store, "caption", make_caption(stage, store, halo)));
     if (!stage.scene.captions.empty() && stage.scene.overlays)
-        overlays.push_back(make_timed_captions(stage, store, ground));
+        overlays.push_back(make_timed_captions(stage, store, halo));
     if (wants_clock(stage.scene))
-        overlays.push_back(fading(stage, store, "clock", make_clock(stage, store, ground)));
+        overlays.push_back(fading(stage, store, "clock", make_clock(stage, store, halo)));
     return overlays;
 }
 

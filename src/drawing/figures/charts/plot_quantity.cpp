@@ -219,7 +219,7 @@ constexpr PlotQuantity quantity_rows[] = {
     {"tilt", "angles of the principal axes e1, e2, e3 from L", angle_title, "rad", false, false,
      true, omega_alone, keeps_momentum,
      "a body that turns without torque; friction inside is allowed", tilt_curves, tilt_values},
-    {"conserved", "p_φ, p_ψ and E of a heavy top, which stay constant, and V",
+    {"conserved", "p_φ, p_ψ and E of a heavy top, which are constant, and V, which varies",
      formula("$p_\\varphi$, $p_\\psi$ / (kg m²/s);  $E$, $V$"), "J", false, false, true,
      attitude_too, is_heavy_top, needs_heavy_top, conserved_curves, conserved_values},
     {"turns", "turns of a symmetric body's axis about L (wobble) and of a mark on the body (spin)",

@@ -71,8 +71,8 @@ inline constexpr Element element_rows[] = {
     {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never_shown, attitude_too,
      make_half_axes},
     {"direction",
-     "an axis n with its moment I(n): n takes all directions until this element fades out, and "
-     "ρ = n/√I(n) leaves its trace",
+     "an axis n that sweeps through all directions until this element fades out, with its moment "
+     "I(n) and the path of ρ = n/√I(n)",
      never_shown, attitude_too, make_direction},
     {"radius", "the radius vector ρ = ω/√(2T), whose tip lies on the ellipsoid F(ρ) = 1",
      always_shown, attitude_too, make_radius},
