@@ -42,10 +42,10 @@ class WideHalo {
     const Timeline* timeline_ = nullptr;
 };
 
-// Adds text at a corner of the picture; its pen may be between pixels. `ground`: presence of the
-// ground behind it, 0…1.
+// Adds text at a corner of the picture; its pen may be between pixels. `wide`: how wide its halo
+// is, 0…1.
 void add_text(const StageContext& stage, const TextBlock& type, double pen_x, double baseline_y,
-              LabelRank rank, double ground, ViewBuilder& builder) {
+              LabelRank rank, double wide, ViewBuilder& builder) {
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
@@ -53,8 +53,8 @@ void add_text(const StageContext& stage, const TextBlock& type, double pen_x, do
                          stage.at_whole_pixel(baseline_y) - type.baseline_px};
     label.colour = stage.theme.text;
     label.halo_colour = stage.theme.halo;
-    label.halo_px = (2.0 + 10.0 * ground) * stage.px;
-    label.over_figure = ground > 0.0;
+    label.halo_px = (2.0 + 10.0 * wide) * stage.px;
+    label.over_figure = wide > 0.0;
     label.held_at = 0.0;
     label.rank = rank;
     builder.view.labels.push_back(label);
@@ -116,8 +116,8 @@ Drawer make_title(const StageContext& stage, StageStore& store, const WideHalo& 
 
 Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     const TypeStyle style = text_style(stage, caption_size);
-    const auto place = [&stage, ground](const TextBlock& type, const FrameInput& instant,
-                                        ViewBuilder& builder) {
+    const auto place = [&stage, halo](const TextBlock& type, const FrameInput& instant,
+                                      ViewBuilder& builder) {
         const double below = type.height_px() - type.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
                  rank_of_caption, halo.presence(instant.film_s), builder);
