@@ -14,7 +14,6 @@
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/possible_motions.h"
-#include "error/error.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"
 #include "text/languages.h"
@@ -78,18 +77,6 @@ constexpr double header_share = 0.85;
 bool has_type(const StageOptions& options) {
     constexpr int least_side_px = 72;
     return std::min(options.width_px, options.height_px) >= least_side_px * options.samples;
-}
-
-// Letters on paper keep their size: below its name, a panel needs room for six of them, one above
-// another.
-void check_room_on_paper(const Panel& panel) {
-    constexpr double least_labels = 6.0;
-    const double room_px = panel.box.height_px - panel.header_px;
-    if (is_on_paper(*panel.stage) && room_px < least_labels * label_size * panel.type_px)
-        throw InputError(fmt::format(
-            "the picture is too small for its labels: panel {} has room for {:.1f} lines of them, "
-            "and needs {:g}; make the picture larger, or show fewer panels",
-            panel.index + 1, std::max(0.0, room_px / (label_size * panel.type_px)), least_labels));
 }
 
 // The name of a panel in its upper left corner.
@@ -330,7 +317,6 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
                 panel, store,
                 letter_of(scene, specs, index) +
                     spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
-        check_room_on_paper(panel);
         // Errors of a chart refer to its quantity.
         if (spec.quantity.empty())
             kind.make(panel, store);
