@@ -56,8 +56,9 @@ async function drive() {
     const width = parseFloat(document.images[0].style.width);
     press("+");
     await pictures();
-    await wait(50);
-    claim("+ doubles the size", parseFloat(document.images[0].style.width) === 2 * width);
+    const is_doubled = () => parseFloat(document.images[0].style.width) === 2 * width;
+    for (let i = 0; i < 200 && !is_doubled(); ++i) await wait(25);
+    claim("+ doubles the size", is_doubled());
     press("-");
 
     press("2");
