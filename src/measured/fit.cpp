@@ -7,7 +7,6 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <optional>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <utility>
 #include <vector>
@@ -132,10 +131,11 @@ double rate_of(std::span<const MeasuredRow> rows) {
     return std::sqrt(sum / static_cast<double>(rows.size()));
 }
 
-// A first tensor from Euler's equations, integrated over windows of a radian: J(ω_b − ω_a) +
+// A first tensor from Euler's equations, integrated over windows of this angle: J(ω_b − ω_a) +
 // ∫ ω × Jω dt = 0 is linear in J, so that J is the smallest singular vector. With damping, the same
 // holds for e^(γt) ω in the time (1 − e^(−γt))/γ. Returns the share of the rest, too.
-std::pair<Tensor, double> first_tensor(std::span<const MeasuredRow> rows, double damping) {
+std::pair<Tensor, double> first_tensor(std::span<const MeasuredRow> rows, double damping,
+                                       double window_rad) {
     using Row = Eigen::Matrix<double, 3, 6>;
     constexpr std::array<std::array<int, 2>, 6> places{
         {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
@@ -161,7 +161,7 @@ std::pair<Tensor, double> first_tensor(std::span<const MeasuredRow> rows, double
         if (i > 0) sums[i] = sums[i - 1] + 0.5 * (times[i] - times[i - 1]) * (turning + before);
         before = turning;
     }
-    const double window = 1.0 / rate_of(rows);
+    const double window = window_rad / rate_of(rows);
     Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
     std::size_t b = 0;
     for (std::size_t a = 0; a < rows.size(); ++a) {
@@ -228,6 +228,50 @@ Parameters fitted(std::span<const MeasuredRow> rows, Parameters start, double fi
     }
 }
 
+// The noise of a component, from sixth differences, to which a smooth motion adds little: the
+// squares of their coefficients, 1, 6, 15, 20 and so on, sum up to 924. Between uneven instants it
+// is too large.
+double noise_of(std::span<const MeasuredRow> rows) {
+    double sum = 0.0;
+    for (std::size_t i = 3; i + 3 < rows.size(); ++i) {
+        const auto pair = [&](std::size_t k) -> Eigen::Vector3d {
+            return rows[i - k].omega_body + rows[i + k].omega_body;
+        };
+        sum += (pair(3) - 6.0 * pair(2) + 15.0 * pair(1) - 20.0 * rows[i].omega_body).squaredNorm();
+    }
+    return std::sqrt(sum / 924.0 / static_cast<double>(3 * (rows.size() - 6)));
+}
+
+// From a first tensor or a first span that is far off, another minimum may be found: starts are
+// tried until one leaves no more than noise, or the least of all counts.
+Parameters best_parameters(std::span<const MeasuredRow> rows) {
+    const double span_s = rows.back().time_s - rows.front().time_s;
+    const double noise = 1.2 * noise_of(rows);
+    const auto n_values = static_cast<double>(3 * rows.size() - n_parameters);
+    Parameters best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double first_span_rad : {12.0, 5.0, 30.0})
+        for (const double window_rad : {1.0, 0.5, 2.0, 4.0}) {
+            // The damping that Euler's equations hold best with.
+            Parameters start;
+            double least_rest = std::numeric_limits<double>::infinity();
+            for (const double loss : {0.0, 0.1, 0.3, 1.0, 2.0, 4.0}) {
+                const auto [tensor, rest] = first_tensor(rows, loss / span_s, window_rad);
+                if (!(rest < least_rest)) continue;
+                least_rest = rest;
+                start = parameters_of(tensor, rows.front().omega_body, loss / span_s);
+            }
+            const Parameters found = fitted(rows, start, first_span_rad / rate_of(rows));
+            const double square = Residuals{rows}.at(found).squaredNorm();
+            if (square < least) {
+                least = square;
+                best = found;
+            }
+            if (least < noise * noise * n_values) return best;
+        }
+    return best;
+}
+
 // Principal axes with I1 ≥ I2 ≥ I3 in units of I1.
 struct Principal {
     Eigen::Vector3d moments;
@@ -285,27 +329,7 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all) {
     check(all);
     const std::vector<MeasuredRow> rows = thinned(all);
     check(rows);
-    const double span_s = rows.back().time_s - rows.front().time_s;
-
-    std::optional<Parameters> best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const double loss : {0.0, 0.1, 0.3, 1.0, 2.0, 4.0}) {
-        const auto [tensor, rest] = first_tensor(rows, loss / span_s);
-        if (rest < least) {
-            least = rest;
-            best = parameters_of(tensor, rows.front().omega_body, loss / span_s);
-        }
-    }
-    // From another first span another minimum may be found: the least of three counts.
-    Parameters p;
-    double least_square = std::numeric_limits<double>::infinity();
-    for (const double first_span_rad : {12.0, 5.0, 30.0}) {
-        const Parameters found = fitted(rows, *best, first_span_rad / rate_of(rows));
-        const double square = Residuals{rows}.at(found).squaredNorm();
-        if (square < least_square) p = found;
-        least_square = std::min(least_square, square);
-    }
-
+    const Parameters p = best_parameters(rows);
     const Residuals residuals{rows};
     const Eigen::MatrixXd jacobian = residuals.jacobian_at(p);
     const double variance =
