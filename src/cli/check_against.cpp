@@ -123,16 +123,21 @@ Chart chart_of(const std::string& file, const Session& session, const Departure&
     chart.x_label = "time since the first row / s";
     chart.y_label = "error / rad, or a share";
     const auto add = [&](const std::string& name, std::optional<double> DepartureAt::*value) {
+        // The largest of every eighth of an octave.
         ChartSeries series{name, {}};
-        for (const DepartureAt& at : departure.outline())
-            if (at.*value)
-                series.points.push_back(
-                    {at.time_s - departure.first_time_s(), std::abs(*(at.*value)), false, ""});
-        const auto is_shown = [](const ChartPoint& point) {
-            return point.x > 0.0 && point.y > 0.0;
-        };
-        if (std::any_of(series.points.begin(), series.points.end(), is_shown))
-            chart.series.push_back(std::move(series));
+        int place = 0;
+        for (const DepartureAt& at : departure.outline()) {
+            const double time_s = at.time_s - departure.first_time_s();
+            if (!(at.*value) || !(time_s > 0.0) || *(at.*value) == 0.0) continue;
+            const double error = std::abs(*(at.*value));
+            const int here = static_cast<int>(std::floor(8.0 * std::log2(time_s)));
+            if (series.points.empty() || here != place)
+                series.points.push_back({time_s, error, false, ""});
+            else if (error > series.points.back().y)
+                series.points.back().y = error;
+            place = here;
+        }
+        if (!series.points.empty()) chart.series.push_back(std::move(series));
     };
     add("attitude", &DepartureAt::attitude_rad);
     add("$\\boldsymbol\\omega$", &DepartureAt::omega_share);
