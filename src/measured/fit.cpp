@@ -35,7 +35,7 @@ const std::array<Tensor, 5>& shapes() {
         made[1] = Eigen::Vector3d(1.0, 1.0, -2.0).asDiagonal();
         made[1] /= std::sqrt(6.0);
         for (int k = 0; k < 3; ++k) {
-            Tensor& off = made[static_cast<std::size_t>(2 + k)];
+            Tensor& off = made[2U + static_cast<std::size_t>(k)];
             off.setZero();
             off((k + 1) % 3, (k + 2) % 3) = off((k + 2) % 3, (k + 1) % 3) = half;
         }
