@@ -90,8 +90,12 @@ FilmDifferences compare_films(FrameStream& expected, FrameStream& actual,
     while (has_next[0] && has_next[1]) {
         std::swap(now, next);
         // While these two are compared, the next two are decoded.
-        in_parallel(3, n_threads,
-                    [&](std::size_t i) { i < 2 ? read_next(i) : compare_now(film.n_compared); });
+        in_parallel(3, n_threads, [&](std::size_t i) {
+            if (i < 2)
+                read_next(i);
+            else
+                compare_now(film.n_compared);
+        });
         ++film.n_compared;
         if (film.measured.verdict == Verdict::size_differs) break;
     }
@@ -124,7 +128,7 @@ std::string in_words(const FilmDifferences& film) {
     const std::int64_t n = film.n_failing > 0 ? film.n_failing : film.n_differing;
     const std::string counted =
         has_length ? fmt::format("{}", n) : fmt::format("{} of {}", n, frames(film.n_compared));
-    words += fmt::format("{} {}; first {}, most {}", counted,
+    words += fmt::format("{} {}; first {}, worst {}", counted,
                          film.n_failing > 0 ? (n == 1 ? "exceeds the limits" : "exceed the limits")
                          : n == 1           ? "differs within the limits"
                                             : "differ within the limits",

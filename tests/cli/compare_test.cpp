@@ -250,7 +250,7 @@ TEST_F(ComparedPictures, MayBeFilms) {
     EXPECT_EQ(dark.code, 1);
     EXPECT_EQ(
         dark.out.find("pixels: b.mp4: theme: light → dark; 15 of 15 frames exceed the limits; "
-                      "first frame 0 (0 s), most frame "),
+                      "first frame 0 (0 s), worst frame "),
         0u)
         << dark.out;
     EXPECT_EQ(read_png(folder_.path() / "strip.png").width(), 3 * 128);

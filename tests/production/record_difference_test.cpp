@@ -22,8 +22,8 @@ TEST(SceneDifferences, NameTheKeyAndBothValues) {
 TEST(SceneDifferences, SayWhichKeyIsAbsent) {
     EXPECT_EQ(scene_differences("[style]\nomega = \"red\"\n", "[style]\npolhode = \"#1060ff\"\n"),
               (Lines{"style.omega: red → default", "style.polhode: default → #1060ff"}));
-    EXPECT_EQ(scene_differences("", "[film]\nloop = \"1/2\"\n"),
-              (Lines{"film.loop: not given → 1/2"}));
+    EXPECT_EQ(scene_differences("", "[body]\nmass_kg = 2\n"),
+              (Lines{"body.mass_kg: not given → 2"}));
 }
 
 // An item that only one scene has is one line, however many keys it has.

@@ -67,7 +67,8 @@ TEST_F(Sequences, NameTheFirstAndTheWorstFrame) {
         EXPECT_EQ(film.first, 4);
         EXPECT_EQ(film.worst, 21);
         EXPECT_EQ(film.measured.largest_difference, 40);
-        EXPECT_EQ(in_words(film), "6 of 60 frames exceed the limits; first frame 4, most frame 21");
+        EXPECT_EQ(in_words(film),
+                  "6 of 60 frames exceed the limits; first frame 4, worst frame 21");
         // Of frames within half a second only the worst is kept; the pictures are those frames'.
         ASSERT_EQ(film.strip.size(), 3u);
         EXPECT_EQ(film.strip[0].frame, 5);
@@ -87,10 +88,10 @@ TEST_F(Sequences, NameTheFirstFrameThatFails) {
     EXPECT_EQ(film.n_differing, 2);
     EXPECT_EQ(film.n_failing, 1);
     EXPECT_EQ(film.first, 3);
-    EXPECT_EQ(in_words(film), "1 of 4 frames exceeds the limits; first frame 3, most frame 3");
+    EXPECT_EQ(in_words(film), "1 of 4 frames exceeds the limits; first frame 3, worst frame 3");
     const FilmDifferences mild = compared(a, draw("c", {0, 2, 4, 0}), 3, limits);
     EXPECT_EQ(in_words(mild),
-              "2 of 4 frames differ within the limits; first frame 1, most frame 2");
+              "2 of 4 frames differ within the limits; first frame 1, worst frame 2");
     EXPECT_TRUE(mild.measured.passes());
 }
 
@@ -101,10 +102,9 @@ TEST_F(Sequences, KeepFiveOfManyFramesWithTheWorst) {
     const FilmDifferences film = compared(draw("a", std::vector<int>(300, 0)), draw("b", levels));
     ASSERT_EQ(film.strip.size(), 5u);
     bool has_worst = false;
-    for (std::size_t i = 0; i < film.strip.size(); ++i) {
-        has_worst = has_worst || film.strip[i].frame == film.worst;
-        if (i > 0) EXPECT_GE(film.strip[i].frame - film.strip[i - 1].frame, 15);
-    }
+    for (const KeptFrames& kept : film.strip) has_worst = has_worst || kept.frame == film.worst;
+    for (std::size_t i = 1; i < film.strip.size(); ++i)
+        EXPECT_GE(film.strip[i].frame - film.strip[i - 1].frame, 15);
     EXPECT_TRUE(has_worst);
 }
 
@@ -115,7 +115,7 @@ TEST_F(Sequences, OfDifferentLengthsAreComparedAsFarAsBothGo) {
     const auto c = draw("c", {0, 0, 5});
     EXPECT_EQ(in_words(compared(a, c)),
               "expected 9 frames, found 3; of the first 3, 1 exceeds the limits; first frame 2, "
-              "most frame 2");
+              "worst frame 2");
 }
 
 TEST_F(Sequences, OfDifferentSizesEndAtOnce) {

@@ -52,6 +52,8 @@ async function drive() {
     claim("side by side shows expected, the difference over actual, actual",
           document.images.length === 4 && [...document.images].every(image => image.naturalWidth > 0));
     const captions = [...document.querySelectorAll("figcaption")].map(caption => caption.textContent);
+    claim("the picture is seen below the difference",
+          getComputedStyle(document.querySelectorAll("#stage .pair img")[1]).backgroundImage === "none");
     claim("they are named", captions.join() === "expected,difference,actual");
     const width = parseFloat(document.images[0].style.width);
     press("+");
@@ -104,6 +106,7 @@ async function drive() {
     claim("sizes that differ are shown side by side", names()[1] === chosen() && document.images.length === 4);
     press("k"); press("2");
     claim("a missing picture has one to show", document.images.length === 1);
+    claim("what cannot be approved has no command", getComputedStyle(document.getElementById("approve")).display === "none");
 
     press("j"); press("j"); press("j"); press("1");
     const changes = [...document.querySelectorAll("#changes li")].map(item => item.textContent);

@@ -205,8 +205,11 @@ std::vector<PictureRegion> PictureRegions::regions_of(std::span<const std::strin
         const bool is_overlay = view.name.empty();
         BoxCollector collector(view, boxes);
         const auto add = [&](const auto& shapes) {
+            // A line from a label to what it names belongs to both.
             for (const auto& shape : shapes)
-                if (!shape.name.element.empty() && wants(shape.name.element)) collector.add(shape);
+                if ((!shape.name.element.empty() && wants(shape.name.element)) ||
+                    (shape.name.part == "leader" && wants(all_labels)))
+                    collector.add(shape);
         };
         for_each(static_cast<SolidLists&>(view), add);
         for_each(static_cast<LineLists&>(view), add);

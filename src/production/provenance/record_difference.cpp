@@ -89,11 +89,12 @@ std::string missing_item(const std::string& path, const FlatScene& scene) {
     return "";
 }
 
-// Keys that stand for a choice of the theme or the program where they are absent.
+// Whether an absent key has its default: all but those that give the body and its start, of which a
+// scene needs some.
 bool has_default(std::string_view path) {
-    constexpr std::array<std::string_view, 3> tables{"style.", "symbols.", "labels."};
-    return std::any_of(tables.begin(), tables.end(),
-                       [path](std::string_view table) { return path.starts_with(table); });
+    constexpr std::array<std::string_view, 3> tables{"body.", "start.", "torque."};
+    return std::none_of(tables.begin(), tables.end(),
+                        [path](std::string_view table) { return path.starts_with(table); });
 }
 
 constexpr std::size_t most_of_a_value = 60;
@@ -107,11 +108,10 @@ std::string change(std::string_view what, std::string_view before, std::string_v
 struct NamedField {
     std::string_view key, name;
 };
-constexpr std::array<NamedField, 18> named_fields{{{"time_s", "time in s"},
+constexpr std::array<NamedField, 17> named_fields{{{"time_s", "time in s"},
                                                    {"size", "size"},
                                                    {"dpi", "dpi"},
                                                    {"type-pt", "size of type in pt"},
-                                                   {"depth", "bits per component"},
                                                    {"shading", "shading"},
                                                    {"journal", "journal"},
                                                    {"type-as", "text"},
