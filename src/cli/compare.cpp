@@ -158,7 +158,9 @@ void note_unused_regions(const std::vector<ComparedPicture>& pictures) {
     }
     for (const std::string& name : asked)
         if (name.find(',') == std::string::npos && !found.contains(name))
-            say(fmt::format("note: --ignore {}: none of the pictures that differ shows it", name));
+            say(fmt::format(
+                "note: \"{}\" is ignored, but none of the pictures that differ shows it",
+                printable(name)));
 }
 
 // Whether a path is a folder or lies inside of it.

@@ -181,7 +181,8 @@ TEST_F(ComparedPictures, PassWhereWhatChangedIsIgnored) {
     EXPECT_TRUE(contains(style.out, "pixels: polhode: style.polhode: default → #1060ff; "))
         << style.out;
     const ProgramRun unused = run("compare a.png caption.png --ignore cones");
-    EXPECT_TRUE(contains(unused.err, "note: --ignore cones: none of the pictures that differ"))
+    EXPECT_TRUE(
+        contains(unused.err, "note: \"cones\" is ignored, but none of the pictures that differ"))
         << unused.err;
 }
 
