@@ -11,6 +11,7 @@
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
+#include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
 #include "production/parts/job_choice.h"
@@ -79,25 +80,32 @@ int check_sweep(const CheckChoices& choices, const ProgressSink& progress) {
     std::vector<std::string> answers;
     std::string_view between;
     int worst = 0;
+    Refusals refusals;
     for (const SweepPoint& point : points_of(choices.sweeps)) {
         JsonObject answer;
         for (const auto& [key, value] : point) answer.add(key, value);
-        try {
+        const auto check = [&] {
             const SceneSummary summary = summary_of(choices, point, progress);
-            worst = std::max(worst, code_of(summary));
             for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
             if (!choices.json) {
                 fmt::print("{}{}:\n", between, printable(in_words(point), any_length));
                 print_words(summary);
                 between = "\n";
             }
-        } catch (const InputError& error) {
-            worst = 2;
-            say(printable(error.what()));
-            answer.add("error", error.what());
-        }
+            return code_of(summary);
+        };
+        const SceneJob job{choices.scenes.at(0), "", overrides_of(point)};
+        worst = std::max(worst, refusals.code_of(job, [&] {
+            try {
+                return check();
+            } catch (const InputError& error) {
+                answer.add("error", error.what());
+                throw;
+            }
+        }));
         answers.push_back(answer.line());
     }
+    refusals.say_others();
     if (choices.json) fmt::print("{}\n", json_lines(answers));
     return worst;
 }

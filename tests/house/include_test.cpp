@@ -46,7 +46,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},
-    {"report", {"error", "text", "system", "image", "production"}},
+    {"report", {"error", "text", "system", "image", "scene", "output", "production"}},
     {"cli",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "image", "output", "report", "production", "lab"}},
