@@ -87,8 +87,9 @@ Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
     if (!picture.info.texts.contains(metadata_name)) {
         if (!request.foreign)
             throw InputError(fmt::format(
-                "{}: has no record, so another program drew it or removed the record; give "
-                "--foreign to approve pictures of other programs",
+                "{}: has no record of how it was made: another program drew it or removed the "
+                "record; draw it with poinsot, or give --foreign to approve pictures of other "
+                "programs",
                 printable(candidate.file.string())));
         candidate.baseline = {.pixels = pixels_sha256(picture),
                               .scene = "",

@@ -15,8 +15,8 @@ std::string json_of(const CompareLimits& limits) {
         .add("differing_share", limits.differing_share)
         .add("level", limits.level)
         .add("over_level_share", limits.over_level_share)
-        .json("flip", json_or_null(limits.most_flip))
-        .json("ssim", json_or_null(limits.least_ssim))
+        .json("max_flip", json_or_null(limits.most_flip))
+        .json("min_ssim", json_or_null(limits.least_ssim))
         .add("antialiasing", limits.antialiasing)
         .line();
 }

@@ -287,7 +287,7 @@ TEST_F(ComparedPictures, MayBeInFoldersWithFilmsAndFigures) {
     for (const char* folder : {"ref", "new"}) {
         const std::string options = std::string(folder) == "ref" ? "" : " --theme dark";
         draw(folder + std::string("/a.png"), "--portable --time 0.1");
-        draw(folder + std::string("/a.pdf"), "--time 0.1" + options);
+        draw(folder + std::string("/a.pdf"), "--time 0.1 --width-mm 120 --height-mm 90" + options);
         ASSERT_EQ(run(std::string("render scene.toml -q --portable -o ") + folder +
                       "/a.mp4 --frames 0-3" + options)
                       .code,
