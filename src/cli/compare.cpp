@@ -78,7 +78,7 @@ std::optional<CompareLimits> limits_of_line(const CompareChoices& choices) {
 // Whether both are folders. Throws for a file and a folder.
 bool are_folders(const fs::path& expected, const fs::path& actual) {
     if (is_sequence_name(expected)) {
-        FrameStream{expected};  // throws if there is none
+        [[maybe_unused]] const FrameStream readable{expected};  // throws if there is none
         return false;
     }
     if (is_sequence_name(actual)) return false;

@@ -242,6 +242,20 @@ double noise_of(std::span<const MeasuredRow> rows) {
     return std::sqrt(sum / 924.0 / static_cast<double>(3 * (rows.size() - 6)));
 }
 
+// A turn about one axis says nothing about the moments: whatever ω is besides is noise.
+void check_wandering(std::span<const MeasuredRow> rows) {
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    for (const MeasuredRow& row : rows) squares += row.omega_body * row.omega_body.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
+    const double beside = std::sqrt((eigen.eigenvalues()[0] + eigen.eigenvalues()[1]) / 2.0 /
+                                    static_cast<double>(rows.size()));
+    constexpr double least_share = 1e-6, least_noises = 3.0;
+    if (beside < least_noises * noise_of(rows) || beside < least_share * rate_of(rows))
+        throw InputError(
+            "the rows do not determine the moments: but for noise the body turns about one axis; "
+            "measure a motion whose axis of rotation wanders through the body");
+}
+
 // From a first tensor or a first span that is far off, another minimum may be found: starts are
 // tried until one leaves no more than noise, or the least of all counts.
 Parameters best_parameters(std::span<const MeasuredRow> rows) {
@@ -329,6 +343,7 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all) {
     check(all);
     const std::vector<MeasuredRow> rows = thinned(all);
     check(rows);
+    check_wandering(rows);
     const Parameters p = best_parameters(rows);
     const Residuals residuals{rows};
     const Eigen::MatrixXd jacobian = residuals.jacobian_at(p);

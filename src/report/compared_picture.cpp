@@ -432,6 +432,7 @@ std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs:
                                                                                    names.end());
     if (request.file) {
         std::vector<std::string> all;
+        all.reserve(pairs.size());
         for (const auto& [name, paths] : pairs) all.push_back(name);
         request.file->check_used(all);
     }
