@@ -242,15 +242,26 @@ double noise_of(std::span<const MeasuredRow> rows) {
     return std::sqrt(sum / 924.0 / static_cast<double>(3 * (rows.size() - 6)));
 }
 
-// A turn about one axis says nothing about the moments: whatever ω is besides is noise.
+[[noreturn]] void throw_no_motion(double off_rad_s, double rate_rad_s) {
+    throw InputError(fmt::format(
+        "no free motion of a rigid body comes near these rows: the best is off by {:.3g} rad/s of "
+        "{:.3g}; cut the table to the time in which the body is free, and check units and axes",
+        off_rad_s, rate_rad_s));
+}
+constexpr double most_residual_share = 0.3;
+
+// Refuses rows that are noise, and a turn about one axis, which says nothing about the moments:
+// whatever ω is besides is noise.
 void check_wandering(std::span<const MeasuredRow> rows) {
+    const double noise = noise_of(rows), rate = rate_of(rows);
+    if (noise > most_residual_share * rate) throw_no_motion(noise, rate);
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const MeasuredRow& row : rows) squares += row.omega_body * row.omega_body.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
     const double beside = std::sqrt((eigen.eigenvalues()[0] + eigen.eigenvalues()[1]) / 2.0 /
                                     static_cast<double>(rows.size()));
     constexpr double least_share = 1e-6, least_noises = 3.0;
-    if (beside < least_noises * noise_of(rows) || beside < least_share * rate_of(rows))
+    if (beside < least_noises * noise || beside < least_share * rate)
         throw InputError(
             "the rows do not determine the moments: but for noise the body turns about one axis; "
             "measure a motion whose axis of rotation wanders through the body");
@@ -350,12 +361,8 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all) {
     const double variance =
         residuals.at(p).squaredNorm() / static_cast<double>(residuals.n_values() - n_parameters);
     const double rate = rate_of(rows);
-    if (!(std::sqrt(variance) < 0.3 * rate))
-        throw InputError(
-            fmt::format("no free motion of a rigid body comes near these rows: the best is off by "
-                        "{:.3g} rad/s of {:.3g}; cut the table to "
-                        "the time in which the body is free, and check units and axes",
-                        std::sqrt(variance), rate));
+    if (!(std::sqrt(variance) < most_residual_share * rate))
+        throw_no_motion(std::sqrt(variance), rate);
     const Eigen::Matrix<double, n_parameters, n_parameters> information =
         jacobian.transpose() * jacobian;
     const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
