@@ -229,6 +229,16 @@ void write_github_summary(const std::string& text) {
             fmt::format("cannot write {}, which GITHUB_STEP_SUMMARY names", printable(path)));
 }
 
+// Equal pictures are shown beside each other, too, where that was asked for.
+void show_same(const CompareChoices& choices, const fs::path& expected, const fs::path& actual,
+               bool are_pictures) {
+    if (are_pictures)
+        write_png(choices.diff,
+                  difference_picture(read_stored_png(expected), read_stored_png(actual)));
+    else if (!choices.quiet)
+        say(fmt::format("note: nothing differs, so {} is not written", printable(choices.diff)));
+}
+
 int run(const CompareChoices& choices) {
     const fs::path expected = choices.pictures.at(0), actual = choices.pictures.at(1);
     CompareRequest request{.limits = profile_limits(choices), .gates = choices.gates};
@@ -268,6 +278,8 @@ int run(const CompareChoices& choices) {
         pictures = {compare_files(name.string(), expected, actual, request,
                                   is_picture ? &baselines : nullptr, expected.stem().string())};
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
+        if (!choices.diff.empty() && pictures[0].outcome == Outcome::same)
+            show_same(choices, expected, actual, is_picture);
     }
 
     const std::string title = fmt::format("{} compared with {}", printable(actual.string()),
