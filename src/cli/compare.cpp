@@ -95,6 +95,9 @@ bool are_folders(const fs::path& expected, const fs::path& actual) {
                         printable(expected.string()), printable(actual.string())));
     if (folder && actual_kind == FileKind::missing)
         throw InputError(fmt::format("{}: no such folder", printable(actual.string())));
+    // A picture that a test should have made and did not is an outcome of the comparison.
+    if (actual_kind == FileKind::missing && suffix_of(actual) != ".png")
+        throw InputError(fmt::format("{}: no such file", printable(actual.string())));
     return folder;
 }
 
