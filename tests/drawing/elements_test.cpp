@@ -1,8 +1,10 @@
-// Every element of the space panel is finite and independent of units.
+// Every element is finite and independent of units, in the panel that shows it.
 #include "drawing/figures/elements/elements.h"
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <optional>
 #include <string>
 #include <utility>
@@ -44,13 +46,31 @@ bool is_of_beside(const Element& element) {
     return element.name == "ghost" || element.name == "drift";
 }
 
+// A scene with the panel that shows this element, and a body that it accepts: for inertial-forces
+// six equal masses on the principal axes, which have the moments of the scene's body.
+Scene scene_of_element(const Element& element, Scene scene) {
+    for (const PanelKind& kind : panel_kinds())
+        if ((kind.takes & element.taken_by) != 0) scene.panels.front().kind = kind.name;
+    scene.show = {std::string(element.name)};
+    if (element.name != "inertial-forces") return scene;
+    const Eigen::Vector3d I = scene.body.inertia.moments_kg_m2();
+    scene.body.given = BodySpec::Given::masses;
+    for (int i = 0; i < 3; ++i) {
+        const double at_m = std::sqrt(std::max(0.0, 0.5 * (I.sum() - 2.0 * I[i])));
+        for (const double side : {at_m, -at_m})
+            scene.body.masses.push_back(
+                {0.5, side * scene.body.inertia.body_from_principal().col(i)});
+    }
+    return scene;
+}
+
 // The numbers of one element for a body, with lengths, masses and times in other units.
 std::vector<double> places_of_element(const Element& element, const Eigen::Matrix3d& tensor,
                                       double moments_by, double rates_by) {
     Scene scene =
         free_scene(Eigen::Vector3d::Ones(), rates_by * Eigen::Vector3d(1.4, 0.5, 1.6), "space");
     scene.body.inertia = InertiaTensor::from_matrix(moments_by * tensor);
-    scene.show = {std::string(element.name)};
+    scene = scene_of_element(element, scene);
     const double last_time_s = 10.0 / rates_by;
     scene.film.duration_s = last_time_s;
     MethodChoice stepped{"rk4", 0.01 / rates_by, {}, {}};
@@ -106,8 +126,8 @@ TEST(SpacePanel, EveryElementIsFiniteForExtremeMotions) {
         if (is_of_beside(element)) continue;  // tested above with a comparison motion
         int n = 0;
         for (const FreeCase& one : extremes) {
-            Scene scene = free_scene(one.moments, one.omega, "space");
-            scene.show = {std::string(element.name)};
+            const Scene scene =
+                scene_of_element(element, free_scene(one.moments, one.omega, "space"));
             std::optional<StagedScene> staged;
             try {
                 staged.emplace(scene, 10.0);

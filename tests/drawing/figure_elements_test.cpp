@@ -5,15 +5,19 @@
 #include <algorithm>
 #include <cmath>
 #include <deque>
+#include <iterator>
 #include <numbers>
 #include <set>
 #include <string>
 
+#include "construction/montgomery_phase.h"
 #include "drawing/figures/charts/plot_frame.h"
 #include "drawing/figures/charts/plot_quantity.h"
 #include "drawing/figures/elements/elements.h"
+#include "drawing/stage/live_values.h"
 #include "drawing/stage/panel.h"
 #include "error/error.h"
+#include "mechanics/solids.h"
 #include "scenes_by_hand.h"
 #include "typeset/files/installed_fonts.h"
 
@@ -192,6 +196,170 @@ TEST(FigureElements, PrecessionIsOnTheSideAwayFromThePlane) {
         for (const Arrow& arrow : view.arrows)
             EXPECT_GT((has_plane ? 1.0 : -1.0) * arrow.tip.z(), 0.5) << has_plane;
     }
+}
+
+// The disc of the scene inertial_forces, in the object panel.
+Scene disc_scene() {
+    Scene scene = showing({"inertial-forces"});
+    scene.panels.front().kind = "object";
+    scene.body.given = BodySpec::Given::masses;
+    scene.body.masses = {{3.0, {1.0, 0.0, 0.0}},
+                         {3.0, {-1.0, 0.0, 0.0}},
+                         {1.0, {0.0, 1.0, 0.0}},
+                         {1.0, {0.0, -1.0, 0.0}}};
+    scene.body.inertia = inertia_of_masses(scene.body.masses).inertia;
+    scene.start.omega_rad_s = {0.1, 2.0, 0.5};
+    return scene;
+}
+
+std::vector<Arrow> arrows_of(const View& view, const Colour& colour) {
+    std::vector<Arrow> arrows;
+    std::copy_if(view.arrows.begin(), view.arrows.end(), std::back_inserter(arrows),
+                 [&](const Arrow& arrow) { return arrow.colour == colour; });
+    return arrows;
+}
+
+// Each mass has the arrow of −m ω × (ω × r), and one from its tip to that of the sum with −m dω/dt
+// × r, where dω/dt is a difference of the motion's ω. All have one scale.
+TEST(FigureElements, InertialForcesBeginAtTheirMasses) {
+    const Scene scene = disc_scene();
+    const StagedScene staged(scene, 10.0);
+    const Theme theme = theme_of(scene);
+    double per_N = 0.0, longest = 0.0;
+    for (int k = 0; k <= 100; ++k) {
+        const double t = 0.1 * k;
+        const View view = staged.stage.at(t).views.front();
+        const std::vector<Arrow> centrifugal = arrows_of(view, theme.torque);
+        const std::vector<Arrow> euler = arrows_of(view, theme.potential);
+        for (const Arrow& arrow : centrifugal)
+            longest = std::max(longest, (arrow.tip - arrow.tail).norm());
+        if (centrifugal.size() < 4 || euler.size() < 4) continue;  // too short to be drawn
+        const RotationState state = staged.motion.at(t);
+        const Eigen::Vector3d& w = state.omega_body;
+        constexpr double h = 1e-4;
+        const Eigen::Vector3d rate =
+            (staged.motion.at(t + h).omega_body - staged.motion.at(t - h).omega_body) / (2.0 * h);
+        // Axes of the picture, from the masses at the ends of x and y.
+        Eigen::Matrix3d axes;
+        axes.col(0) = centrifugal[0].tail.normalized();
+        axes.col(1) = centrifugal[2].tail.normalized();
+        axes.col(2) = axes.col(0).cross(axes.col(1));
+        const double per_m = centrifugal[0].tail.norm();
+        for (std::size_t i = 0; i < 4; ++i) {
+            const PointMass& mass = scene.body.masses[i];
+            EXPECT_LT((centrifugal[i].tail - per_m * (axes * mass.at_m)).norm(), 1e-14);
+            const Eigen::Vector3d outward_N = -mass.mass_kg * w.cross(w.cross(mass.at_m));
+            const Eigen::Vector3d euler_N = -mass.mass_kg * rate.cross(mass.at_m);
+            const Eigen::Vector3d drawn = centrifugal[i].tip - centrifugal[i].tail;
+            if (per_N == 0.0) per_N = drawn.norm() / outward_N.norm();
+            EXPECT_LT((drawn - per_N * (axes * outward_N)).norm(), 1e-12);
+            EXPECT_EQ(euler[i].tail, centrifugal[i].tip);
+            EXPECT_LT((euler[i].tip - euler[i].tail - per_N * (axes * euler_N)).norm(), 1e-7);
+        }
+    }
+    EXPECT_GT(per_N, 0.0);
+    EXPECT_NEAR(longest, 1.25, 0.01);
+}
+
+TEST(FigureElements, InertialForcesNeedPointMassesWithoutFriction) {
+    const auto refusal_of = [](Scene scene) -> std::string {
+        scene.locations["show"] = {"disc.toml", 3, 1};
+        try {
+            const StagedScene staged(scene, 10.0);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    };
+    EXPECT_EQ(refusal_of(disc_scene()), "");
+    Scene by_moments = disc_scene();
+    by_moments.body.given = BodySpec::Given::moments;
+    EXPECT_EQ(refusal_of(by_moments),
+              "disc.toml:3:1: show: inertial-forces needs a body of point masses; give it as "
+              "[[body.masses]], or leave this element out");
+    Scene damped = disc_scene();
+    damped.torque = DissipationTorque{0.1};
+    damped.method.name = "dopri5";
+    EXPECT_NE(refusal_of(damped).find("disc.toml:3:1: show: inertial-forces needs a rigid body"),
+              std::string::npos);
+}
+
+// The arcs end on the principal axes one period after the film's start.
+TEST(FigureElements, PeriodTurnEndsAtTheAxesOnePeriodLater) {
+    for (const Eigen::Vector3d& start : {omega, Eigen::Vector3d(0.6, -0.4, 1.2)}) {
+        Scene scene = showing({"axes", "period-turn"});
+        scene.start.omega_rad_s = start;
+        scene.film.start_s = 0.4;
+        const StagedScene staged(scene, 10.0);
+        const double period_s = *staged.motion.free_constants().polhode_period_s;
+        const View first = staged.stage.at(scene.film.start_s).views.front();
+        const View later = staged.stage.at(scene.film.start_s + period_s).views.front();
+        const std::vector<Arrow> heads = arrows_of(later, theme_of(scene).angles[1]);
+        ASSERT_EQ(heads.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eigen::Vector3d axis = later.arrows[i].tip.normalized();
+            EXPECT_LT((heads[i].tip.normalized() - axis).norm(), 1e-12);
+            EXPECT_GT((first.arrows[i].tip.normalized() - axis).norm(), 0.1);
+        }
+    }
+    Scene scene = showing({"period-turn"});
+    scene.start.omega_rad_s = {0.0, 0.0, 1.0};
+    EXPECT_THROW(StagedScene(scene, 10.0), InputError);
+}
+
+// The ends of the hatching lie on the path of L. With the axis, they are the corners of triangles
+// whose areas sum to the solid angle, but for the segments between the chords and the path.
+TEST(FigureElements, HatchingCoversTheSolidAngle) {
+    for (const Eigen::Vector3d& start : {omega, Eigen::Vector3d(-1.9, 0.4, -0.2)}) {
+        Scene scene = showing({"solid-angle"});
+        scene.panels.front().kind = "momentum";
+        scene.start.omega_rad_s = start;
+        const StagedScene staged(scene, 10.0);
+        const View view = staged.stage.at(1.0).views.front();
+        const auto phase = montgomery_phase(staged.motion.problem());
+        ASSERT_TRUE(phase);
+        const int a = staged.motion.free_constants().encircled_axis;
+        const Eigen::Vector3d axis = std::copysign(1.0, start[a]) * Eigen::Vector3d::Unit(a);
+        const double ratio =
+            moments.dot(start.cwiseAbs2()) / moments.cwiseProduct(start).squaredNorm();  // 2T/L²
+        std::vector<Eigen::Vector3d> ends;
+        for (const Curve& curve : view.curves) {
+            if (curve.name.element != "solid-angle") continue;
+            EXPECT_EQ(curve.on_surface, 0);
+            const double angle = 2.0 * std::numbers::pi * curve.last /
+                                 static_cast<double>(curve.geometry->points.size());
+            const Eigen::Vector3d end =
+                curve.placement * Eigen::Vector3d(std::cos(angle), std::sin(angle), 0.0);
+            EXPECT_NEAR(end.norm(), 1.0, 1e-14);
+            EXPECT_NEAR(end.cwiseAbs2().cwiseQuotient(moments).sum(), ratio, 1e-13);
+            EXPECT_GT(end.dot(axis), 0.0);
+            ends.push_back(end);
+        }
+        ASSERT_EQ(ends.size(), 96u);
+        double area = 0.0;
+        for (std::size_t k = 0; k < ends.size(); ++k) {
+            const Eigen::Vector3d& from = ends[k];
+            const Eigen::Vector3d& to = ends[(k + 1) % ends.size()];
+            area += 2.0 * std::atan2(std::abs(axis.dot(from.cross(to))),
+                                     1.0 + axis.dot(from) + from.dot(to) + to.dot(axis));
+        }
+        EXPECT_NEAR(area, std::abs(phase->solid_angle_rad), 2e-3 * area);
+    }
+}
+
+TEST(FigureElements, CaptionsNameMontgomerysPhase) {
+    Scene scene = showing({});
+    const auto phase = montgomery_phase(problem_of(scene));
+    ASSERT_TRUE(phase);
+    EXPECT_EQ(live_text(scene, "{phase:.6f}", {}), fmt::format("{:.6f}~rad", phase->turned_rad));
+    scene.units = {"deg"};
+    const double deg = 180.0 / std::numbers::pi;
+    EXPECT_EQ(live_text(scene, "{period:.4f}: {dynamic_phase:.2f}, {solid_angle:.2f}", {}),
+              fmt::format("{:.4f}~s: {:.2f}~deg, \u2212{:.2f}~deg", phase->period_s,
+                          deg * phase->dynamic_rad, -deg * phase->solid_angle_rad));
+    scene.start.omega_rad_s = {0.0, 0.0, 1.0};
+    EXPECT_EQ(live_text(scene, "{omega}", {}).substr(0, 1), "0");
+    EXPECT_THROW(live_text(scene, "{solid_angle}", {}), InputError);
 }
 
 TEST(FigureElements, BodyIsInsideItsEllipsoid) {

@@ -74,6 +74,25 @@ TEST(IdleKeys, ElementsAndStylesNeedTheirPanels) {
     EXPECT_EQ(idle_in("[object]\nname = \"book\"\n[[panels]]\nkind = \"object\"\n"), Keys{});
 }
 
+TEST(IdleKeys, ElementsOfOtherPanelsNeedThosePanels) {
+    const auto why = [](const std::string& element, const std::string& panel) -> std::string {
+        const Scene scene = parse_scene("show = [\"" + element + "\"]\n[body]\n" +
+                                            "moments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\n"
+                                            "omega_rad_s = [1.4, 0.5, 1.6]\n[[panels]]\nkind = \"" +
+                                            panel + "\"\n",
+                                        "a.toml");
+        const std::vector<IdleKey> idle = idle_keys(scene);
+        return idle.empty() ? "" : idle.front().why;
+    };
+    EXPECT_EQ(why("solid-angle", "momentum"), "");
+    EXPECT_EQ(why("inertial-forces", "object"), "");
+    EXPECT_EQ(why("solid-angle", "space"),
+              "\"solid-angle\" is an element of panel \"momentum\"; add such a panel, or leave the "
+              "element out");
+    EXPECT_NE(why("inertial-forces", "momentum").find("panel \"object\""), std::string::npos);
+    EXPECT_NE(why("polhode", "object").find("panel \"space\""), std::string::npos);
+}
+
 TEST(IdleKeys, KeysOfPanelsBelongToTheirKind) {
     EXPECT_EQ(idle_in("[[panels]]\nkind = \"space\"\nquantity = \"omega\"\ncurves = 3\n"
                       "title = \"Alone\"\n"),

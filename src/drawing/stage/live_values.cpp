@@ -1,11 +1,36 @@
 #include "drawing/stage/live_values.h"
 
+#include <fmt/format.h>
+
+#include <array>
+
+#include "construction/montgomery_phase.h"
+#include "error/error.h"
 #include "text/languages.h"
 #include "text/units.h"
 
 namespace poinsot {
 
-std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant) {
+namespace {
+
+// Montgomery's phase and its parts, zero unless the text names one of them.
+MontgomeryPhase phase_named_in(std::string_view text, const Scene& scene) {
+    constexpr std::array<std::string_view, 4> names{"{period", "{phase", "{dynamic_phase",
+                                                    "{solid_angle"};
+    for (const std::string_view name : names) {
+        if (text.find(name) == std::string_view::npos) continue;
+        const auto phase = montgomery_phase(problem_of(scene));
+        if (phase) return *phase;
+        throw InputError(
+            fmt::format("{}}} needs a motion in which ω returns in body axes; leave it out", name));
+    }
+    return {};
+}
+
+}  // namespace
+
+std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant,
+                                   std::string_view text) {
     const Eigen::Vector3d& omega = instant.state.omega_body;
     const Eigen::Vector3d momentum = scene.body.inertia.matrix_body() * omega;
     const double energy_J = 0.5 * omega.dot(momentum);
@@ -30,11 +55,17 @@ std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant
     for (const std::string_view name : {"T", "kinetic_energy"}) add(name, energy_J, "J");
     for (const std::string_view name : {"L", "momentum"})
         add(name, momentum.stableNorm(), "kg m²/s");
+    const MontgomeryPhase phase = phase_named_in(text, scene);
+    add("period", phase.period_s, "s");
+    add("phase", phase.turned_rad, "rad");
+    add("dynamic_phase", phase.dynamic_rad, "rad");
+    add("solid_angle", phase.solid_angle_rad, "rad");
     return values;
 }
 
 std::string live_text(const Scene& scene, std::string_view text, const FrameInput& instant) {
-    return expand_live_text(text, live_values(scene, instant), decimal_mark_of(scene.language));
+    return expand_live_text(text, live_values(scene, instant, text),
+                            decimal_mark_of(scene.language));
 }
 
 }  // namespace poinsot

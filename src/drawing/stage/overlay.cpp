@@ -396,8 +396,8 @@ int rows_added_by_type(const Scene& scene, const FontSource& fonts, int width_px
 std::vector<std::string> caption_notes(const Scene& scene) {
     std::vector<std::string> notes;
     const auto add = [&](const std::string& key, std::string_view text) {
-        const auto of_text =
-            at_scene_key(scene, key, [&] { return unit_notes(text, live_values(scene, {})); });
+        const auto of_text = at_scene_key(
+            scene, key, [&] { return unit_notes(text, live_values(scene, {}, text)); });
         for (const std::string& note : of_text)
             notes.push_back(fmt::format("{}{}: {}", scene.where(key), key, note));
     };

@@ -20,7 +20,7 @@ enum class CameraUse { none, direction, all };
 // The scene keys that only some panels take, as bits of PanelKind::takes.
 enum TakenKeys : unsigned {
     takes_nothing = 0,
-    takes_elements = 1u << 0,         // show, but for title, caption and clock
+    takes_elements = 1u << 0,         // most elements of show
     takes_quantity = 1u << 1,         // panels.quantity
     takes_curves = 1u << 2,           // panels.curves
     takes_spiral = 1u << 3,           // trail.polhode, of a dissipating body
@@ -35,6 +35,9 @@ enum TakenKeys : unsigned {
     takes_azimuth = 1u << 12,     // camera.azimuth_deg, although it is flat
     takes_axis_path = 1u << 13,   // trail.axis
     takes_names = 1u << 14,       // names
+    // Elements that other panels than "space" show.
+    takes_forces = 1u << 15,
+    takes_solid_angle = 1u << 16,
 };
 
 // A row of the table of panels.

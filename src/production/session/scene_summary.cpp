@@ -8,6 +8,7 @@
 #include <string_view>
 #include <utility>
 
+#include "construction/montgomery_phase.h"
 #include "construction/poinsot_construction.h"
 #include "construction/polhode.h"
 #include "drawing/stage/stage.h"
@@ -94,6 +95,18 @@ void add_free_motion(const Session& session, std::vector<SummaryLine>& lines) {
                          "herpolhode advances",
                          fmt::format("{:.9g} rad ({:.6g} turns) a period",
                                      *constants.advance_per_period_rad, turns)});
+    }
+    if (const auto phase = montgomery_phase(problem)) {
+        const auto degrees = [](double rad) { return rad * 180.0 / std::numbers::pi; };
+        lines.push_back(
+            {"montgomery_phase_rad",
+             json_numbers(phase->turned_rad, phase->dynamic_rad, phase->solid_angle_rad),
+             "Montgomery's phase",
+             fmt::format("in a polhode period the body turns about L by {:.6g}° = 2TP/L ({:.6g}°) "
+                         "{} the solid angle that L encloses in the body ({:.6g}°)",
+                         degrees(phase->turned_rad), degrees(phase->dynamic_rad),
+                         phase->solid_angle_rad < 0.0 ? "+" : "−",
+                         degrees(std::abs(phase->solid_angle_rad)))});
     }
     const Polhode::Annulus annulus =
         Polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix).annulus();

@@ -17,6 +17,11 @@ Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const FrameInput& inst
            picture.picture_per_rho;
 }
 
+Eigen::Vector3d momentum_direction(const Panel& panel, const Eigen::Vector3d& contact_body) {
+    const Eigen::Vector3d moments = panel.stage->rolling->construction.inertia().moments_kg_m2();
+    return moments.cwiseProduct(principal_from_body(panel) * contact_body).stableNormalized();
+}
+
 Eigen::Vector3d principal_view_direction(const Panel& panel) {
     const ConstructionPicture& picture = *panel.stage->rolling;
     // The axis that the polhode encircles, or, for a polhode that is a point, the nearest axis.

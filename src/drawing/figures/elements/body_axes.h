@@ -16,6 +16,9 @@ Eigen::Matrix3d principal_from_body(const Panel& panel);
 // ρ in principal axes, in units of the largest half-axis: its tip is the contact point.
 Eigen::Vector3d rho_in_principal_axes(const Panel& panel, const FrameInput& instant);
 
+// L/|L| in principal axes at a point of the polhode, in body axes: along Jρ.
+Eigen::Vector3d momentum_direction(const Panel& panel, const Eigen::Vector3d& contact_body);
+
 // Direction from which principal axes are viewed: the axis that the motion encircles leans towards
 // the viewer on ω's side, e3 is up.
 Eigen::Vector3d principal_view_direction(const Panel& panel);

@@ -12,6 +12,9 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store);
 Drawer make_annulus(const Panel& panel, StageStore& store);
 Drawer make_given_axes(const Panel& panel, StageStore& store);
 Drawer make_turn(const Panel& panel, StageStore& store);
+Drawer make_period_turn(const Panel& panel, StageStore& store);
+Drawer make_solid_angle(const Panel& panel, StageStore& store);
+Drawer make_inertial_forces(const Panel& panel, StageStore& store);
 Drawer make_half_axes(const Panel& panel, StageStore& store);
 Drawer make_precession(const Panel& panel, StageStore& store);
 Drawer make_body(const Panel& panel, StageStore& store);
@@ -68,6 +71,10 @@ inline constexpr Element element_rows[] = {
      attitude_too, make_given_axes},
     {"turn", "the rotation from the given axes to the principal axes", never_shown, attitude_too,
      make_turn},
+    {"period-turn",
+     "the principal axes at the start of the film, and the turn about L to where they are one "
+     "polhode period later",
+     never_shown, attitude_too, make_period_turn},
     {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never_shown, attitude_too,
      make_half_axes},
     {"direction",
@@ -95,6 +102,13 @@ inline constexpr Element element_rows[] = {
      omega_alone, make_ghost, true},
     {"drift", "path of the contact point by the comparison method in [beside]", comparison_given,
      omega_alone, make_drift, true},
+    {"inertial-forces",
+     "in panel object, the inertial forces on point masses in the axes that turn with the body: "
+     "from each mass the centrifugal force −m ω × (ω × r), from its tip −m dω/dt × r",
+     never_shown, attitude_too, make_inertial_forces, false, takes_forces},
+    {"solid-angle",
+     "in panel momentum, the part of the sphere that L encloses in one polhode period, hatched",
+     never_shown, omega_alone, make_solid_angle, false, takes_solid_angle},
 };
 
 }  // namespace poinsot

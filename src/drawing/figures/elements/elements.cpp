@@ -1,11 +1,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 #include <vector>
 
 #include "drawing/figures/elements/element_rows.h"
+#include "drawing/stage/fade.h"
 #include "drawing/stage/marks.h"
+#include "drawing/stage/overlay.h"
 #include "error/error.h"
+#include "scene/scene_error.h"
 #include "text/nearest.h"
 
 namespace poinsot {
@@ -78,6 +82,25 @@ bool is_shown(const StageContext& stage, std::string_view name) {
     const std::vector<std::string>& show = stage.scene.show;
     if (show.empty()) return element_named(name).by_default(stage);
     return std::find(show.begin(), show.end(), name) != show.end();
+}
+
+Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by) {
+    const StageContext& stage = *panel.stage;
+    std::vector<Drawer> drawers;
+    at_scene_key(stage.scene, "show", [&] {
+        for (const std::string& name : stage.scene.show)
+            if (!is_overlay(name)) element_named(name);
+        for (const Element& element : elements()) {
+            if (element.taken_by != taken_by || !is_shown(stage, element.name)) continue;
+            panel.needs = united(panel.needs, element.needs);
+            panel.shows_comparison = panel.shows_comparison || element.reads_comparison;
+            drawers.push_back(
+                fading(stage, store, std::string(element.name), element.make(panel, store)));
+        }
+    });
+    return [drawers](const FrameInput& instant, ViewBuilder& builder) {
+        for (const Drawer& draw : drawers) draw(instant, builder);
+    };
 }
 
 const Element& element_named(std::string_view name) {

@@ -1,11 +1,12 @@
-// The elements that the space panel can show: each name with the function that makes its drawer.
-// The rows are in element_rows.h.
+// The elements that panels can show, most of them the space panel: each name with the function that
+// makes its drawer. The rows are in element_rows.h.
 #pragma once
 
 #include <span>
 #include <string_view>
 
 #include "drawing/stage/panel.h"
+#include "drawing/stage/panel_kind.h"
 
 namespace poinsot {
 
@@ -18,14 +19,19 @@ struct Element {
     Quantities needs;
     // Makes what all instants share, kept in the store, and the function that draws an instant.
     Drawer (*make)(const Panel& panel, StageStore& store);
-    bool reads_comparison = false;  // whether its drawer reads FrameInput::comparison
+    bool reads_comparison = false;        // whether its drawer reads FrameInput::comparison
+    TakenKeys taken_by = takes_elements;  // the panels that show it
 };
 
 std::span<const Element> elements();
 
-// Whether the space panel shows it: the scene lists it, or lists no elements and it suits the
+// Whether its panels show it: the scene lists it, or lists no elements and it suits the
 // motion.
 bool is_shown(const StageContext& stage, std::string_view name);
+
+// Makes the drawers of the elements shown in panels that take this key, adds what they need to the
+// panel's needs, and returns one drawer for all.
+Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by);
 
 // Throws InputError with the nearest name and the list.
 const Element& element_named(std::string_view name);

@@ -8,8 +8,11 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
+#include <string>
 #include <vector>
 
+#include "construction/montgomery_phase.h"
 #include "drawing/figures/elements/elements.h"
 #include "drawing/figures/elements/object_shapes.h"
 #include "drawing/stage/marks.h"
@@ -37,6 +40,34 @@ Drawer make_given_axes(const Panel& panel, StageStore& store) {
     };
 }
 
+namespace {
+
+// Arcs about the axis of a turn from each of three points, the columns, to where the turn takes it,
+// with a name at the longest.
+void add_turn_of_axes(const Panel& panel, const Eigen::Matrix3d& from_points,
+                      const Eigen::AngleAxisd& turn, const LineStyle& colour, const TextBlock& type,
+                      ViewBuilder& builder) {
+    double longest = 0.0;
+    Eigen::Vector3d middle = turn.axis();
+    for (int i = 0; i < 3; ++i) {
+        const Eigen::Vector3d tip = from_points.col(i);
+        const Eigen::Vector3d centre = tip.dot(turn.axis()) * turn.axis();
+        const Eigen::Vector3d from = tip - centre;
+        const double radius = from.norm();
+        if (!(radius > 0.1)) continue;
+        const double arc_rad = std::max(0.0, turn.angle() - 0.8 * arc_head_rad(radius));
+        add_arc_arrow(panel, {centre, turn.axis(), radius, arc_rad}, from / radius, colour,
+                      builder);
+        if (radius <= longest) continue;
+        longest = radius;
+        middle = centre + Eigen::AngleAxisd(0.5 * turn.angle(), turn.axis()) * from;
+    }
+    wish_beside(panel, middle, Eigen::Vector3d::Zero(), type, colour, builder);
+    builder.requests.back().gap_px = 18.0 * panel.px;
+}
+
+}  // namespace
+
 // The rotation from x, y, z to e1, e2, e3: about its axis u, an arc from each old to each new axis,
 // with the angle at the longest arc.
 Drawer make_turn(const Panel& panel, StageStore& store) {
@@ -60,22 +91,49 @@ Drawer make_turn(const Panel& panel, StageStore& store) {
         const Eigen::Matrix3d given =
             picture_of(panel).picture_from_body(instant).toRotationMatrix();
         constexpr double reach = 1.12;
-        double longest = 0.0;
-        Eigen::Vector3d middle = axis;
+        add_turn_of_axes(panel, reach * given, Eigen::AngleAxisd(turn.angle(), axis), colour, type,
+                         builder);
+    };
+}
+
+// The principal axes at the start of the film, and their turn about L in one polhode period, as
+// angles from 0 to a whole turn. Throws InputError for a motion without such a period.
+Drawer make_period_turn(const Panel& panel, StageStore& store) {
+    const StageContext& stage = *panel.stage;
+    const std::optional<MontgomeryPhase> phase = montgomery_phase(stage.motion.motion().problem());
+    if (!phase)
+        throw InputError(
+            "show: period-turn needs a motion in which ω returns in body axes; leave it out");
+    if (stage.turns())
+        throw InputError(
+            "show: a co-precessing camera turns by the angle that period-turn shows; leave out one "
+            "of them");
+    constexpr double whole = 2.0 * std::numbers::pi;
+    const double n_whole = std::floor(phase->turned_rad / whole);
+    const double angle_rad = phase->turned_rad - whole * n_whole;
+    const Eigen::AngleAxisd turn(angle_rad, picture_of(panel).normal);
+    FrameInput start;
+    start.state = stage.motion.sample(stage.film_first_s, attitude_too).state;
+    Eigen::Matrix3d axes = picture_of(panel).principal_axes(start);
+    for (int i = 0; i < 3; ++i) axes.col(i) *= picture_of(panel).half_axes[i] + axis_overhang;
+    std::string name = "\\Delta\\varphi";
+    if (n_whole != 0.0) {
+        name += n_whole > 0.0 ? " - " : " + ";
+        if (std::abs(n_whole) > 1.0) name += fmt::format("{}\\cdot", std::abs(n_whole));
+        name += "360°";
+    }
+    const TextBlock type = set_label(panel, store, name, 0.85);
+    return [&panel, axes, turn, type](const FrameInput&, ViewBuilder& builder) {
         for (int i = 0; i < 3; ++i) {
-            const Eigen::Vector3d tip = given.col(i);
-            const Eigen::Vector3d centre = reach * tip.dot(axis) * axis;
-            const Eigen::Vector3d from = reach * tip - centre;
-            const double radius = from.norm();
-            if (!(radius > 0.1)) continue;
-            const double arc_rad = std::max(0.0, turn.angle() - 0.8 * arc_head_rad(radius));
-            add_arc_arrow(panel, {centre, axis, radius, arc_rad}, from / radius, colour, builder);
-            if (radius <= longest) continue;
-            longest = radius;
-            middle = centre + Eigen::AngleAxisd(0.5 * turn.angle(), axis) * from;
+            Curve line = line_between(panel, Eigen::Vector3d::Zero(), axes.col(i),
+                                      panel.stage->theme.axes[i], 3.0);
+            line.opacity = 0.7;
+            line.hidden_opacity = 0.45;
+            builder.view.curves.push_back(line);
         }
-        wish_beside(panel, middle, Eigen::Vector3d::Zero(), type, colour, builder);
-        builder.requests.back().gap_px = 18.0 * panel.px;
+        // Inside of the arrows' heads.
+        constexpr double reach = 0.9;
+        add_turn_of_axes(panel, reach * axes, turn, panel.stage->theme.angles[1], type, builder);
     };
 }
 

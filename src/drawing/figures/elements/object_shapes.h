@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <vector>
 
 #include "drawing/stage/panel.h"
@@ -31,6 +32,10 @@ BodyShape body_shape(const Panel& panel, StageStore& store);
 // Adds the body to a builder; `placement`: of body axes, in units of the body's reach.
 void add_body(const BodyShape& shape, const Eigen::Affine3d& placement, bool casts_shadow,
               ViewBuilder& builder);
+
+// Rotation from space axes to those of the object panel: without torque L is up or, if a panel
+// shows the construction, in the same direction as there.
+Eigen::Quaterniond object_from_space(const StageContext& stage);
 
 // Edges of the uniform box of 1 kg with these principal moments: a² = 6(I₂ + I₃ − I₁) and so on. An
 // edge whose length is zero by the triangle inequality gets a hundredth of the longest one.

@@ -9,6 +9,7 @@
 #include <string_view>
 #include <utility>
 
+#include "drawing/figures/elements/elements.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "text/nearest.h"
@@ -114,10 +115,15 @@ class UnusedKeys {
 
     void add_elements() {
         for (const std::string& name : scene_.show) {
-            if (any(takes_elements) || is_overlay(name)) continue;
-            add("show", fmt::format("\"{}\" is an element of panel \"space\"; add such a panel, or "
-                                    "leave the element out",
-                                    name));
+            if (is_overlay(name)) continue;
+            const Element* element = find_row(elements(), name);
+            // The stage refuses an unknown name.
+            const TakenKeys panels = element != nullptr ? element->taken_by : takes_elements;
+            if (any(panels)) continue;
+            add("show",
+                fmt::format("\"{}\" is an element of panel {}; add such a panel, or leave the "
+                            "element out",
+                            name, panels_that_take(panels, "or")));
             break;
         }
         const bool body = any(takes_object) || (any(takes_elements) && !scene_.show.empty() &&

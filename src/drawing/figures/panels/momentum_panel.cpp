@@ -12,6 +12,7 @@
 #include "construction/adaptive_curve.h"
 #include "drawing/figures/charts/plot_frame.h"
 #include "drawing/figures/elements/body_axes.h"
+#include "drawing/figures/elements/elements.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/trail.h"
 #include "drawing/stage/fade.h"
@@ -29,19 +30,13 @@ constexpr int the_sphere = 0;
 // are left out of the frame.
 constexpr double longest_framed = 2.2;
 
-// m/L in principal axes at a point ρ of the polhode: Jρ·√(2T)/L.
-Eigen::Vector3d momentum_at(const Panel& panel, const Eigen::Vector3d& contact_body) {
-    const Eigen::Vector3d moments = panel.stage->rolling->construction.inertia().moments_kg_m2();
-    return moments.cwiseProduct(principal_from_body(panel) * contact_body).stableNormalized();
-}
-
 // −ω × L at a point ρ of the polhode, where L has length 1: the velocity of L in the body. Its
 // length is that of ω × L with the unit of ω in which the longest half-axis is ρ.
 Eigen::Vector3d velocity_at(const Panel& panel, const Eigen::Vector3d& contact_body) {
     constexpr double per_rate = 0.75;
     const Eigen::Vector3d rho =
         principal_from_body(panel) * contact_body * panel.stage->rolling->picture_per_rho;
-    return per_rate * momentum_at(panel, contact_body).cross(rho);
+    return per_rate * momentum_direction(panel, contact_body).cross(rho);
 }
 
 // The arrow along ω, with the same length as in other panels.
@@ -59,7 +54,7 @@ std::vector<Eigen::Vector3d> tips_of_arrows(const Panel& panel) {
         const Eigen::Vector3d rho = polhode.at(
             polhode.first_chi_rad() + (polhode.last_chi_rad() - polhode.first_chi_rad()) * k / n);
         tips.push_back(omega_at(panel, rho));
-        tips.push_back(momentum_at(panel, rho) + velocity_at(panel, rho));
+        tips.push_back(momentum_direction(panel, rho) + velocity_at(panel, rho));
     }
     return tips;
 }
@@ -69,9 +64,10 @@ std::vector<Eigen::Vector3d> tips_of_arrows(const Panel& panel) {
 const CurveGeometry* keep_meeting_curve(const Panel& panel, StageStore& store) {
     const Polhode& polhode = panel.stage->rolling->polhode;
     double off = 0.0;
-    const auto samples = sample_adaptively(
-        [&](double chi) { return momentum_at(panel, polhode.at(chi)); }, polhode.first_chi_rad(),
-        polhode.last_chi_rad(), 16, panel.curve_units(), most_curve_points, &off);
+    const auto samples =
+        sample_adaptively([&](double chi) { return momentum_direction(panel, polhode.at(chi)); },
+                          polhode.first_chi_rad(), polhode.last_chi_rad(), 16, panel.curve_units(),
+                          most_curve_points, &off);
     CurveGeometry geometry;
     geometry.closed = polhode.closed();
     for (const CurveSample& sample : samples) geometry.points.push_back(sample.point);
@@ -109,9 +105,9 @@ Drawer make_momentum_comparison(Panel& panel, StageStore& store) {
 
 // With dissipation: the path of L over the sphere, as much of it as the trail of the polhode.
 Drawer make_momentum_spiral(const Panel& panel, StageStore& store) {
-    TimedCurve timed =
-        polhode_trail(*panel.stage, panel.curve_units(),
-                      [&panel](const Eigen::Vector3d& point) { return momentum_at(panel, point); });
+    TimedCurve timed = polhode_trail(
+        *panel.stage, panel.curve_units(),
+        [&panel](const Eigen::Vector3d& point) { return momentum_direction(panel, point); });
     CurveGeometry geometry;
     geometry.points = std::move(timed.points);
     Curve curve =
@@ -219,8 +215,9 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         set_label(panel, store, "-\\boldsymbol{\\omega}\\times\\mathbf{L}", 0.85);
     const Drawer comparison = make_momentum_comparison(panel, store);
     const Drawer spiral = dissipates ? make_momentum_spiral(panel, store) : Drawer();
-    panel.draw = [&panel, spiral, sphere, energy, curves, axis_lengths, axis_types, momentum_type,
-                  omega_type, velocity_type, legend,
+    const Drawer elements = make_shown_elements(panel, store, takes_solid_angle);
+    panel.draw = [&panel, spiral, elements, sphere, energy, curves, axis_lengths, axis_types,
+                  momentum_type, omega_type, velocity_type, legend,
                   comparison](const FrameInput& instant, ViewBuilder& builder) {
         const Theme& theme = panel.stage->theme;
         builder.view.labels = legend;
@@ -233,6 +230,7 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
             spiral(instant, builder);
         }
         name_shapes("momentum-sphere", builder);
+        elements(instant, builder);
         for (int i = 0; i < 3; ++i) {
             const Arrow arrow =
                 arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);
@@ -242,7 +240,7 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         name_shapes("axes", builder);
         const PoinsotConstruction& construction = panel.stage->rolling->construction;
         const Eigen::Vector3d contact = construction.contact_body(instant.state.omega_body);
-        const Eigen::Vector3d momentum = momentum_at(panel, contact);
+        const Eigen::Vector3d momentum = momentum_direction(panel, contact);
         const auto add_arrow = [&](Arrow arrow, const TextBlock& type, double turn_rad) {
             arrow.hidden_opacity = 0.7;
             builder.view.arrows.push_back(arrow);

@@ -10,14 +10,15 @@
 #include <utility>
 #include <vector>
 
+#include "drawing/figures/elements/elements.h"
 #include "drawing/figures/elements/ghost.h"
+#include "drawing/figures/elements/inertial_forces.h"
 #include "drawing/figures/elements/object_shapes.h"
 #include "drawing/figures/elements/user_marks.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 #include "mechanics/torque.h"
-#include "numerics/least_turn.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -30,19 +31,6 @@ constexpr double longest_arrow = 1.45;
 constexpr double longest_omega = 1.22;
 // Length of the principal axes beyond the body.
 constexpr double axis_beyond = 0.22;
-
-// Whether another panel shows the construction; then both have the same orientation.
-bool stands_beside_construction(const StageContext& stage) {
-    return std::any_of(stage.scene.panels.begin(), stage.scene.panels.end(),
-                       [](const PanelSpec& panel) { return panel.kind == "space"; });
-}
-
-// Rotation from space axes to the picture's axes.
-Eigen::Quaterniond picture_from_space(const StageContext& stage) {
-    if (!stage.rolling) return Eigen::Quaterniond::Identity();
-    if (stands_beside_construction(stage)) return stage.rolling->picture_from_space;
-    return least_turn(stage.rolling->construction.normal_space(), Eigen::Vector3d::UnitZ());
-}
 
 // ω and L at an instant, picture axes; lengths relative to the largest of the film.
 class ArrowScale {
@@ -73,7 +61,7 @@ class ArrowScale {
  private:
     Eigen::Vector3d tip(const FrameInput& instant, const Eigen::Vector3d& vector_body,
                         double most) const {
-        return picture_from_space(*stage_) * (instant.state.space_from_body * vector_body) *
+        return object_from_space(*stage_) * (instant.state.space_from_body * vector_body) *
                (longest_arrow / most);
     }
 
@@ -100,7 +88,7 @@ class TorqueScale {
         step.space_from_principal =
             state.space_from_body * Eigen::Quaterniond(body_from_principal_);
         const Eigen::Vector3d torque_body = body_from_principal_ * dynamics_.torque_on(step);
-        return picture_from_space(*stage_) * (state.space_from_body * torque_body) *
+        return object_from_space(*stage_) * (state.space_from_body * torque_body) *
                (length / most_N_m_);
     }
 
@@ -147,8 +135,8 @@ Drawer make_ghost_body(Panel& panel, StageStore& store, const BodyShape& shape,
         FrameInput comparison = instant;
         comparison.state = *instant.comparison;
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();
-        turned.linear() = (picture_from_space(*panel.stage) * comparison.state.space_from_body)
-                              .toRotationMatrix();
+        turned.linear() =
+            (object_from_space(*panel.stage) * comparison.state.space_from_body).toRotationMatrix();
         for (Curve line : lines) {
             line.placement = turned * line.placement;
             builder.view.curves.push_back(line);
@@ -165,7 +153,7 @@ Drawer make_marks(Panel& panel, StageStore& store, double reach_m) {
         [&stage, reach_m](const MarkSpec& mark,
                           const RotationState& state) -> std::optional<Eigen::Vector3d> {
             if (mark.on != "body") return std::nullopt;
-            return picture_from_space(stage) *
+            return object_from_space(stage) *
                    (state.space_from_body * (on_body_m(stage.scene, mark) / reach_m));
         });
 }
@@ -177,10 +165,13 @@ std::vector<Eigen::Vector3d> points_to_frame(const StageContext& stage, const Bo
     if (stage.comparison) {
         std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
         const bool down =
-            stage.rolling && stands_beside_construction(stage) && stage.rolling->normal.z() < 0.0;
+            stage.rolling &&
+            (object_from_space(stage) * stage.rolling->construction.normal_space()).z() < 0.0;
         if (arrows.turns()) points.emplace_back(0.0, 0.0, down ? -longest_arrow : longest_arrow);
         return points;
     }
+    std::optional<InertialForces> forces;
+    if (is_shown(stage, "inertial-forces")) forces.emplace(stage, shape.reach_m);
     std::vector<Eigen::Vector3d> body;
     for (const BodyPart& part : shape.parts)
         for (const Eigen::Vector3f& corner : part.geometry->positions)
@@ -201,8 +192,12 @@ std::vector<Eigen::Vector3d> points_to_frame(const StageContext& stage, const Bo
                             .sample(instant.time_s,
                                     {.attitude = true, .herpolhode = false, .euler_angles = false})
                             .state;
-        const Eigen::Quaterniond turn = picture_from_space(stage) * instant.state.space_from_body;
+        const Eigen::Quaterniond turn = object_from_space(stage) * instant.state.space_from_body;
         for (const Eigen::Vector3d& point : body) points.emplace_back(turn * point);
+        if (forces)
+            for (const InertialForces::Arrows& arrow : forces->at(instant.state))
+                for (const Eigen::Vector3d& tip : {arrow.centrifugal_tip, arrow.euler_tip})
+                    points.emplace_back(turn * tip);
         if (torque.acts()) points.push_back(torque.along(instant.state));
         if (!arrows.turns()) continue;
         points.push_back(arrows.momentum_tip(instant));
@@ -218,6 +213,7 @@ void make_object_panel(Panel& panel, StageStore& store) {
     const StageContext& stage = *panel.stage;
     const BodyShape shape = body_shape(panel, store);
     const ArrowScale arrows(stage);
+    const Drawer elements = make_shown_elements(panel, store, takes_forces);
 
     const TorqueScale torque_scale(stage);
     aim_around(panel, points_to_frame(stage, shape, arrows, torque_scale),
@@ -230,10 +226,10 @@ void make_object_panel(Panel& panel, StageStore& store) {
     const Drawer torque = make_torque(panel, store, torque_scale);
     const Drawer marks = make_marks(panel, store, shape.reach_m);
     panel.draw = [&panel, shape, arrows, axis_types, omega_type, momentum_type, ghost, torque,
-                  marks](const FrameInput& instant, ViewBuilder& builder) {
+                  elements, marks](const FrameInput& instant, ViewBuilder& builder) {
         const Theme& theme = panel.stage->theme;
         const Eigen::Matrix3d attitude =
-            (picture_from_space(*panel.stage) * instant.state.space_from_body).toRotationMatrix();
+            (object_from_space(*panel.stage) * instant.state.space_from_body).toRotationMatrix();
         Eigen::Affine3d turned = Eigen::Affine3d::Identity();
         turned.linear() = attitude;
         add_body(shape, turned, true, builder);
@@ -242,6 +238,7 @@ void make_object_panel(Panel& panel, StageStore& store) {
         name_shapes("ghost", builder);
         torque(instant, builder);
         name_shapes("torque", builder);
+        elements(instant, builder);
         marks(instant, builder);
         name_shapes("marks", builder);
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const LineStyle& colour,

@@ -62,10 +62,11 @@ inline constexpr PanelKind panel_rows[] = {
      "the sphere of constant |L| and the energy ellipsoid, which meet in the path of L in body "
      "axes",
      momentum_in_body_axes_title, true, keeps_momentum, needs_turning, make_momentum_panel,
-     takes_spiral | takes_comparison, CameraUse::direction, principal_view_direction},
+     takes_spiral | takes_comparison | takes_solid_angle, CameraUse::direction,
+     principal_view_direction},
     {"object", "the turning body itself, with its principal axes, ω and L", body_in_space_title,
      true, any_motion, "", make_object_panel,
-     takes_object | takes_marks_on_body | takes_mark_trails | takes_comparison,
+     takes_object | takes_marks_on_body | takes_mark_trails | takes_comparison | takes_forces,
      CameraUse::direction},
     {"plot", "ω, angles, energies or residuals against time, with a moving cursor", no_words, true,
      any_motion, "", make_plot_panel, takes_quantity | takes_comparison},

@@ -161,21 +161,7 @@ Drawer make_marks(Panel& panel, StageStore& store) {
 void make_space_panel(Panel& panel, StageStore& store) {
     aim_along(panel);
 
-    // The elements that the scene lists, or the default ones for this kind of motion.
-    const std::vector<std::string>& show = panel.stage->scene.show;
-    for (const std::string& name : show) {
-        if (is_overlay(name)) continue;
-        at_scene_key(panel.stage->scene, "show", [&] { element_named(name); });
-    }
-    std::vector<Drawer> drawers;
-    for (const Element& element : elements()) {
-        if (is_shown(*panel.stage, element.name)) {
-            panel.needs = united(panel.needs, element.needs);
-            panel.shows_comparison = panel.shows_comparison || element.reads_comparison;
-            drawers.push_back(
-                fading(*panel.stage, store, std::string(element.name), element.make(panel, store)));
-        }
-    }
+    std::vector<Drawer> drawers{make_shown_elements(panel, store, takes_elements)};
     if (!panel.stage->scene.marks.empty())
         drawers.emplace_back(
             [marks = make_marks(panel, store)](const FrameInput& instant, ViewBuilder& builder) {
