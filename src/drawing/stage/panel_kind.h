@@ -35,6 +35,7 @@ enum TakenKeys : unsigned {
     takes_azimuth = 1u << 12,     // camera.azimuth_deg, although it is flat
     takes_axis_path = 1u << 13,   // trail.axis
     takes_names = 1u << 14,       // names
+    takes_measured = 1u << 15,    // [measured]
 };
 
 // A row of the table of panels.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drawing/figures/elements/elements.h"
+#include "drawing/stage/possible_motions.h"
 
 namespace poinsot {
 
@@ -29,6 +30,7 @@ Drawer make_levels(const Panel& panel, StageStore& store);
 Drawer make_velocity(const Panel& panel, StageStore& store);
 Drawer make_ghost(const Panel& panel, StageStore& store);
 Drawer make_drift(const Panel& panel, StageStore& store);
+Drawer make_measured(const Panel& panel, StageStore& store);
 Drawer make_ellipsoid(const Panel& panel, StageStore& store);
 Drawer make_axes(const Panel& panel, StageStore& store);
 Drawer make_cones(const Panel& panel, StageStore& store);
@@ -95,6 +97,10 @@ inline constexpr Element element_rows[] = {
      omega_alone, make_ghost, true},
     {"drift", "path of the contact point by the comparison method in [beside]", comparison_given,
      omega_alone, make_drift, true},
+    {"measured",
+     "ρ = ω/√(2T) of the measured motion in [measured] up to the instant, with the scene's T: on "
+     "the ellipsoid and on the plane",
+     has_measured, attitude_too, make_measured},
 };
 
 }  // namespace poinsot
