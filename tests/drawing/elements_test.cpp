@@ -56,6 +56,7 @@ std::vector<double> places_of_element(const Element& element, const Eigen::Matri
     MethodChoice stepped{"rk4", 0.01 / rates_by, {}, {}};
     const bool of_beside = is_of_beside(element);
     if (of_beside) scene.beside = stepped;
+    if (element.name == "measured") measure(scene, last_time_s, 41);
     const Motion motion(problem_of(scene));
     MotionProblem problem = motion.problem();
     problem.method = stepped;
@@ -108,6 +109,7 @@ TEST(SpacePanel, EveryElementIsFiniteForExtremeMotions) {
         for (const FreeCase& one : extremes) {
             Scene scene = free_scene(one.moments, one.omega, "space");
             scene.show = {std::string(element.name)};
+            if (element.name == "measured") measure(scene, 10.0, 41);
             std::optional<StagedScene> staged;
             try {
                 staged.emplace(scene, 10.0);

@@ -404,6 +404,13 @@ inline const std::map<std::string, Claim> claims_of_rows{
     {"beside.order",
      {with("beside", "method = \"dmv\"\norder = 6"),
       [](const Scene& s) { return s.beside.value().order == 6; }}},
+    {"measured.file",
+     {with("measured", "file = \"gyro.csv\""),
+      [](const Scene& s) {
+          const auto& rows = s.measured.motion.rows;
+          return s.measured.file == "gyro.csv" && rows.size() == 2 && rows[1].time_s == 0.5 &&
+                 std::abs(rows[0].omega_body[2] - std::acos(-1.0)) < 1e-15;
+      }}},
     {"film.start_s",
      {with("film", "start_s = -2.5"), [](const Scene& s) { return s.film.start_s == -2.5; }}},
     {"film.duration_s",
