@@ -162,8 +162,14 @@ std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene
             fmt::format("attitude = {}\n", toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
     text += fmt::format("\n[measured]\nfile = {}\n",
                         toml_text(std::string_view(seen_from(scene, file).string())));
-    text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\n", toml_text(fit.first_time_s),
-                        toml_text(measured.rows.back().time_s - fit.first_time_s));
+    // A still shows all points. A film that would be short or long lasts ten seconds.
+    const double span_s = measured.rows.back().time_s - fit.first_time_s;
+    text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\nstill_s = {}\n",
+                        toml_text(fit.first_time_s), toml_text(span_s),
+                        toml_text(measured.rows.back().time_s));
+    constexpr double short_s = 5.0, long_s = 60.0, length_s = 10.0;
+    if (span_s < short_s || span_s > long_s)
+        text += fmt::format("speed = {}\n", toml_text(span_s / length_s));
     return text;
 }
 

@@ -121,7 +121,8 @@ Drawer make_measured(const Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = picture_of(panel);
     const double per_rho = picture.picture_per_rho;
     const Drawer on_ellipsoid = measured_track(
-        panel, store, [&](const MeasuredRow& row) { return per_rho * measured_rho(stage, row); },
+        panel, store,
+        [&](const MeasuredRow& row) { return Eigen::Vector3d(per_rho * measured_rho(stage, row)); },
         [&picture](const FrameInput& instant) {
             return Eigen::Affine3d(picture.picture_from_body(instant));
         });
