@@ -259,7 +259,7 @@ TEST(Fit, TakesKnownMomentsOfASymmetricBody) {
     const FittedMotion fit =
         fit_motion(measured(truth, 10.0, 500, 0.02, random), Eigen::Vector3d(1.0, 0.5, 1.0));
     EXPECT_NEAR(std::abs(fit.instrument_from_principal(2, 2)), 1.0, 1e-4);
-    EXPECT_EQ(fit.axes_sd_rad[2], 0.0);
+    EXPECT_LT(fit.axes_sd_rad[2], 1e-6);  // the turns about e1 and e2 do not commute
     EXPECT_LT((fit.omega_rad_s - truth.omega).norm(), 0.02);
 }
 
