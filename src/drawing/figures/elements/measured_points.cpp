@@ -18,9 +18,9 @@ namespace {
 
 // More dots would run into each other, and each takes time; the line joins all rows.
 constexpr std::size_t most_dots = 400;
-constexpr double dot_px = 3.6;
+constexpr double dot_px = 3.4;
 constexpr double track_px = 1.5;
-constexpr double track_opacity = 0.75;
+constexpr double track_opacity = 0.9;
 constexpr double behind = 0.3;  // opacity of what the ellipsoid or the plane hides
 
 // Moves what is drawn towards the eye by some pixels, along the lines of sight, so that its place
@@ -104,7 +104,7 @@ Drawer measured_track(const Panel& panel, StageStore& store,
         for (const MeasuredDot& dot : dots) {
             if (!whole && dot.time_s > instant.time_s) break;
             Dot shown = dot_at(panel, place * dot.at, ink, dot_px);
-            shown.rim_px = 0.7 * panel.px;
+            shown.rim_px = 0.0;  // rims would cover the colour of dots so small
             shown.hidden_opacity = behind;
             builder.view.dots.push_back(shown);
         }

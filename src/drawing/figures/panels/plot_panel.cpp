@@ -37,7 +37,7 @@ constexpr double beside_width = 2.0;
 constexpr double beside_opacity = 0.6;
 
 // The measured motion is drawn over the exact one. More rows than this are closer than pixels.
-constexpr double measured_width = 1.7;
+constexpr double measured_width = 2.2;
 constexpr std::size_t most_measured_points = 4000;
 
 // The range of an axis: the values with a margin.
