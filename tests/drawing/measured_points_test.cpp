@@ -137,29 +137,32 @@ TEST(MeasuredPoints, AppearWithTime) {
 
 // A point just below the surface that faces the eye is not hidden by it; one behind the body is.
 TEST(MeasuredPoints, AreHiddenByTheBodyOnlyBehindIt) {
-    const StagedScene staged(measured_scene("body", 0.999, 201), 10.0);
-    const View view = staged.stage.at(10.0).views.at(0);
-    const Eigen::Vector3d halves = view.ellipsoids.at(0).half_axes.diagonal();
-    const Projection projection(view);
     int n_front = 0, n_back = 0;
-    for (const Dot& dot : measured_dots(view)) {
-        // In lengths in which the ellipsoid is the unit sphere: the line of sight from the dot to
-        // the eye.
-        const Eigen::Vector3d from = dot.at.cwiseQuotient(halves);
-        const Eigen::Vector3d way = (view.camera.eye - dot.at).cwiseQuotient(halves);
-        const double b = from.dot(way), c = from.squaredNorm() - 1.0, a = way.squaredNorm();
-        const bool is_hidden = b * b - a * c > 0.0 && (-b + std::sqrt(b * b - a * c)) > 0.0;
-        // How the surface faces the eye there.
-        const double facing = dot.at.cwiseQuotient(halves.cwiseAbs2())
-                                  .normalized()
-                                  .dot((view.camera.eye - dot.at).normalized());
-        if (facing > 0.2) {
-            EXPECT_FALSE(is_hidden) << facing;
-            ++n_front;
-        }
-        if (facing < -0.2) {
-            EXPECT_TRUE(is_hidden) << facing;
-            ++n_back;
+    for (const double azimuth_deg : {-40.0, 140.0}) {  // from two opposite sides
+        Scene scene = measured_scene("body", 0.999, 201);
+        scene.panels[0].camera.azimuth_deg = azimuth_deg;
+        const StagedScene staged(scene, 10.0);
+        const View view = staged.stage.at(10.0).views.at(0);
+        const Eigen::Vector3d halves = view.ellipsoids.at(0).half_axes.diagonal();
+        for (const Dot& dot : measured_dots(view)) {
+            // In lengths in which the ellipsoid is the unit sphere: the line of sight from the dot
+            // to the eye.
+            const Eigen::Vector3d from = dot.at.cwiseQuotient(halves);
+            const Eigen::Vector3d way = (view.camera.eye - dot.at).cwiseQuotient(halves);
+            const double b = from.dot(way), c = from.squaredNorm() - 1.0, a = way.squaredNorm();
+            const bool is_hidden = b * b - a * c > 0.0 && (-b + std::sqrt(b * b - a * c)) > 0.0;
+            // How the surface faces the eye there.
+            const double facing = dot.at.cwiseQuotient(halves.cwiseAbs2())
+                                      .normalized()
+                                      .dot((view.camera.eye - dot.at).normalized());
+            if (facing > 0.2) {
+                EXPECT_FALSE(is_hidden) << facing;
+                ++n_front;
+            }
+            if (facing < -0.2) {
+                EXPECT_TRUE(is_hidden) << facing;
+                ++n_back;
+            }
         }
     }
     EXPECT_GT(n_front, 10);

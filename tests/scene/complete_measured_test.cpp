@@ -61,7 +61,7 @@ TEST_F(Measured, IsRefusedWithBothPlaces) {
     EXPECT_EQ(refusal(naming("missing.csv")),
               "scenes/a.toml:7:1: scenes/missing.csv: no such file; name a table of text (CSV)");
     EXPECT_EQ(refusal(a_scene + "[measured]\n"),
-              "scenes/a.toml:6:1: measured.file is missing; name a table in the scene's folder");
+              "scenes/a.toml:6:2: measured.file is missing; name a table in the scene's folder");
     EXPECT_EQ(refusal(naming("")),
               "scenes/a.toml:7:1: measured.file is missing; name a table in the scene's folder");
     // Outside of the scene's folder, as for meshes and pictures.
