@@ -6,16 +6,20 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <string_view>
 
 #include "cli/command.h"
 #include "cli/options.h"
 #include "error/error.h"
 #include "measured/files/measured_file.h"
+#include "measured/table_faults.h"
 #include "mechanics/free/free_rotation.h"
 #include "scene/toml_text.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
 #include "text/json_text.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -25,8 +29,29 @@ namespace {
 struct FitChoices {
     std::vector<std::string> files;
     std::string output;
+    std::string moments;
     bool json = false;
 };
+
+// "4,3,1.5".
+Eigen::Vector3d moments_in(const std::string& text) {
+    std::vector<double> moments;
+    for (std::string_view rest = text;;) {
+        const std::size_t comma = rest.find(',');
+        moments.push_back(number_of<double>(rest.substr(0, comma)).value_or(0.0));
+        if (comma == std::string_view::npos) break;
+        rest.remove_prefix(comma + 1);
+    }
+    const bool all_positive = std::all_of(moments.begin(), moments.end(), [](double moment) {
+        return moment > 0.0 && std::isfinite(moment);
+    });
+    if (moments.size() != 3 || !all_positive)
+        throw InputError(
+            fmt::format("--moments {}: give three positive numbers in kg m², as in "
+                        "--moments 4,3,1.5",
+                        printable(text)));
+    return {moments[0], moments[1], moments[2]};
+}
 
 // As many decimals as the standard deviation has a say in.
 std::string with_sd(double value, double sd) {
@@ -49,17 +74,21 @@ std::string json_of(const FittedMotion& fit) {
     answer.json("axes_sd_rad", list(fit.axes_sd_rad));
     answer.json("omega_rad_s", list(fit.omega_rad_s))
         .json("omega_sd_rad_s", list(fit.omega_sd_rad_s));
+    if (fit.I1_kg_m2) answer.add("I1_kg_m2", *fit.I1_kg_m2);
     answer.add("damping_1_s", fit.damping_1_s).add("damping_sd_1_s", fit.damping_sd_1_s);
     answer.add("residual_rad_s", fit.residual_rad_s).add("noise_rad_s", fit.noise_rad_s);
     return answer.lines();
 }
 
 // What was found, a line each: for the console, and as comments of the scene.
-std::vector<std::string> words_of(const FittedMotion& fit) {
+std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured) {
     const auto& m = fit.moments;
-    std::vector<std::string> lines{fmt::format("I2/I1 = {}, I3/I1 = {} (standard deviations)",
-                                               with_sd(m[1], fit.moments_sd[1]),
-                                               with_sd(m[2], fit.moments_sd[2]))};
+    std::vector<std::string> lines{
+        fit.I1_kg_m2
+            ? fmt::format("moments {:.9g}, {:.9g}, {:.9g} kg m², as given", *fit.I1_kg_m2,
+                          *fit.I1_kg_m2 * m[1], *fit.I1_kg_m2 * m[2])
+            : fmt::format("I2/I1 = {}, I3/I1 = {} (standard deviations)",
+                          with_sd(m[1], fit.moments_sd[1]), with_sd(m[2], fit.moments_sd[2]))};
     for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d e = fit.instrument_from_principal.col(k);
         lines.push_back(fmt::format("e{} = ({:.4f}, {:.4f}, {:.4f}) in the instrument's axes",
@@ -68,9 +97,9 @@ std::vector<std::string> words_of(const FittedMotion& fit) {
     lines.push_back(fmt::format("axes uncertain by {:.2g}, {:.2g}, {:.2g} rad about e1, e2, e3",
                                 fit.axes_sd_rad[0], fit.axes_sd_rad[1], fit.axes_sd_rad[2]));
     constexpr double least_sds = 3.0;
-    if (1.0 - m[1] < least_sds * fit.moments_sd[1])
+    if (1.0 - m[1] <= least_sds * fit.moments_sd[1])
         lines.emplace_back("note: I1 = I2 within the uncertainty, so that e1 and e2 are arbitrary");
-    if (m[1] - m[2] < least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
+    if (m[1] - m[2] <= least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
         lines.emplace_back("note: I2 = I3 within the uncertainty, so that e2 and e3 are arbitrary");
     lines.push_back(fmt::format("ω at {:g} s = ({}, {}, {}) rad/s", fit.first_time_s,
                                 with_sd(fit.omega_rad_s[0], fit.omega_sd_rad_s[0]),
@@ -91,31 +120,56 @@ std::vector<std::string> words_of(const FittedMotion& fit) {
             "note: I1 > I2 + I3 by {:.2g}, which no rigid body has: check the units, the "
             "axes and the time that was cut out",
             excess_of(fit)));
+    if (!measured.has_omega)
+        lines.emplace_back(
+            "note: the table has no ω; it was computed from the differences of its attitudes");
+    if (const std::string gaps = in_words(gaps_of(measured.rows)); !gaps.empty())
+        lines.push_back(fmt::format("note: {}", gaps));
+    for (const Saturation& saturation : saturations_of(measured.rows))
+        lines.push_back(fmt::format("note: {}", in_words(saturation)));
     return lines;
 }
 
-// A scene of the fitted motion, without its damping. Its times are those of the table: the motion
-// is followed back to t = 0. ω(t) tells moments up to a common factor only: I1 = 1 kg m².
-std::string scene_of(const FittedMotion& fit, const std::filesystem::path& file,
-                     const MeasuredMotion& measured) {
+// The path by which a scene names a file.
+std::filesystem::path seen_from(const std::filesystem::path& scene,
+                                const std::filesystem::path& file) {
+    namespace fs = std::filesystem;
+    const fs::path folder = fs::weakly_canonical(fs::absolute(scene).parent_path());
+    const fs::path whole = fs::weakly_canonical(fs::absolute(file));
+    const fs::path path = whole.lexically_relative(folder);
+    return path.empty() ? whole : path;
+}
+
+// A scene of the fitted motion, without its damping, with the table beside it. Its times are those
+// of the table: the motion is followed back to t = 0. ω(t) tells moments up to a common factor
+// only: I1 = 1 kg m² unless they were given.
+std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene,
+                     const std::filesystem::path& file, const MeasuredMotion& measured) {
     std::string text = fmt::format("# Fitted to {}.\n", printable(file.filename().string()));
-    for (const std::string& line : words_of(fit)) text += fmt::format("# {}\n", line);
+    for (const std::string& line : words_of(fit, measured)) text += fmt::format("# {}\n", line);
     text += "# The scene leaves the damping out.\n";
     const InertiaTensor inertia = InertiaTensor::from_matrix(fit.tensor(), Physicality::waived);
     const RotationState first{fit.first_time_s, measured.rows.front().space_from_body,
                               fit.omega_rad_s};
     const RotationState start = FreeRotation(inertia, first).at(0.0);
-    text +=
-        fmt::format("\n[body]\ntensor_kg_m2 = {}  # I1 = 1: a common factor has no effect on ω\n",
-                    toml_text(fit.tensor()));
+    text += fmt::format("\n[body]\ntensor_kg_m2 = {}{}\n", toml_text(fit.tensor()),
+                        fit.I1_kg_m2 ? "" : "  # I1 = 1: a common factor has no effect on ω");
     if (excess_of(fit) > 0.0) text += "allow_unphysical = true\n";
     text += fmt::format("\n[start]\nomega_rad_s = {}\n", toml_text(start.omega_body));
     const Eigen::Quaterniond& q = start.space_from_body;
     if (measured.has_attitude)
         text +=
             fmt::format("attitude = {}\n", toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
-    text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\n", toml_text(fit.first_time_s),
-                        toml_text(measured.rows.back().time_s - fit.first_time_s));
+    text += fmt::format("\n[measured]\nfile = {}\n",
+                        toml_text(std::string_view(seen_from(scene, file).string())));
+    // A still shows all points. A film that would be short or long lasts ten seconds.
+    const double span_s = measured.rows.back().time_s - fit.first_time_s;
+    text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\nstill_s = {}\n",
+                        toml_text(fit.first_time_s), toml_text(span_s),
+                        toml_text(measured.rows.back().time_s));
+    constexpr double short_s = 5.0, long_s = 60.0, length_s = 10.0;
+    if (span_s < short_s || span_s > long_s)
+        text += fmt::format("speed = {}\n", toml_text(span_s / length_s));
     return text;
 }
 
@@ -124,31 +178,43 @@ int run(const FitChoices& choices) {
     if (!choices.output.empty() && suffix_of(choices.output) != ".toml")
         throw InputError(fmt::format("-o {}: the output is a scene; end its name in .toml",
                                      printable(choices.output)));
-    const MeasuredMotion measured = load_measured(file);
-    if (!measured.has_omega)
-        throw InputError(
-            fmt::format("{}: the table has no ω; name columns omega_x, omega_y, omega_z",
-                        printable(file.string())));
+    std::optional<Eigen::Vector3d> moments;
+    if (!choices.moments.empty()) moments = moments_in(choices.moments);
+    MeasuredMotion measured = load_measured(file);
+    add_omega_by_differences(measured);
     FittedMotion fit;
     try {
-        fit = fit_motion(measured.rows);
+        fit = fit_motion(measured.rows, moments);
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", printable(file.string()), error.what()));
     }
-    if (!choices.output.empty()) write_whole(choices.output, scene_of(fit, file, measured));
+    if (!choices.output.empty())
+        write_whole(choices.output, scene_of(fit, choices.output, file, measured));
     if (choices.json) {
         fmt::print("{}", json_of(fit));
         return 0;
     }
-    for (const std::string& line : words_of(fit)) fmt::print("{}\n", line);
-    if (!choices.output.empty()) fmt::print("{}\n", printable(choices.output));
+    for (const std::string& line : words_of(fit, measured)) fmt::print("{}\n", line);
+    if (choices.output.empty()) return 0;
+    fmt::print("{}\n", printable(choices.output));
+    if (const std::filesystem::path path = seen_from(choices.output, file);
+        path.is_absolute() || path.begin()->string() == "..")
+        fmt::print(
+            "note: the table is not in the scene's folder; move it there, or draw the scene with "
+            "--allow-outside\n");
     return 0;
 }
 
 CommandLine fit_line(std::any& storage) {
     auto& c = storage.emplace<FitChoices>();
     return {&c.files,
-            {output_option(c.output, "FILE.toml: write a scene of the fitted body and motion"),
+            {output_option(c.output,
+                           "FILE.toml: write a scene of the fitted body and motion, with "
+                           "the measured points"),
+             {"--moments",
+              "I,I,I: the principal moments in kg m², if they are known; then only the axes, the "
+              "start and the damping are fitted",
+              &c.moments},
              json_option(c.json)},
             [&c] { return run(c); }};
 }
@@ -164,6 +230,8 @@ extern const Command fit_command{
     fit_line,
     {{{"poinsot fit gyro.csv",
        "prints what a gyroscope's table says about the body, with uncertainties"},
-      {"poinsot fit gyro.csv -o thrown.toml", "also writes a scene of that body and its motion"}}}};
+      {"poinsot fit gyro.csv -o thrown.toml",
+       "also writes a scene of that body and its motion; `poinsot still thrown.toml` shows the "
+       "measured points"}}}};
 
 }  // namespace poinsot

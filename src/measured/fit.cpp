@@ -6,7 +6,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <limits>
+#include <optional>
 #include <unsupported/Eigen/NonLinearOptimization>
 #include <utility>
 #include <vector>
@@ -22,10 +24,11 @@ constexpr std::size_t most_rows = 20'000;
 constexpr std::size_t least_rows = 30;
 constexpr double most_turn_rad = 0.5;  // from row to row
 
-// What is fitted: five components of the logarithm of the tensor, which has no trace, so that every
-// value is a positive tensor of determinant 1; ω at the first instant; the damping.
-constexpr int n_parameters = 9;
-using Parameters = Eigen::Matrix<double, n_parameters, 1>;
+// What is fitted: the values of a family of tensors, then ω at the first instant, then the damping.
+using Parameters = Eigen::VectorXd;
+constexpr int n_besides_tensor = 4;
+Eigen::Vector3d omega_in(const Parameters& p) { return p.tail<n_besides_tensor>().head<3>(); }
+double damping_in(const Parameters& p) { return p[p.size() - 1]; }
 
 using Tensor = Eigen::Matrix3d;
 const std::array<Tensor, 5>& shapes() {
@@ -54,21 +57,64 @@ Tensor mapped(const Tensor& tensor, Function f) {
     return 0.5 * (made + made.transpose());  // symmetric to the last bit
 }
 
-Tensor tensor_of(const Parameters& p) {
-    Tensor logarithm = Tensor::Zero();
-    for (int k = 0; k < 5; ++k) logarithm += p[k] * shapes()[static_cast<std::size_t>(k)];
-    return mapped(logarithm, [](double x) { return std::exp(x); });
-}
+// The tensors among which one is fitted. Without known moments these are five components of the
+// logarithm of the tensor, which has no trace, so that every value is a positive tensor of
+// determinant 1. With known moments these are turns about principal axes, from a first guess of
+// them; a turn about the axis of two equal moments changes nothing and is left out.
+class Family {
+ public:
+    Family() = default;
+    // Precondition: moments in falling order.
+    Family(const Eigen::Vector3d& moments, const Eigen::Matrix3d& first_axes)
+        : moments_(moments), first_axes_(first_axes) {
+        for (int k = 0; k < 3; ++k)
+            if (moments[(k + 1) % 3] != moments[(k + 2) % 3]) turned_.push_back(k);
+    }
 
-Parameters parameters_of(const Tensor& tensor, const Eigen::Vector3d& omega, double damping) {
-    const Tensor logarithm = mapped(tensor, [](double x) { return std::log(x); });
-    Parameters p;
-    for (int k = 0; k < 5; ++k)
-        p[k] = logarithm.cwiseProduct(shapes()[static_cast<std::size_t>(k)]).sum();
-    p.segment<3>(5) = omega;
-    p[8] = damping;
-    return p;
-}
+    bool has_moments() const { return moments_.has_value(); }
+    const Eigen::Vector3d& moments() const { return *moments_; }
+    int n_of_tensor() const { return moments_ ? static_cast<int>(turned_.size()) : 5; }
+    int n_parameters() const { return n_of_tensor() + n_besides_tensor; }
+
+    // Precondition: the moments are known.
+    Eigen::Matrix3d axes(const Parameters& p) const {
+        Eigen::Vector3d turn = Eigen::Vector3d::Zero();
+        for (std::size_t k = 0; k < turned_.size(); ++k)
+            turn[turned_[k]] = p[static_cast<Eigen::Index>(k)];
+        const double angle = turn.norm();
+        if (!(angle > 0.0)) return first_axes_;
+        return first_axes_ * Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
+    }
+
+    Tensor tensor(const Parameters& p) const {
+        if (moments_) {
+            const Eigen::Matrix3d turned = axes(p);
+            const Tensor made = turned * moments_->asDiagonal() * turned.transpose();
+            return 0.5 * (made + made.transpose());
+        }
+        Tensor logarithm = Tensor::Zero();
+        for (int k = 0; k < 5; ++k) logarithm += p[k] * shapes()[static_cast<std::size_t>(k)];
+        return mapped(logarithm, [](double x) { return std::exp(x); });
+    }
+
+    // The parameters of a tensor; with known moments those of the first axes.
+    Parameters parameters(const Tensor& tensor, const Eigen::Vector3d& omega,
+                          double damping) const {
+        Parameters p = Parameters::Zero(n_parameters());
+        if (!moments_) {
+            const Tensor logarithm = mapped(tensor, [](double x) { return std::log(x); });
+            for (int k = 0; k < 5; ++k)
+                p[k] = logarithm.cwiseProduct(shapes()[static_cast<std::size_t>(k)]).sum();
+        }
+        p.tail<n_besides_tensor>() << omega, damping;
+        return p;
+    }
+
+ private:
+    std::optional<Eigen::Vector3d> moments_;
+    Eigen::Matrix3d first_axes_ = Eigen::Matrix3d::Identity();
+    std::vector<int> turned_;  // the axes about which a turn changes the tensor
+};
 
 // The time that a free motion takes for what the damped one does in t, over it: (1 − e^(−γt))/(γt).
 double slowed(double damping, double t) {
@@ -79,10 +125,10 @@ double slowed(double damping, double t) {
 // The damped motion of some parameters.
 class Model {
  public:
-    explicit Model(const Parameters& p)
-        : free_(InertiaTensor::from_matrix(tensor_of(p), Physicality::waived),
-                RotationState{0.0, Eigen::Quaterniond::Identity(), p.segment<3>(5)}),
-          damping_(p[8]) {}
+    Model(const Family& family, const Parameters& p)
+        : free_(InertiaTensor::from_matrix(family.tensor(p), Physicality::waived),
+                RotationState{0.0, Eigen::Quaterniond::Identity(), omega_in(p)}),
+          damping_(damping_in(p)) {}
 
     // `t`: since the first row.
     Eigen::Vector3d omega(double t) const {
@@ -99,12 +145,13 @@ class Model {
 // Model less measurement, three components a row.
 struct Residuals {
     std::span<const MeasuredRow> rows;
+    const Family* family;
 
     Eigen::Index n_values() const { return static_cast<Eigen::Index>(3 * rows.size()); }
 
     Eigen::VectorXd at(const Parameters& p) const {
         Eigen::VectorXd out(n_values());
-        const Model model(p);
+        const Model model(*family, p);
         for (std::size_t i = 0; i < rows.size(); ++i)
             out.segment<3>(static_cast<Eigen::Index>(3 * i)) =
                 model.omega(rows[i].time_s - rows.front().time_s) - rows[i].omega_body;
@@ -112,10 +159,13 @@ struct Residuals {
     }
     // Central differences: the model is smooth, and exact to rounding.
     Eigen::MatrixXd jacobian_at(const Parameters& p) const {
-        Eigen::MatrixXd jacobian(n_values(), n_parameters);
-        const double rate = p.segment<3>(5).norm();
-        for (int k = 0; k < n_parameters; ++k) {
-            const double step = 1e-6 * (k < 5 ? 1.0 : k < 8 ? rate : 1.0 / span_s());
+        Eigen::MatrixXd jacobian(n_values(), p.size());
+        const double rate = omega_in(p).norm();
+        const int n_of_tensor = family->n_of_tensor();
+        for (int k = 0; k < p.size(); ++k) {
+            const double step = 1e-6 * (k < n_of_tensor       ? 1.0
+                                        : k < n_of_tensor + 3 ? rate
+                                                              : 1.0 / span_s());
             Parameters above = p, below = p;
             above[k] += step;
             below[k] -= step;
@@ -132,14 +182,18 @@ double rate_of(std::span<const MeasuredRow> rows) {
     return std::sqrt(sum / static_cast<double>(rows.size()));
 }
 
-// A first tensor from Euler's equations, integrated over windows of this angle: J(ω_b − ω_a) +
-// ∫ ω × Jω dt = 0 is linear in J, so that J is the smallest singular vector. With damping, the same
-// holds for e^(γt) ω in the time (1 − e^(−γt))/γ. Returns the share of the rest, too.
-std::pair<Tensor, double> first_tensor(std::span<const MeasuredRow> rows, double damping,
-                                       double window_rad) {
+// The six elements of a symmetric tensor.
+constexpr std::array<std::array<int, 2>, 6> places{
+    {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+using Elements = Eigen::Matrix<double, 6, 1>;
+using Normal = Eigen::Matrix<double, 6, 6>;
+
+// Euler's equations, integrated over windows of this angle: J(ω_b − ω_a) + ∫ ω × Jω dt = 0 is
+// linear in J. With damping, the same holds for e^(γt) ω in the time (1 − e^(−γt))/γ. Returns the
+// matrix of the sum of squares of what is left, as a form in the elements of J; zero for rows too
+// short.
+Normal normal_of(std::span<const MeasuredRow> rows, double damping, double window_rad) {
     using Row = Eigen::Matrix<double, 3, 6>;
-    constexpr std::array<std::array<int, 2>, 6> places{
-        {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
     std::array<Tensor, 6> basis;
     for (std::size_t k = 0; k < 6; ++k) {
         basis[k].setZero();
@@ -163,20 +217,27 @@ std::pair<Tensor, double> first_tensor(std::span<const MeasuredRow> rows, double
         before = turning;
     }
     const double window = window_rad / rate_of(rows);
-    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-    std::size_t b = 0, n_windows = 0;
-    for (std::size_t a = 0; a < rows.size(); ++a, ++n_windows) {
+    Normal normal = Normal::Zero();
+    std::size_t b = 0;
+    for (std::size_t a = 0; a < rows.size(); ++a) {
         while (b < rows.size() && times[b] - times[a] < window) ++b;
         if (b == rows.size()) break;
         const Row row = ends[b] - ends[a] + sums[b] - sums[a];
         normal += row.transpose() * row;
     }
+    return normal;
+}
+
+// The tensor with the least rest, and this rest as a share.
+std::pair<Tensor, double> first_tensor(const Normal& normal) {
     // Rows too short for a window say nothing.
-    if (n_windows == 0) return {Tensor::Identity(), std::numeric_limits<double>::infinity()};
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(normal);
-    Tensor tensor = Tensor::Zero();
-    for (int k = 0; k < 6; ++k)
-        tensor += eigen.eigenvectors()(k, 0) * basis[static_cast<std::size_t>(k)];
+    if (normal.isZero(0.0)) return {Tensor::Identity(), std::numeric_limits<double>::infinity()};
+    const Eigen::SelfAdjointEigenSolver<Normal> eigen(normal);
+    Tensor tensor;
+    for (int k = 0; k < 6; ++k) {
+        const auto [i, j] = places[static_cast<std::size_t>(k)];
+        tensor(i, j) = tensor(j, i) = eigen.eigenvectors()(k, 0);
+    }
     if (tensor.trace() < 0.0) tensor = -tensor;
     const double largest = Eigen::SelfAdjointEigenSolver<Tensor>(tensor).eigenvalues().maxCoeff();
     // Noise may make a moment negative.
@@ -194,12 +255,14 @@ struct LeastSquares {
 
     Residuals residuals;
 
-    int inputs() const { return n_parameters; }
+    int inputs() const { return residuals.family->n_parameters(); }
     int values() const { return static_cast<int>(residuals.n_values()); }
     int operator()(const Eigen::VectorXd& p, Eigen::VectorXd& out) const {
-        // Moments in such ratios no body has, and their exponentials lose their digits.
+        // Moments in such ratios no body has, and their exponentials lose their digits. More than
+        // half a turn about an axis is a turn the other way.
         constexpr double far_off = 1e9, most_logarithm = 5.0;
-        if (p.allFinite() && p.head<5>().cwiseAbs().maxCoeff() < most_logarithm)
+        if (p.allFinite() &&
+            p.head(p.size() - n_besides_tensor).cwiseAbs().maxCoeff() < most_logarithm)
             out = residuals.at(p);
         else
             out.setConstant(far_off);
@@ -213,7 +276,8 @@ struct LeastSquares {
 
 // Least squares over the first rows, then over twice as many, and so on: each fit is near enough
 // for the next to keep count of the periods.
-Parameters fitted(std::span<const MeasuredRow> rows, Parameters start, double first_span_s) {
+Parameters fitted(const Family& family, std::span<const MeasuredRow> rows, Parameters start,
+                  double first_span_s) {
     const auto n_within = [rows](double span_s) {
         const auto end =
             std::upper_bound(rows.begin(), rows.end(), rows.front().time_s + span_s,
@@ -222,7 +286,7 @@ Parameters fitted(std::span<const MeasuredRow> rows, Parameters start, double fi
     };
     for (double span_s = first_span_s;; span_s *= 2.0) {
         const std::size_t n = std::min(rows.size(), n_within(span_s));
-        LeastSquares problem{Residuals{rows.first(n)}};
+        LeastSquares problem{Residuals{rows.first(n), &family}};
         Eigen::LevenbergMarquardt<LeastSquares> method(problem);
         method.parameters.maxfev = 100;
         Eigen::VectorXd p = start;
@@ -277,55 +341,125 @@ void check_wandering(std::span<const MeasuredRow> rows) {
             "measure a motion whose axis of rotation wanders through the body");
 }
 
-// From a first tensor or a first span that is far off, another minimum may be found: starts are
-// tried until one leaves no more than noise, or the least of all counts.
-Parameters best_parameters(std::span<const MeasuredRow> rows) {
-    const double span_s = rows.back().time_s - rows.front().time_s;
-    const double noise = 1.2 * noise_of(rows);
-    const auto n_values = static_cast<double>(3 * rows.size() - n_parameters);
-    Parameters best;
-    double least = std::numeric_limits<double>::infinity();
-    for (const double first_span_rad : {12.0, 5.0, 30.0})
-        for (const double window_rad : {1.0, 0.5, 2.0, 4.0}) {
-            // The damping that Euler's equations hold best with.
-            Parameters start = parameters_of(Tensor::Identity(), rows.front().omega_body, 0.0);
-            double least_rest = std::numeric_limits<double>::infinity();
-            for (const double loss : {0.0, 0.1, 0.3, 1.0, 2.0, 4.0}) {
-                const auto [tensor, rest] = first_tensor(rows, loss / span_s, window_rad);
-                if (!(rest < least_rest)) continue;
-                least_rest = rest;
-                start = parameters_of(tensor, rows.front().omega_body, loss / span_s);
-            }
-            const Parameters found = fitted(rows, start, first_span_rad / rate_of(rows));
-            const double square = Residuals{rows}.at(found).squaredNorm();
-            if (square < least) {
-                least = square;
-                best = found;
-            }
-            if (least < noise * noise * n_values) return best;
-        }
-    return best;
-}
-
 // Principal axes with I1 ≥ I2 ≥ I3 in units of I1.
 struct Principal {
     Eigen::Vector3d moments;
     Eigen::Matrix3d axes;
 };
+// Each axis points near that of `near`, or to the positive side of its largest component.
+void point_axes(Eigen::Matrix3d& axes, const Eigen::Matrix3d* near) {
+    for (int k = 0; k < 3; ++k) {
+        Eigen::Index largest = 0;
+        axes.col(k).cwiseAbs().maxCoeff(&largest);
+        const double side = near != nullptr ? axes.col(k).dot(near->col(k)) : axes(largest, k);
+        if (side < 0.0) axes.col(k) *= -1.0;
+    }
+    if (axes.determinant() < 0.0) axes.col(2) *= -1.0;
+}
 Principal principal(const Tensor& tensor, const Eigen::Matrix3d* near = nullptr) {
     const Eigen::SelfAdjointEigenSolver<Tensor> eigen(tensor);
     Principal found{eigen.eigenvalues().reverse() / eigen.eigenvalues()[2],
                     eigen.eigenvectors().rowwise().reverse()};
-    for (int k = 0; k < 3; ++k) {
-        // Each axis points near that of `near`, or to the positive side of its largest component.
-        Eigen::Index largest = 0;
-        found.axes.col(k).cwiseAbs().maxCoeff(&largest);
-        const double side =
-            near != nullptr ? found.axes.col(k).dot(near->col(k)) : found.axes(largest, k);
-        if (side < 0.0) found.axes.col(k) *= -1.0;
-    }
-    if (found.axes.determinant() < 0.0) found.axes.col(2) *= -1.0;
+    point_axes(found.axes, near);
     return found;
+}
+
+// The same of a value of a family; known moments stay exactly what they are, and so do the axes of
+// equal ones.
+Principal principal_of(const Family& family, const Parameters& p,
+                       const Eigen::Matrix3d* near = nullptr) {
+    if (!family.has_moments()) return principal(family.tensor(p), near);
+    Principal found{family.moments() / family.moments()[0], family.axes(p)};
+    point_axes(found.axes, near);
+    return found;
+}
+
+// A family of tensors and where to start in it.
+struct Start {
+    Family family;
+    Parameters parameters;
+    double rest = std::numeric_limits<double>::infinity();  // of Euler's equations
+};
+
+// The damping that Euler's equations hold best with, for windows of this angle.
+Start start_of(std::span<const MeasuredRow> rows, double window_rad) {
+    const double span_s = rows.back().time_s - rows.front().time_s;
+    Start start;
+    start.parameters = start.family.parameters(Tensor::Identity(), rows.front().omega_body, 0.0);
+    for (const double loss : {0.0, 0.1, 0.3, 1.0, 2.0, 4.0}) {
+        const auto [tensor, rest] = first_tensor(normal_of(rows, loss / span_s, window_rad));
+        if (!(rest < start.rest)) continue;
+        start.rest = rest;
+        start.parameters = start.family.parameters(tensor, rows.front().omega_body, loss / span_s);
+    }
+    return start;
+}
+
+// What is tried, best first. With known moments, in falling order, noise may have put the axes of a
+// first tensor into another order: those orders that Euler's equations hold best with are tried.
+std::vector<Start> starts_of(std::span<const MeasuredRow> rows,
+                             const std::optional<Eigen::Vector3d>& moments) {
+    std::vector<Start> starts;
+    for (const double window_rad : {1.0, 0.5, 2.0, 4.0}) {
+        const Start free = start_of(rows, window_rad);
+        if (!moments) {
+            starts.push_back(free);
+            continue;
+        }
+        const double damping = damping_in(free.parameters);
+        const Normal normal = normal_of(rows, damping, window_rad);
+        const Eigen::Matrix3d axes = principal(free.family.tensor(free.parameters)).axes;
+        std::array<int, 3> order{0, 1, 2};
+        do {
+            Eigen::Matrix3d ordered;
+            for (int k = 0; k < 3; ++k)
+                ordered.col(k) = axes.col(order[static_cast<std::size_t>(k)]);
+            if (ordered.determinant() < 0.0) ordered.col(2) *= -1.0;
+            Start start{Family(*moments, ordered), {}};
+            start.parameters =
+                start.family.parameters(Tensor::Identity(), rows.front().omega_body, damping);
+            const Tensor tensor = start.family.tensor(start.parameters);
+            Elements elements;
+            for (int k = 0; k < 6; ++k) {
+                const auto [i, j] = places[static_cast<std::size_t>(k)];
+                elements[k] = tensor(i, j);
+            }
+            start.rest = elements.dot(normal * elements) /
+                         std::max(normal.trace() * elements.squaredNorm(), 1e-300);
+            starts.push_back(std::move(start));
+        } while (std::next_permutation(order.begin(), order.end()));
+    }
+    if (moments) {
+        constexpr std::size_t most = 6;
+        std::stable_sort(starts.begin(), starts.end(),
+                         [](const Start& a, const Start& b) { return a.rest < b.rest; });
+        starts.resize(std::min(starts.size(), most));
+    }
+    return starts;
+}
+
+// From a first tensor or a first span that is far off, another minimum may be found: starts are
+// tried until one leaves no more than noise, or the least of all counts.
+Start best_fit(std::span<const MeasuredRow> rows, const std::optional<Eigen::Vector3d>& moments) {
+    const double noise = 1.2 * noise_of(rows);
+    const std::vector<Start> starts = starts_of(rows, moments);
+    Start best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double first_span_rad : {12.0, 5.0, 30.0})
+        for (const Start& start : starts) {
+            const Parameters found =
+                fitted(start.family, rows, start.parameters, first_span_rad / rate_of(rows));
+            const double square = Residuals{rows, &start.family}.at(found).squaredNorm();
+            if (square < least) {
+                least = square;
+                best = start;
+                best.parameters = found;
+            }
+            const auto n_values = static_cast<double>(3 * rows.size()) -
+                                  static_cast<double>(start.family.n_parameters());
+            if (least < noise * noise * n_values) return best;
+        }
+    return best;
 }
 
 // Whether L² = 2T·I2 but for rounding. Then sech and tanh of ω(t) fit a family of bodies: k = 1
@@ -375,16 +509,21 @@ void check(std::span<const MeasuredRow> rows) {
 
 }  // namespace
 
-FittedMotion fit_motion(std::span<const MeasuredRow> all) {
+FittedMotion fit_motion(std::span<const MeasuredRow> all,
+                        const std::optional<Eigen::Vector3d>& moments_kg_m2) {
+    std::optional<Eigen::Vector3d> moments = moments_kg_m2;
+    if (moments) std::sort(moments->begin(), moments->end(), std::greater<>());
     check(all);
     const std::vector<MeasuredRow> rows = thinned(all);
     check(rows);
     check_wandering(rows);
-    const Parameters p = best_parameters(rows);
-    const Residuals residuals{rows};
+    const Start best = best_fit(rows, moments);
+    const Family& family = best.family;
+    const Parameters& p = best.parameters;
+    const Residuals residuals{rows, &family};
     const Eigen::MatrixXd jacobian = residuals.jacobian_at(p);
     const double variance =
-        residuals.at(p).squaredNorm() / static_cast<double>(residuals.n_values() - n_parameters);
+        residuals.at(p).squaredNorm() / static_cast<double>(residuals.n_values() - p.size());
     const double rate = rate_of(rows);
     const double residual = std::sqrt(variance);
     if (!(residual < std::max(most_residual_share * rate, 1.5 * noise_of(rows))))
@@ -400,16 +539,17 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all) {
                     eigen.eigenvalues().cwiseInverse().asDiagonal() *
                     eigen.eigenvectors().transpose() * scale.asDiagonal());
 
-    const Principal found = principal(tensor_of(p));
-    if (is_on_separatrix(found, p.segment<3>(5))) throw_undetermined();
-    // Moments and axes change with the tensor's five parameters.
-    Eigen::Matrix<double, 6, 5> change;
+    const Principal found = principal_of(family, p);
+    if (!moments && is_on_separatrix(found, omega_in(p))) throw_undetermined();
+    // Moments and axes change with the tensor's parameters.
+    const int n_of_tensor = family.n_of_tensor();
+    Eigen::MatrixXd change(6, n_of_tensor);
     constexpr double step = 1e-6;
-    for (int k = 0; k < 5; ++k) {
+    for (int k = 0; k < n_of_tensor; ++k) {
         const auto moved = [&](double by) {
             Parameters q = p;
             q[k] += by;
-            const Principal there = principal(tensor_of(q), &found.axes);
+            const Principal there = principal_of(family, q, &found.axes);
             const Eigen::Matrix3d turn = found.axes.transpose() * there.axes;
             Eigen::Matrix<double, 6, 1> values;
             values << there.moments, turn(2, 1), turn(0, 2), turn(1, 0);
@@ -418,21 +558,22 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all) {
         change.col(k) = (moved(step) - moved(-step)) / (2.0 * step);
     }
     const Eigen::Matrix<double, 6, 6> spread =
-        change * covariance.topLeftCorner<5, 5>() * change.transpose();
+        change * covariance.topLeftCorner(n_of_tensor, n_of_tensor) * change.transpose();
     const auto sd = [](double square) { return std::sqrt(std::max(square, 0.0)); };
 
     FittedMotion fit;
     fit.first_time_s = rows.front().time_s;
-    fit.omega_rad_s = p.segment<3>(5);
+    fit.omega_rad_s = omega_in(p);
     fit.moments = found.moments;
+    if (moments) fit.I1_kg_m2 = (*moments)[0];
     fit.instrument_from_principal = found.axes;
     for (int k = 0; k < 3; ++k) {
         fit.moments_sd[k] = sd(spread(k, k));
         fit.axes_sd_rad[k] = sd(spread(3 + k, 3 + k));
-        fit.omega_sd_rad_s[k] = sd(covariance(5 + k, 5 + k));
+        fit.omega_sd_rad_s[k] = sd(covariance(n_of_tensor + k, n_of_tensor + k));
     }
-    fit.damping_1_s = p[8];
-    fit.damping_sd_1_s = sd(covariance(8, 8));
+    fit.damping_1_s = damping_in(p);
+    fit.damping_sd_1_s = sd(covariance(p.size() - 1, p.size() - 1));
     fit.residual_rad_s = residual;
     fit.n_rows = rows.size();
     fit.noise_rad_s = noise_of(rows);

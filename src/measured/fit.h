@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <cstddef>
+#include <optional>
 #include <span>
 
 #include "measured/measured_motion.h"
@@ -17,8 +18,9 @@ struct FittedMotion {
     double first_time_s = 0.0;    // of the first row
     Eigen::Vector3d omega_rad_s;  // then, instrument axes
     Eigen::Vector3d omega_sd_rad_s;
-    Eigen::Vector3d moments;     // I1 ≥ I2 ≥ I3 in units of I1: ω(t) says no more
-    Eigen::Vector3d moments_sd;  // the first is 0
+    Eigen::Vector3d moments;         // I1 ≥ I2 ≥ I3 in units of I1: ω(t) says no more
+    Eigen::Vector3d moments_sd;      // the first is 0, and all of them if the moments were given
+    std::optional<double> I1_kg_m2;  // if the moments were given
     Eigen::Matrix3d instrument_from_principal;  // a proper rotation, columns e1, e2, e3
     Eigen::Vector3d axes_sd_rad;                // of turns about e1, e2, e3
     double damping_1_s = 0.0, damping_sd_1_s = 0.0;
@@ -27,9 +29,10 @@ struct FittedMotion {
 
     double noise_rad_s = 0.0;  // of a component, as the rows scatter from one to the next
 
-    // The tensor in instrument axes, in units of I1.
+    // The tensor in instrument axes, in kg m² if the moments were given, else in units of I1.
     Eigen::Matrix3d tensor() const {
-        const Eigen::Matrix3d made = instrument_from_principal * moments.asDiagonal() *
+        const Eigen::Matrix3d made = instrument_from_principal *
+                                     (I1_kg_m2.value_or(1.0) * moments).asDiagonal() *
                                      instrument_from_principal.transpose();
         return 0.5 * (made + made.transpose());
     }
@@ -38,7 +41,9 @@ struct FittedMotion {
 // Fits rows with ω, in order of time. Of more than 20,000 rows it takes 20,000. Throws
 // InputError for fewer than 30 rows, a body at rest, samples too far apart to follow the turning, a
 // turn about one axis, which says nothing about the other moments, and motions that no rigid body
-// makes.
-FittedMotion fit_motion(std::span<const MeasuredRow> rows);
+// makes. `moments_kg_m2`: the body's principal moments in any order, if they are known; then only
+// axes, start and damping are fitted.
+FittedMotion fit_motion(std::span<const MeasuredRow> rows,
+                        const std::optional<Eigen::Vector3d>& moments_kg_m2 = {});
 
 }  // namespace poinsot

@@ -316,4 +316,29 @@ void MeasuredReader::take_row(std::string_view line) {
     take_(row);
 }
 
+MeasuredMotion measured_in(std::string_view text, const std::string& name) {
+    MeasuredMotion motion;
+    MeasuredReader reader(name, [&motion](const MeasuredRow& row) { motion.rows.push_back(row); });
+    reader.read(text);
+    reader.finish();
+    motion.has_omega = reader.has_omega();
+    motion.has_attitude = reader.has_attitude();
+    return motion;
+}
+
+void add_omega_by_differences(MeasuredMotion& motion) {
+    std::vector<MeasuredRow>& rows = motion.rows;
+    if (motion.has_omega || rows.size() < 2) return;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const MeasuredRow& before = rows[i > 0 ? i - 1 : i];
+        const MeasuredRow& after = rows[std::min(i + 1, rows.size() - 1)];
+        Eigen::Quaterniond turn = before.space_from_body.conjugate() * after.space_from_body;
+        if (turn.w() < 0.0) turn.coeffs() *= -1.0;  // the shorter way
+        // The logarithm: axis times angle.
+        const double sine = turn.vec().norm();
+        const double angle_per_sine = sine > 0.0 ? 2.0 * std::atan2(sine, turn.w()) / sine : 2.0;
+        rows[i].omega_body = turn.vec() * (angle_per_sine / (after.time_s - before.time_s));
+    }
+}
+
 }  // namespace poinsot

@@ -77,4 +77,11 @@ struct MeasuredMotion {
     bool has_omega = false, has_attitude = false;
 };
 
+// Reads a whole table. Throws as MeasuredReader does.
+MeasuredMotion measured_in(std::string_view text, const std::string& name);
+
+// Fills ω of rows that have only attitudes: between its neighbours each row turns by ω times the
+// time between them. Exact for constant ω, else wrong by terms of second order in the step.
+void add_omega_by_differences(MeasuredMotion& motion);
+
 }  // namespace poinsot

@@ -201,6 +201,7 @@ Scene complete_scene(SceneDraft draft) {
     complete_grid(draft);
     complete_style(draft);
     complete_marks(draft);
+    complete_measured(draft);
     return std::move(draft.scene);
 }
 

@@ -58,5 +58,6 @@ void complete_camera(SceneDraft& draft);
 void complete_timeline(SceneDraft& draft);
 void complete_style(SceneDraft& draft);  // a theme file, after [style] is read
 void complete_marks(SceneDraft& draft);
+void complete_measured(SceneDraft& draft);
 
 }  // namespace poinsot

@@ -178,6 +178,11 @@ std::span<const SceneKey> motion_keys() {
             .default_is("1e-9"),
         integer("beside.order", beside(&MethodChoice::order), orders, "4",
                 "order of the second method, if it offers several"),
+
+        // A motion that an instrument or another program recorded.
+        text("measured.file", in(&Scene::measured, &MeasuredSpec::file), R"("gyro.csv")",
+             "table (CSV) in the scene's folder with a measured motion, which is drawn beside that "
+             "of the scene: columns as for `poinsot fit`, ω and attitude in the scene's body axes"),
     };
     return rows;
 }

@@ -15,10 +15,12 @@ namespace poinsot {
 
 // The largest file of a picture on a face.
 constexpr std::uintmax_t most_face_picture_bytes = std::uintmax_t{128} << 20;
+// The largest table of a measured motion: some 200,000 rows.
+constexpr std::size_t most_table_bytes = std::size_t{16} << 20;
 
 // A file that a key of the scene names.
 struct NamedFile {
-    enum class Kind { mesh, picture, theme };
+    enum class Kind { mesh, picture, theme, table };
     Kind kind = Kind::mesh;
     std::string key;                   // "body.mesh"
     std::string name;                  // as given

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "image/image.h"
+#include "measured/measured_motion.h"
 #include "mechanics/free/polhode_start.h"
 #include "mechanics/inertia.h"
 #include "mechanics/motion_problem.h"
@@ -94,6 +95,17 @@ struct StartSpec {
 
 // Length of a film whose scene gives no length, in seconds of film.
 constexpr double default_film_s = 10.0;
+
+// [measured]: a motion that an instrument or another program recorded, to be shown beside the
+// scene's.
+struct MeasuredSpec {
+    std::string file;       // as given; empty: none
+    MeasuredMotion motion;  // its rows, with ω; their times are times of the scene
+    // Whether a point of the file has no ω of its own: then it comes from differences of attitudes.
+    bool has_derived_omega = false;
+
+    bool given() const { return !motion.rows.empty(); }
+};
 
 // [film]: the instants that become video frames. Frame k shows second k/fps of the film; FilmClock
 // converts that to an instant of the motion.
@@ -185,9 +197,9 @@ struct TimedCaptionSpec {
 };
 
 // The values of `names`, and keys of [symbols] and [labels].
-inline constexpr std::array<std::string_view, 8> named_things{
-    "polhode",   "herpolhode", "invariable-plane", "inertia-ellipsoid",
-    "body-cone", "space-cone", "separatrix",       "unit-sphere"};
+inline constexpr std::array<std::string_view, 9> named_things{
+    "polhode",    "herpolhode", "invariable-plane", "inertia-ellipsoid", "body-cone",
+    "space-cone", "separatrix", "unit-sphere",      "measured"};
 
 // The quantities of [symbols], which are also keys of [labels].
 inline constexpr std::array<std::string_view, 6> named_quantities{"omega", "momentum", "rho",
@@ -258,6 +270,7 @@ struct Scene {
     std::optional<double> half_life_s;  // of a dissipation given by it; determines the rate
     MethodChoice method;
     std::optional<MethodChoice> beside;  // a second method, drawn beside the first as a ghost
+    MeasuredSpec measured;
     FilmSpec film;
     CameraSpec camera;
     ConstructionSpec construction;
@@ -290,7 +303,7 @@ struct Scene {
     std::string crossings;          // through, gap: where lines cross; empty: as in the theme
     double accuracy_px = 0.1;
 
-    std::vector<std::string> notes;  // for the user: what the reader changed
+    std::vector<std::string> notes;  // for the user: what the reader changed or found
 
     std::map<std::string, SourceLocation>
         locations;  // of every given key, by dotted path: "start.omega_rad_s"

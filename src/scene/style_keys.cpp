@@ -44,6 +44,7 @@ constexpr StyleRole roles[] = {
     {"ellipsoid_lines", StyleKind::colour, "the lines on the ellipsoid"},
     {"plane", StyleKind::surface, "the invariable plane"},
     {"grid", StyleKind::colour, "the grid on the plane"},
+    {"measured", StyleKind::line, "the points and the track of a measured motion"},
     {"annulus", StyleKind::line, "the circles that bound the herpolhode"},
     {"separatrix", StyleKind::line, "the separatrices"},
     {"body_cone", StyleKind::colour, "the body cone"},

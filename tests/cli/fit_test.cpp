@@ -59,14 +59,73 @@ TEST(FitCommand, PrintsNumbersAsJson) {
     EXPECT_NEAR(found.at("damping_1_s").get<double>(), 0.0, 1e-6);
 }
 
+// The scene that fit writes names the table: its points are in the picture and in the numbers of
+// check, and a record that is drawn again notices when they change.
+TEST(FitCommand, WritesASceneThatShowsTheTable) {
+    const ScratchFolder folder;
+    write_table(folder);
+    ASSERT_EQ(run_program_in(folder, "fit gyro.csv -o fitted.toml").code, 0);
+    const ProgramRun check = run_program_in(folder, "check fitted.toml --json");
+    ASSERT_EQ(check.code, 0) << check.err;
+    const auto found = nlohmann::json::parse(check.out);
+    EXPECT_EQ(found.at("measured_file"), "gyro.csv");
+    EXPECT_EQ(found.at("measured_rows"), 401);
+    // The table is exact, and its attitudes fix L.
+    EXPECT_LT(found.at("measured_rms_rad_s").get<double>(), 1e-6);
+    EXPECT_LT(found.at("measured_momentum_tilt_rad").get<double>(), 1e-5);
+    EXPECT_TRUE(found.at("measured_gaps_s").empty());
+
+    const ProgramRun still =
+        run_program_in(folder, "still fitted.toml -o fitted.png --size 320x180");
+    ASSERT_EQ(still.code, 0) << still.err;
+    EXPECT_EQ(run_program_in(folder, "rerender fitted.png -o again.png").code, 0);
+    folder.write("gyro.csv", "t,wx,wy,wz\n7,1,2,3\n8,1,2,3\n");
+    const ProgramRun changed = run_program_in(folder, "rerender fitted.png -o again.png");
+    EXPECT_EQ(changed.code, 2);
+    EXPECT_NE(changed.err.find("gyro.csv has changed"), std::string::npos) << changed.err;
+}
+
+// A table elsewhere is named by its path from the scene, which needs --allow-outside.
+TEST(FitCommand, NamesTablesOfOtherFolders) {
+    const ScratchFolder folder;
+    write_table(folder);
+    std::filesystem::create_directory(folder.path() / "scenes");
+    const ProgramRun fit = run_program_in(folder, "fit gyro.csv -o scenes/fitted.toml");
+    ASSERT_EQ(fit.code, 0) << fit.err;
+    EXPECT_NE(fit.out.find("--allow-outside"), std::string::npos) << fit.out;
+    const ProgramRun refused = run_program_in(folder, "check scenes/fitted.toml");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_NE(refused.err.find("\"../gyro.csv\" does not lie in the scene's folder"),
+              std::string::npos)
+        << refused.err;
+    EXPECT_EQ(run_program_in(folder, "check scenes/fitted.toml --allow-outside").code, 0);
+}
+
+// The tensor of write_table has the moments that its characteristic polynomial gives.
+TEST(FitCommand, TakesKnownMoments) {
+    const ScratchFolder folder;
+    write_table(folder);
+    const ProgramRun known =
+        run_program_in(folder, "fit gyro.csv --moments 1.83258853,2.59722856,3.07018290 --json");
+    ASSERT_EQ(known.code, 0) << known.err;
+    const auto found = nlohmann::json::parse(known.out);
+    EXPECT_EQ(found.at("I1_kg_m2"), 3.0701829);
+    EXPECT_LT(found.at("residual_rad_s").get<double>(), 1e-6);
+    // Moments of another body do not fit.
+    EXPECT_NE(run_program_in(folder, "fit gyro.csv --moments 1,2,3").code, 0);
+}
+
 TEST(FitCommand, RefusesInOneLine) {
     const ScratchFolder folder;
     folder.write("few.csv", "t,wx,wy,wz\n0,1,2,3\n");
-    folder.write("attitude.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n");
+    folder.write("attitude.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,1,0,0\n");
     folder.write("cut.csv", "t,wx,wy,wz\n0,1,2\n");
     for (const auto& [line, message] : std::vector<std::pair<std::string, std::string>>{
              {"fit few.csv", "few.csv: 1 rows say too little"},
-             {"fit attitude.csv", "attitude.csv: the table has no ω"},
+             {"fit attitude.csv", "attitude.csv: 2 rows say too little"},
+             {"fit few.csv --moments 3,2", "--moments 3,2: give three positive numbers in kg m²"},
+             {"fit few.csv --moments 3,2,-1", "--moments 3,2,-1: give three positive numbers"},
+             {"fit few.csv --moments 3,2,1,1", "--moments 3,2,1,1: give three positive numbers"},
              {"fit cut.csv", "cut.csv:2:6: the row has 3 cells"},
              {"fit missing.csv", "cannot read missing.csv"},
              {"fit few.csv -o scene.png", "-o scene.png: the output is a scene"}}) {

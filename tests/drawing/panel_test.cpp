@@ -26,6 +26,19 @@ TEST(Panels, AreFiniteForExtremeMotions) {
     }
 }
 
+TEST(Panels, WithMeasuredMotionsAreFiniteForExtremeMotions) {
+    for (const char* kind : {"space", "body", "plan", "momentum", "object", "plot"}) {
+        for (const FreeCase& one : extremes) {
+            Scene scene = free_scene(one.moments, one.omega, kind);
+            measure(scene, 10.0, 41, 1.01);
+            const StagedScene staged(scene, 10.0);
+            for (const double t : {0.0, 3.7, 10.0})
+                for (const View& view : staged.stage.at(t).views)
+                    expect_finite(view, std::string(kind) + ", " + one.name);
+        }
+    }
+}
+
 TEST(Panels, OfTopsAreFiniteForExtremeMotions) {
     for (const char* kind : {"top", "potential", "plot", "object"}) {
         for (const TopCase& one : tops) {
@@ -62,6 +75,11 @@ TEST(Panels, EveryQuantityIsFiniteForExtremeMotions) {
         EXPECT_GE(n_finite_charts(free_scene(one.moments, one.omega, "plot"), one.name), 5);
     for (const TopCase& one : tops)
         EXPECT_GE(n_finite_charts(top_scene(one.start, "plot", one.mgl_N_m), one.name), 5);
+    for (const FreeCase& one : extremes) {
+        Scene scene = free_scene(one.moments, one.omega, "plot");
+        measure(scene, 10.0, 41, 1.01);
+        EXPECT_GE(n_finite_charts(scene, one.name), 8);
+    }
 }
 
 TEST(Panels, EveryKindCanBeMade) {

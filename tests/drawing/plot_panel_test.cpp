@@ -5,6 +5,8 @@
 #include <cmath>
 #include <span>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "drawing/figures/charts/plot_quantity.h"
 #include "error/error.h"
@@ -81,6 +83,100 @@ TEST(PlotPanel, QuantitiesDependOnTheMotion) {
         EXPECT_NE(std::string(error.what()).find("did you mean \"omega\"?"), std::string::npos)
             << error.what();
     }
+}
+
+// The chart's values at the points of a curve, from the frame of its axes: two known values.
+std::vector<const Curve*> measured_curves(const View& view) {
+    std::vector<const Curve*> curves;
+    for (const Curve& curve : view.curves)
+        if (curve.name.element == "measured") curves.push_back(&curve);
+    return curves;
+}
+
+// ω times a constant c has T times c² and L times c: heights in the chart, above the exact line, in
+// the ratio of the constants' excesses, for two tables in one chart's scale.
+TEST(PlotPanel, MeasuredTAndLLieAtTheirValues) {
+    for (const auto& [quantity, power] :
+         {std::pair{"measured_energy", 2.0}, std::pair{"measured_momentum", 1.0}}) {
+        Scene scene = free_scene(generic_moments, generic_omega, "plot");
+        scene.panels[0].quantity = quantity;
+        measure(scene, 10.0, 41, 1.02);
+        // The second half of the table has another factor.
+        auto& rows = scene.measured.motion.rows;
+        for (std::size_t i = 20; i < rows.size(); ++i) rows[i].omega_body *= 1.04 / 1.02;
+        const StagedScene staged(scene, 10.0);
+        const View view = staged.stage.at(10.0).views.at(0);
+        const double exact = view.dots.at(0).at.y();
+        const auto curves = measured_curves(view);
+        ASSERT_EQ(curves.size(), 1u);
+        const auto& points = curves[0]->geometry->points;
+        ASSERT_EQ(points.size(), 41u);
+        const double ratio = (std::pow(1.04, power) - 1.0) / (std::pow(1.02, power) - 1.0);
+        EXPECT_NEAR((points[40].y() - exact) / (points[0].y() - exact), ratio, 1e-9) << quantity;
+        EXPECT_GT(points[0].y() - exact, 20.0);  // px: the drift is seen
+    }
+}
+
+// Attitudes turned about an axis across L by an angle tilt L by it; a table without attitudes has
+// no such chart.
+TEST(PlotPanel, MeasuredTiltOfLIsTheAngleByWhichItIsTurned) {
+    Scene scene = free_scene(generic_moments, generic_omega, "plot");
+    scene.panels[0].quantity = "measured_tilt";
+    measure(scene, 10.0, 41);
+    const Eigen::Vector3d momentum = generic_moments.cwiseProduct(generic_omega);
+    auto& rows = scene.measured.motion.rows;
+    for (std::size_t i = 0; i < rows.size(); ++i)
+        rows[i].space_from_body =
+            Eigen::AngleAxisd(i < 20 ? 0.01 : 0.03, momentum.unitOrthogonal()) *
+            rows[i].space_from_body;
+    const StagedScene staged(scene, 10.0);
+    const View view = staged.stage.at(10.0).views.at(0);
+    const auto curves = measured_curves(view);
+    ASSERT_EQ(curves.size(), 1u);
+    const auto& points = curves[0]->geometry->points;
+    const double exact = view.dots.at(0).at.y();
+    EXPECT_NEAR((points[40].y() - exact) / (points[0].y() - exact), 3.0, 1e-6);
+
+    scene.measured.motion.has_attitude = false;
+    EXPECT_THROW(StagedScene(scene, 10.0), InputError);
+    scene.panels[0].quantity = "measured_energy";
+    EXPECT_NO_THROW(StagedScene(scene, 10.0));
+    scene.measured = {};
+    EXPECT_THROW(StagedScene(scene, 10.0), InputError);
+}
+
+// Each component is drawn, without a line across missing rows; what does not follow from the rows
+// is not.
+TEST(PlotPanel, MeasuredValuesAreInterruptedAtGaps) {
+    Scene scene = free_scene(generic_moments, generic_omega, "plot");
+    measure(scene, 10.0, 41);
+    auto& rows = scene.measured.motion.rows;
+    rows.erase(rows.begin() + 10, rows.begin() + 20);
+    const StagedScene staged(scene, 10.0);
+    const View view = staged.stage.at(3.0).views.at(0);
+    std::vector<std::size_t> lengths;
+    for (const Curve* curve : measured_curves(view))
+        lengths.push_back(curve->geometry->points.size());
+    EXPECT_EQ(lengths, (std::vector<std::size_t>{10, 21, 10, 21, 10, 21}));
+    // The exact motion's rows lie on the exact curves.
+    for (const Curve* curve : measured_curves(view))
+        for (const Eigen::Vector3d& point : curve->geometry->points) {
+            double nearest = 1e300;
+            for (const Curve& other : view.curves) {
+                if (other.name.element == "measured" || other.geometry->points.size() < 3) continue;
+                const auto& line = other.geometry->points;
+                for (std::size_t i = 0; i + 1 < line.size(); ++i) {
+                    const Eigen::Vector3d run = line[i + 1] - line[i];
+                    const double s =
+                        std::clamp(run.dot(point - line[i]) / run.squaredNorm(), 0.0, 1.0);
+                    nearest = std::min(nearest, (line[i] + s * run - point).norm());
+                }
+            }
+            EXPECT_LT(nearest, 0.1);  // px: accuracy_px
+        }
+    scene.panels[0].quantity = "residuals";
+    const StagedScene residuals(scene, 10.0);
+    EXPECT_TRUE(measured_curves(residuals.stage.at(3.0).views.at(0)).empty());
 }
 
 }  // namespace

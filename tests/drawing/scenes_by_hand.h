@@ -48,6 +48,23 @@ inline Scene top_scene(const TopStart& top, const std::string& panel, double mgl
     return scene;
 }
 
+// Gives the scene a measured motion: its own, with ω multiplied by a factor.
+inline void measure(Scene& scene, double last_time_s, int n_rows, double factor = 1.0,
+                    bool with_attitude = true) {
+    const Motion motion(problem_of(scene));
+    MeasuredMotion& measured = scene.measured.motion;
+    scene.measured.file = "gyro.csv";
+    measured.has_omega = true;
+    measured.has_attitude = with_attitude;
+    for (int i = 0; i < n_rows; ++i) {
+        const double time_s = last_time_s * i / (n_rows - 1);
+        const RotationState state = motion.at(time_s);
+        measured.rows.push_back(
+            {time_s, factor * state.omega_body,
+             with_attitude ? state.space_from_body : Eigen::Quaterniond::Identity()});
+    }
+}
+
 // A stage with the motion that it refers to.
 struct StagedScene {
     Scene scene;

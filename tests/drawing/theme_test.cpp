@@ -141,6 +141,17 @@ TEST(Letters, OfTheUsersOwnTextStayAsTheyAre) {
     EXPECT_EQ(letter_colour(theme, theme.text), theme.text);
 }
 
+// Measured points lie on the curves and beside the arrows. They differ from these by their shape,
+// too: dots on a thin line.
+TEST_P(EveryTheme, MeasuredPointsDifferFromWhatTheyLieOn) {
+    const Theme& t = theme();
+    for (const Colour& other :
+         {Colour(t.polhode), Colour(t.herpolhode), Colour(t.momentum), Colour(t.omega)})
+        EXPECT_GE(least_difference(t.measured, other), 0.85);  // measured 0.90, colour-blind
+    for (const Colour& ground : {t.ellipsoid, t.plane})
+        EXPECT_GE(contrast(t.measured, ground), 2.5);
+}
+
 // If colours may be indistinguishable, the herpolhode differs by its width.
 TEST_P(EveryTheme, CurvesDifferInWidthWhereColoursMayBeConfused) {
     const Theme& t = theme();

@@ -72,7 +72,7 @@ def together(program, alone):
 
 
 def rerendered(program):
-    """Redraws pictures without the scene file, with only the files beside it: meshes and pictures."""
+    """Redraws pictures without the scene file, with only the files beside it: meshes, pictures and tables."""
     names = sorted(scene.stem for scene in SCENES.glob("*.toml"))
     wrong = []
     with tempfile.TemporaryDirectory() as scratch:

@@ -29,20 +29,20 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"measured", {"error", "text", "system", "mechanics"}},
     {"image", {"error", "colour", "text", "system"}},
     {"typeset", {"error", "text", "system"}},
-    {"scene", {"error", "text", "system", "mesh", "mechanics", "image"}},
+    {"scene", {"error", "text", "system", "mesh", "mechanics", "measured", "image"}},
     {"construction", {"error", "numerics", "mechanics"}},
     {"shapes", {"error", "numerics"}},
     {"drawing",
-     {"error", "colour", "text", "numerics", "mesh", "mechanics", "scene", "construction",
-      "typeset", "shapes"}},
+     {"error", "colour", "text", "numerics", "mesh", "mechanics", "measured", "scene",
+      "construction", "typeset", "shapes"}},
     // Renderers of shapes do not depend on the code that makes shapes.
     {"render", {"error", "colour", "text", "system", "image", "shapes"}},
     // shaders/light.glsl is written in the common subset of GLSL and C++.
     {"vector", {"error", "colour", "text", "numerics", "shapes", "shaders"}},
     {"output", {"error", "text", "system", "image"}},
     {"production",
-     {"error", "text", "system", "mesh", "mechanics", "scene", "construction", "typeset", "shapes",
-      "drawing", "render", "vector", "image", "output"}},
+     {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
+      "typeset", "shapes", "drawing", "render", "vector", "image", "output"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},
@@ -91,8 +91,8 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
 // no output.
 const std::map<std::string, std::set<std::string>> allowed_folders{
     {"production/session",
-     {"error", "text", "system", "image", "mesh", "mechanics", "scene", "construction", "typeset",
-      "shapes", "drawing"}},
+     {"error", "text", "system", "image", "mesh", "mechanics", "measured", "scene", "construction",
+      "typeset", "shapes", "drawing"}},
     {"production/sampling", {"error", "text", "system", "mechanics", "construction"}},
 };
 

@@ -75,6 +75,33 @@ TEST(MeasuredReader, ReadsMatrices) {
     EXPECT_NEAR((turned - Eigen::Vector3d::UnitY()).norm(), 0.0, 1e-15);
 }
 
+// A turn about a fixed axis by sin t: ω = cos t, and differences over 2 h are cos t · sin h / h.
+TEST(MeasuredMotion, GetsOmegaFromAttitudes) {
+    MeasuredMotion motion;
+    motion.has_attitude = true;
+    const Eigen::Vector3d axis = Eigen::Vector3d(1.0, -2.0, 2.0) / 3.0;
+    const double step = 0.01;
+    for (int i = 0; i <= 300; ++i) {
+        MeasuredRow row;
+        row.time_s = step * i;
+        row.space_from_body = Eigen::AngleAxisd(std::sin(row.time_s), axis);
+        if (i % 7 == 0) row.space_from_body.coeffs() *= -1.0;  // the same rotation
+        motion.rows.push_back(row);
+    }
+    add_omega_by_differences(motion);
+    for (std::size_t i = 1; i + 1 < motion.rows.size(); ++i) {
+        const double omega = std::cos(motion.rows[i].time_s) * std::sin(step) / step;
+        EXPECT_LT((motion.rows[i].omega_body - omega * axis).norm(), 1e-12) << i;
+    }
+    // At the ends over one step only.
+    EXPECT_LT((motion.rows[0].omega_body - axis).norm(), step);
+    // A table with ω keeps it.
+    motion.has_omega = true;
+    motion.rows[5].omega_body = {1.0, 2.0, 3.0};
+    add_omega_by_differences(motion);
+    EXPECT_EQ(motion.rows[5].omega_body, Eigen::Vector3d(1.0, 2.0, 3.0));
+}
+
 TEST(MeasuredReader, TakesPiecesCutAnywhere) {
     const std::string table = "t,wx,wy,wz\n0,1,2,3\n1,4,5,6\n2,7,8,9";
     for (std::size_t cut = 0; cut <= table.size(); ++cut) {

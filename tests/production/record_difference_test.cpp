@@ -56,8 +56,9 @@ TEST(RecordDifferences, SayScenesThenSettingsThenVersions) {
     after = before;
     after.mesh_hash = "z";
     after.dpi = 300;
-    EXPECT_EQ(differences_in_words(before, after),
-              (Lines{"the contents of the scene's mesh or pictures differ", "dpi: none → 300"}));
+    EXPECT_EQ(
+        differences_in_words(before, after),
+        (Lines{"the contents of the scene's mesh, pictures or table differ", "dpi: none → 300"}));
 }
 
 // Two frames of one sequence are not the same picture; nor are 8 and 16 bits of one.

@@ -1,4 +1,5 @@
-// A working folder with scenes/wedge.obj and scenes/cover.png, for test scenes that name files.
+// A working folder with scenes/wedge.obj, scenes/cover.png and scenes/gyro.csv, for test scenes
+// that name files.
 #pragma once
 
 #include <unistd.h>
@@ -17,6 +18,10 @@ inline const std::string wedge_obj =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 0 1 1\n"
     "f 1 3 2\nf 4 5 6\nf 1 2 5 4\nf 2 3 6 5\nf 3 1 4 6\n";
 
+// A table of a measured motion.
+inline const std::string gyro_csv =
+    "time (ms),gyro x (deg/s),gyro y (deg/s),gyro z (deg/s)\n0,0,90,180\n500,0,90,180\n";
+
 // The current folder during its lifetime; removed afterwards.
 class MeshFolder {
  public:
@@ -26,6 +31,7 @@ class MeshFolder {
         path_ = ::mkdtemp(name.data());
         std::filesystem::create_directory(path_ / "scenes");
         write("scenes/wedge.obj", wedge_obj);
+        write("scenes/gyro.csv", gyro_csv);
         write_png(path_ / "scenes/cover.png", Image(3, 2));
         std::filesystem::current_path(path_);
     }

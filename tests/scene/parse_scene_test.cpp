@@ -27,6 +27,8 @@ SceneFiles in_memory(std::vector<std::string>& asked) {
                 return FileBytes{file.name, wedge_obj};
             case NamedFile::Kind::theme:
                 return FileBytes{file.name, "extends = \"dark\"\n"};
+            case NamedFile::Kind::table:
+                return FileBytes{file.name, gyro_csv};
             case NamedFile::Kind::picture:
                 break;
         }
@@ -49,6 +51,14 @@ TEST(SceneFiles, ComeFromMemory) {
     ASSERT_EQ(wedge.surfaces.size(), 1u);
     EXPECT_NEAR(wedge.body.mass_kg, 0.5, 1e-15);  // half of a unit cube; three roundings
     EXPECT_EQ(asked, std::vector<std::string>{"body.mesh wedge.obj"});
+}
+
+TEST(SceneFiles, OfMeasuredMotionsComeFromMemory) {
+    std::vector<std::string> asked;
+    const Scene scene =
+        parse_scene(a_scene + "[measured]\nfile = \"gyro.csv\"\n", "a.toml", {}, in_memory(asked));
+    EXPECT_EQ(scene.measured.motion.rows.size(), 2u);
+    EXPECT_EQ(asked, std::vector<std::string>{"measured.file gyro.csv"});
 }
 
 TEST(SceneFiles, AreRefusedWhereNoneAreGiven) {

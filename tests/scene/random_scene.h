@@ -287,6 +287,7 @@ inline void write_conserved(Dice& dice, Text& text) {
 }
 
 inline void write_motion(Dice& dice, Text& text) {
+    if (dice.one_in(6)) text.set_text("measured.file", "gyro.csv");
     if (dice.one_in(3)) {
         text.set_number("start.theta_rad", dice.between(0.0, 3.14));
         for (const char* key :

@@ -155,6 +155,9 @@ inline const std::map<std::string, Claim> claims_of_rows{
     {"symbols.separatrix",
      {with("symbols", "separatrix = 'it'"),
       [](const Scene& s) { return s.symbols.things.at("separatrix") == "it"; }}},
+    {"symbols.measured",
+     {with("symbols", "measured = 'it'"),
+      [](const Scene& s) { return s.symbols.things.at("measured") == "it"; }}},
     {"symbols.unit-sphere",
      {with("symbols", "unit-sphere = 'it'"),
       [](const Scene& s) { return s.symbols.things.at("unit-sphere") == "it"; }}},
@@ -192,6 +195,11 @@ inline const std::map<std::string, Claim> claims_of_rows{
      {with("labels", "separatrix.offset_pt = [1.5, -2.0]"),
       [](const Scene& s) {
           return s.label_offsets_pt.at("separatrix") == Eigen::Vector2d(1.5, -2.0);
+      }}},
+    {"labels.measured.offset_pt",
+     {with("labels", "measured.offset_pt = [1.5, -2.0]"),
+      [](const Scene& s) {
+          return s.label_offsets_pt.at("measured") == Eigen::Vector2d(1.5, -2.0);
       }}},
     {"labels.unit-sphere.offset_pt",
      {with("labels", "unit-sphere.offset_pt = [1.5, -2.0]"),
@@ -404,6 +412,13 @@ inline const std::map<std::string, Claim> claims_of_rows{
     {"beside.order",
      {with("beside", "method = \"dmv\"\norder = 6"),
       [](const Scene& s) { return s.beside.value().order == 6; }}},
+    {"measured.file",
+     {with("measured", "file = \"gyro.csv\""),
+      [](const Scene& s) {
+          const auto& rows = s.measured.motion.rows;
+          return s.measured.file == "gyro.csv" && rows.size() == 2 && rows[1].time_s == 0.5 &&
+                 std::abs(rows[0].omega_body[2] - std::acos(-1.0)) < 1e-15;
+      }}},
     {"film.start_s",
      {with("film", "start_s = -2.5"), [](const Scene& s) { return s.film.start_s == -2.5; }}},
     {"film.duration_s",
@@ -597,14 +612,10 @@ inline const std::map<std::string, Claim> claims_of_rows{
       [](const Scene& s) { return s.chapters.at(0).title == "x"; }}},
     {"grid.columns",
      {with("grid", "columns = [2, 1]"),
-      [](const Scene& s) {
-          return s.grid.columns == std::vector<double>{2.0, 1.0};
-      }}},
+      [](const Scene& s) { return s.grid.columns == std::vector<double>{2.0, 1.0}; }}},
     {"grid.rows",
      {with("grid", "rows = [2, 1]"),
-      [](const Scene& s) {
-          return s.grid.rows == std::vector<double>{2.0, 1.0};
-      }}},
+      [](const Scene& s) { return s.grid.rows == std::vector<double>{2.0, 1.0}; }}},
     {"panels[].kind",
      {a_scene + "[[panels]]\nkind = \"plan\"\n",
       [](const Scene& s) { return s.panels.at(0).kind == "plan"; }}},

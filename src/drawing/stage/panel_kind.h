@@ -35,9 +35,10 @@ enum TakenKeys : unsigned {
     takes_azimuth = 1u << 12,     // camera.azimuth_deg, although it is flat
     takes_axis_path = 1u << 13,   // trail.axis
     takes_names = 1u << 14,       // names
+    takes_measured = 1u << 15,    // [measured]
     // Elements that other panels than "space" show.
-    takes_forces = 1u << 15,
-    takes_solid_angle = 1u << 16,
+    takes_forces = 1u << 16,
+    takes_solid_angle = 1u << 17,
 };
 
 // A row of the table of panels.

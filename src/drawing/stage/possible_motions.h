@@ -11,6 +11,8 @@
 namespace poinsot {
 
 inline bool any_motion(const StageContext&) { return true; }
+// Whether the scene names a measured motion.
+inline bool has_measured(const StageContext& stage) { return stage.scene.measured.given(); }
 inline bool keeps_momentum(const StageContext& stage) { return stage.rolling.has_value(); }
 inline bool rolls(const StageContext& stage) {
     return stage.rolling.has_value() && !stage.rolling->dissipates;
@@ -27,6 +29,7 @@ inline int vertical_axis(const StageContext& stage) {
     return nutation.theta_min_rad == std::numbers::pi ? -1 : 0;
 }
 
+inline constexpr std::string_view needs_measured = "a measured motion, in [measured]";
 inline constexpr std::string_view needs_heavy_top = "a heavy symmetric top";
 inline constexpr std::string_view needs_free_turning = "a torque-free body that turns";
 inline constexpr std::string_view needs_turning =

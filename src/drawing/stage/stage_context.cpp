@@ -42,6 +42,13 @@ void StageContext::make_construction() {
     if (scene.camera.motion == "co-precessing") turn_rate_rad_s = constants.mean_advance_rate_rad_s;
 }
 
+RotationState StageContext::measured_state(const MeasuredRow& row) const {
+    if (scene.measured.motion.has_attitude)
+        return {row.time_s, row.space_from_body, row.omega_body};
+    return {row.time_s, motion.sample(row.time_s, attitude_too).state.space_from_body,
+            row.omega_body};
+}
+
 // Enlarges the herpolhode's radius to the largest component of ρ in the plane over the film.
 void StageContext::widen_herpolhode() {
     constexpr int n_looks = 512;

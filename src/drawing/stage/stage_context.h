@@ -51,6 +51,10 @@ struct StageContext {
     FrameInput instant_at(const FilmTime& moment, const Quantities& needs,
                           bool with_comparison) const;
 
+    // The state of a row of the scene's measured motion, in space axes; the attitude is the exact
+    // one if the table has none.
+    RotationState measured_state(const MeasuredRow& row) const;
+
     // Rotation from space axes to the shown axes. For a co-precessing camera, the camera, its light
     // and its view of the plane turn about L together; this equals a fixed camera and
     // rotating space axes. Both axes coincide at the film's start.

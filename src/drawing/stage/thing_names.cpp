@@ -96,6 +96,13 @@ constexpr std::array<NamedThing, named_things.size()> things{{
      true,
      {"invariable plane", "invariable Ebene", "plan invariable", "plano invariable",
       "piano invariabile", "不変平面"}},
+    {"measured",
+     "measured",
+     "",
+     "measured",
+     320.0,
+     true,
+     {"measured", "gemessen", "mesuré", "medido", "misurato", "測定値"}},
 }};
 
 constexpr double size_of_names = 0.8;  // of the names of vectors

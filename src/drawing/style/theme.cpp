@@ -21,7 +21,8 @@ constexpr Colour hex(std::uint32_t rgb) {
 // quantities of one view distinguishable for all common kinds of colour vision;
 // tests/drawing/theme_test.cpp has the margins. N, ∇F and φ, which no view shows together, have one
 // colour. Marked points have it, too: a scene that marks a point beside N or ∇F gives the point
-// another colour.
+// another colour. Measured points are of that green which differs most from the two curves, L and
+// ω.
 const Theme light{
     .name = "light",
     .summary = "for bright rooms, on a projector or screen; colour-blind safe",
@@ -46,6 +47,7 @@ const Theme light{
     .axes = {hex(0x9c6915), hex(0x056857), hex(0x2787c6)},
     .contact = hex(0x1c2430),
     .mark = hex(0x6a2bd9),
+    .measured = hex(0x004818),
     .body_cone = hex(0x2787c6),
     .space_cone = hex(0xcf4a12),
     .annulus = hex(0x66778d),
@@ -83,6 +85,7 @@ const Theme dark{
     .axes = {hex(0xe0b04a), hex(0x05a77c), hex(0x94a0dd)},
     .contact = hex(0xf2f4f7),
     .mark = hex(0x8650ff),
+    .measured = hex(0xa8fc30),
     .body_cone = hex(0x94a0dd),
     .space_cone = hex(0xfc884e),
     .annulus = hex(0x8090a6),
@@ -122,6 +125,7 @@ const Theme print{
     .axes = {hex(0x533d09), hex(0x00745a), hex(0x5d98cd)},
     .contact = hex(0x101010),
     .mark = hex(0x7844da),
+    .measured = hex(0x003c00),
     .body_cone = hex(0x5d98cd),
     .space_cone = hex(0x9c2d20),
     .annulus = hex(0x8a8a8a),
@@ -161,6 +165,7 @@ const Theme colour_blind{
     .axes = {hex(0x523305), hex(0x056f4d), hex(0x2e8acc)},
     .contact = hex(0x000000),
     .mark = hex(0x6b3fc4),
+    .measured = hex(0x3c9c60),
     .body_cone = hex(0x2e8acc),
     .space_cone = hex(0xd05a04),
     .annulus = hex(0x76828f),

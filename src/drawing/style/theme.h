@@ -52,6 +52,7 @@ struct Theme {
     LineStyle axes[3];
     LineStyle contact;
     LineStyle mark;  // points that the scene marks, and their paths
+    LineStyle measured;  // the points and the track of a measured motion
     LineStyle body_cone;
     LineStyle space_cone;
     LineStyle annulus;

@@ -35,6 +35,7 @@ constexpr ThemeRole role_rows[] = {
     {"herpolhode", [](Theme& theme) { return look(theme.herpolhode); }},
     {"contact", [](Theme& theme) { return look(theme.contact); }},
     {"mark", [](Theme& theme) { return look(theme.mark); }},
+    {"measured", [](Theme& theme) { return look(theme.measured); }},
     {"annulus", [](Theme& theme) { return look(theme.annulus); }},
     {"separatrix", [](Theme& theme) { return look(theme.separatrix); }},
     {"body_cone", [](Theme& theme) { return look(theme.body_cone); }},

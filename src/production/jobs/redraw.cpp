@@ -95,7 +95,7 @@ RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
     return request;
 }
 
-// The session of the record's scene; checks that meshes and pictures are unchanged.
+// The session of the record's scene; checks that the files it names are unchanged.
 Session session_of_record(const RedrawRequest& request, const Record& record,
                           const ProgressSink& progress) {
     const Scene scene = scene_of(record, request.outside);
@@ -103,6 +103,7 @@ Session session_of_record(const RedrawRequest& request, const Record& record,
         std::string files = scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh;
         for (const FacePictureSpec& picture : scene.object.pictures)
             files += (files.empty() ? "" : ", ") + picture.file;
+        if (scene.measured.given()) files += (files.empty() ? "" : ", ") + scene.measured.file;
         throw InputError(
             fmt::format("{} has changed since the file was drawn; restore the earlier version",
                         printable(files)));

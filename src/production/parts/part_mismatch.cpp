@@ -25,7 +25,7 @@ std::string differing_lines(std::string_view one, std::string_view other) {
             return fmt::format("\"{}\" and \"{}\"", printable(std::string(a), 80),
                                printable(std::string(b), 80));
     }
-    return "their meshes or pictures";
+    return "their meshes, pictures or tables";
 }
 
 }  // namespace

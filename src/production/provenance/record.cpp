@@ -78,7 +78,7 @@ std::string fonts_in_words(const Stage& stage) {
 
 std::string mesh_hash_of(const Scene& scene) {
     const bool has_mesh = !scene.body.mesh.empty() || !scene.object.mesh.empty();
-    if (!has_mesh && scene.object.pictures.empty()) return "";
+    if (!has_mesh && scene.object.pictures.empty() && !scene.measured.given()) return "";
     Sha256 hash;
     const auto add = [&hash](const auto* items, std::size_t n_items) {
         hash.add({reinterpret_cast<const std::uint8_t*>(items), n_items * sizeof *items});
@@ -87,6 +87,11 @@ std::string mesh_hash_of(const Scene& scene) {
         const int size[] = {picture.image.width(), picture.image.height()};
         add(size, 2);
         hash.add(picture.image.bytes());
+    }
+    for (const MeasuredRow& row : scene.measured.motion.rows) {
+        add(&row.time_s, 1);
+        add(row.omega_body.data(), 3);
+        add(row.space_from_body.coeffs().data(), 4);
     }
     if (!has_mesh) return hash.finish();
     for (const BodySurface& surface : scene.surfaces) {

@@ -21,7 +21,7 @@ struct Record {
     std::string version;     // of poinsot
     std::string scene_name;  // the scene file's stem
     std::string scene_hash;  // SHA-256 of scene_toml, followed by mesh_hash
-    std::string mesh_hash;   // SHA-256 of data from meshes and pictures; empty without any
+    std::string mesh_hash;   // SHA-256 of data from files that the scene names; empty without any
     std::string method;      // of the motion
     std::string bounds;      // promised bounds of the errors of motion and picture
     bool portable = false;   // profile
@@ -54,8 +54,8 @@ struct Record {
     bool operator==(const Record&) const = default;
 };
 
-// SHA-256 of the surfaces and the inertia from a scene's mesh file, and of its faces' pictures;
-// empty without any.
+// SHA-256 of the surfaces and the inertia from a scene's mesh file, of its faces' pictures, and of
+// the rows of its measured motion; empty without any.
 std::string mesh_hash_of(const Scene& scene);
 // The record's scene_hash: of the complete text of the scene, and of the contents of its files.
 std::string scene_hash_of(const Scene& scene);

@@ -178,7 +178,7 @@ std::vector<std::string> differences_in_words(const Record& before, const Record
         scene_changes = scene_differences(before.scene_toml, after.scene_toml);
     words.insert(words.end(), scene_changes.begin(), scene_changes.end());
     if (before.mesh_hash != after.mesh_hash)
-        words.emplace_back("the contents of the scene's mesh or pictures differ");
+        words.emplace_back("the contents of the scene's mesh, pictures or table differ");
     for (const NamedField& named : named_fields) {
         for (const RecordField& field : record_fields()) {
             if (field.key != named.key) continue;

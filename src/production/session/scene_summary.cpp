@@ -15,8 +15,10 @@
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/motion_errors.h"
 #include "mechanics/top/heavy_top.h"
+#include "production/session/measured_summary.h"
 #include "production/session/motion_hints.h"
 #include "production/session/picture_setting.h"
+#include "scene/film_clock.h"
 #include "text/json_text.h"
 
 namespace poinsot {
@@ -314,6 +316,8 @@ SceneSummary summarise(const Session& session, bool plan, const ProgressSink& pr
     tell_stage_notes(stage, progress);
     add_accuracy(session, bound_of(session, stage, setting.samples), lines);
     add_comparison(session, film, lines);
+    if (session.scene.measured.given())
+        add_measured(session, film.start_s, film_end_time_s(session.scene), lines);
     if (can_certify(session)) {
         summary.certificate = certify_film(session, film, progress);
         add_certificate(*summary.certificate, lines);

@@ -82,6 +82,17 @@ std::string bytes_of_picture(const fs::path& file, const std::string& name) {
     }
 }
 
+// The bytes of a table; one more than is accepted, to detect a table that is too large.
+std::string bytes_of_table(const fs::path& file) {
+    const FileKind kind = kind_of_file(file);
+    if (kind == FileKind::missing)
+        throw InputError(
+            fmt::format("{}: no such file; name a table of text (CSV)", printable(file.string())));
+    if (kind != FileKind::regular)
+        throw InputError(fmt::format("{}: {}", printable(file.string()), in_words(kind)));
+    return read_beginning(file, most_table_bytes + 1);
+}
+
 FileBytes read(const NamedFile& named, OutsideFiles outside) {
     // A theme named on the command line is looked for in the current folder first.
     std::error_code failed;
@@ -93,6 +104,8 @@ FileBytes read(const NamedFile& named, OutsideFiles outside) {
             return {file.string(), bytes_of_mesh_file(file)};
         case NamedFile::Kind::picture:
             return {file.string(), bytes_of_picture(file, named.name)};
+        case NamedFile::Kind::table:
+            return {file.string(), bytes_of_table(file)};
         case NamedFile::Kind::theme:
             break;
     }

@@ -42,6 +42,8 @@ constexpr Quantities euler_angles{.attitude = false, .herpolhode = false, .euler
 constexpr Phrase turns_title{"turns", "Umdrehungen", "tours", "vueltas", "giri", "回転数"};
 constexpr Phrase angle_title{"angle from L", "Winkel zu L",  "angle avec L",
                              "ángulo con L", "angolo con L", "Lとの角度"};
+constexpr Phrase momentum_tilt_title{"tilt of L",        "Neigung von L",     "inclinaison de L",
+                                     "inclinación de L", "inclinazione di L", "Lの傾き"};
 constexpr Phrase residual_title{"relative residual", "relativer Rest",   "résidu relatif",
                                 "residuo relativo",  "residuo relativo", "相対残差"};
 constexpr Phrase wobble_label{"\\mathrm{wobble}",  "\\mathrm{Taumeln}",   "\\mathrm{nutation}",
@@ -203,11 +205,34 @@ PlotValues residual_values(const StageContext& stage, const FrameInput& instant)
             decade(r.unit_quaternion)};
 }
 
+// T alone, |L| alone, and the angle between L in space and L at the start: constants of the free
+// motion, each with an axis of its own, on which the drift of a measured motion is visible.
+constexpr PlotCurve kinetic_curves[] = {{formula("T"), energy_colour, DashPattern::solid}};
+PlotValues kinetic_values(const StageContext& stage, const FrameInput& instant) {
+    return {invariant_values(stage, instant)[0]};
+}
+constexpr PlotCurve length_curves[] = {{formula("L"), momentum_colour, DashPattern::solid}};
+PlotValues length_values(const StageContext& stage, const FrameInput& instant) {
+    return {invariant_values(stage, instant)[1]};
+}
+constexpr PlotCurve momentum_tilt_curves[] = {
+    {formula("\\mathbf{L}"), momentum_colour, DashPattern::solid}};
+PlotValues momentum_tilt_values(const StageContext& stage, const FrameInput& instant) {
+    const Eigen::Vector3d momentum =
+        instant.state.space_from_body *
+        (stage.motion.motion().problem().inertia.matrix_body() * instant.state.omega_body);
+    const Eigen::Vector3d& normal = stage.rolling->construction.normal_space();
+    return {std::atan2(momentum.cross(normal).norm(), momentum.dot(normal))};
+}
+bool has_measured_momentum(const StageContext& stage) {
+    return has_measured(stage) && stage.scene.measured.motion.has_attitude && keeps_momentum(stage);
+}
+
 constexpr PlotQuantity quantity_rows[] = {
     {"omega", "ω1, ω2, ω3 along the principal axes", formula("$\\omega_i$"), "rad/s", false, false,
      true, omega_alone, any_motion, "", omega_curves, omega_values},
     {"euler_angles", "θ, φ, ψ of a heavy top", no_words, "rad", true, false, false, euler_angles,
-     is_heavy_top, needs_heavy_top, euler_curves, euler_values},
+     is_heavy_top, needs_heavy_top, euler_curves, euler_values, false},
     {"energy", "kinetic energy T; under gravity also the potential energy V and the sum E",
      energy_title, "J", false, false, true, attitude_too, any_motion, "", energy_curves,
      energy_values},
@@ -224,9 +249,21 @@ constexpr PlotQuantity quantity_rows[] = {
      attitude_too, is_heavy_top, needs_heavy_top, conserved_curves, conserved_values},
     {"turns", "turns of a symmetric body's axis about L (wobble) and of a mark on the body (spin)",
      turns_title, "", false, false, true, omega_alone, rolls_with_cones,
-     "a torque-free body with exactly two equal moments", turn_curves, turn_values},
+     "a torque-free body with exactly two equal moments", turn_curves, turn_values, false},
     {"residuals", "relative errors of T, L, the contact point and the attitude", residual_title, "",
-     false, true, false, attitude_too, rolls, needs_free_turning, residual_curves, residual_values},
+     false, true, false, attitude_too, rolls, needs_free_turning, residual_curves, residual_values,
+     false},
+    {"measured_energy", "T of the measured motion in [measured] beside the exact one", energy_title,
+     "J", false, false, false, omega_alone, has_measured, needs_measured, kinetic_curves,
+     kinetic_values},
+    {"measured_momentum", "L of the measured motion in [measured] beside the exact one",
+     formula("$L$"), "kg m²/s", false, false, false, omega_alone, has_measured, needs_measured,
+     length_curves, length_values},
+    {"measured_tilt",
+     "angle of the measured L from the exact one, in space; needs measured attitudes",
+     momentum_tilt_title, "rad", false, false, true, attitude_too, has_measured_momentum,
+     "a measured motion with attitudes, in [measured], of a body that turns without torque",
+     momentum_tilt_curves, momentum_tilt_values},
 };
 
 // Without a potential E is T, so that the curve of T is enough.

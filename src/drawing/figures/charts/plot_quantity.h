@@ -34,6 +34,7 @@ struct PlotQuantity {
     std::string_view requirement;
     std::span<const PlotCurve> curves;
     PlotValues (*values)(const StageContext& stage, const FrameInput& instant);
+    bool of_measured = true;  // whether it is shown of a measured motion, too
 };
 
 std::span<const PlotQuantity> plot_quantities();

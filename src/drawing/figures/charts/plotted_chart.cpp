@@ -44,6 +44,8 @@ void draw_chart(const Panel& panel, const PlottedChart& plotted, double time_s,
     for (const PlottedCurve& curve : plotted.curves) {
         builder.view.curves.push_back(curve.curve);
     }
+    builder.view.curves.insert(builder.view.curves.end(), plotted.measured.begin(),
+                               plotted.measured.end());
     builder.view.curves.insert(builder.view.curves.end(), plotted.leaders.begin(),
                                plotted.leaders.end());
     builder.view.labels.insert(builder.view.labels.end(), plotted.names.begin(),

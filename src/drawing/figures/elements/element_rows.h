@@ -3,6 +3,7 @@
 #pragma once
 
 #include "drawing/figures/elements/elements.h"
+#include "drawing/stage/possible_motions.h"
 
 namespace poinsot {
 
@@ -32,6 +33,7 @@ Drawer make_levels(const Panel& panel, StageStore& store);
 Drawer make_velocity(const Panel& panel, StageStore& store);
 Drawer make_ghost(const Panel& panel, StageStore& store);
 Drawer make_drift(const Panel& panel, StageStore& store);
+Drawer make_measured(const Panel& panel, StageStore& store);
 Drawer make_ellipsoid(const Panel& panel, StageStore& store);
 Drawer make_axes(const Panel& panel, StageStore& store);
 Drawer make_cones(const Panel& panel, StageStore& store);
@@ -109,6 +111,10 @@ inline constexpr Element element_rows[] = {
     {"solid-angle",
      "in panel momentum, the part of the sphere that L encloses in one polhode period, hatched",
      never_shown, omega_alone, make_solid_angle, false, takes_solid_angle},
+    {"measured",
+     "ρ = ω/√(2T) of the measured motion in [measured] up to the instant, with the scene's T: on "
+     "the ellipsoid and on the plane",
+     has_measured, attitude_too, make_measured},
 };
 
 }  // namespace poinsot

@@ -10,11 +10,13 @@
 
 #include "drawing/figures/elements/body_axes.h"
 #include "drawing/figures/elements/ghost.h"
+#include "drawing/figures/elements/measured_points.h"
 #include "drawing/figures/elements/trail.h"
 #include "drawing/figures/elements/user_marks.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
+#include "drawing/stage/possible_motions.h"
 #include "drawing/stage/smooth_paths.h"
 
 namespace poinsot {
@@ -202,6 +204,20 @@ Drawer make_comparison(Panel& panel, StageStore& store) {
     };
 }
 
+// The measured motion, at rest in the body. Empty without one.
+Drawer make_measured_in_body(const Panel& panel, StageStore& store) {
+    const StageContext& stage = *panel.stage;
+    if (!has_measured(stage)) return [](const FrameInput&, ViewBuilder&) {};
+    Drawer track = measured_track(
+        panel, store,
+        [&](const MeasuredRow& row) {
+            return Eigen::Vector3d(principal_from_body(panel) * measured_rho(stage, row) *
+                                   stage.rolling->picture_per_rho);
+        },
+        [](const FrameInput&) { return Eigen::Affine3d::Identity(); });
+    return fading(stage, store, "measured", std::move(track));
+}
+
 // For a body with two equal moments: the circle of ω's tip about the axis of symmetry, its radius
 // A, and the rate Ω with its sense. Empty for other bodies.
 Drawer make_precession_circle(const Panel& panel, StageStore& store) {
@@ -303,6 +319,7 @@ void make_body_panel(Panel& panel, StageStore& store) {
     const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
     const Drawer comparison = make_comparison(panel, store);
+    const Drawer measured = make_measured_in_body(panel, store);
     const Drawer precession = make_precession_circle(panel, store);
     const Drawer marks =
         make_user_marks(panel, store,
@@ -313,8 +330,8 @@ void make_body_panel(Panel& panel, StageStore& store) {
                         });
     const Drawer spiral = picture.dissipates ? make_spiral(panel, store) : Drawer();
     panel.draw = [&panel, &picture, precession, marks, spiral, ellipsoid, curves, axis_types,
-                  omega_type, momentum_type,
-                  comparison](const FrameInput& instant, ViewBuilder& builder) {
+                  omega_type, momentum_type, comparison,
+                  measured](const FrameInput& instant, ViewBuilder& builder) {
         const Theme& theme = panel.stage->theme;
         const auto add_arrow = [&](const Eigen::Vector3d& tip, const LineStyle& colour,
                                    double weight, const TextBlock& type, double turn_rad = 0.0) {
@@ -326,6 +343,7 @@ void make_body_panel(Panel& panel, StageStore& store) {
         builder.view.curves = curves;
         if (spiral) spiral(instant, builder);
         name_shapes("polhode", builder);
+        measured(instant, builder);
         for (int i = 0; i < 3; ++i) {
             add_arrow((picture.half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
                       theme.axes[i], 0.85, axis_types[static_cast<std::size_t>(i)],

@@ -39,6 +39,7 @@ class UnusedKeys {
         if (kinds_.size() < scene_.panels.size()) return {};
         add_camera();
         add_names();
+        add_measured();
         add_trails();
         add_elements();
         add_panels();
@@ -83,6 +84,12 @@ class UnusedKeys {
         if (!any(takes_names))
             add("names", fmt::format("only panels {} name curves and surfaces",
                                      panels_that_take(takes_names, "and")));
+    }
+
+    void add_measured() {
+        if (!any(takes_measured))
+            add("measured.file", fmt::format("only panels {} show a measured motion",
+                                             panels_that_take(takes_measured, "and")));
     }
 
     void add_trails() {

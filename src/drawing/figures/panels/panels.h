@@ -49,15 +49,16 @@ inline constexpr PanelKind panel_rows[] = {
     {"space", "the ellipsoid rolling on the invariable plane", invariable_plane_title, false,
      keeps_momentum, needs_turning, make_space_panel,
      takes_elements | takes_direction_marks | takes_marks_on_ellipsoid | takes_marks_in_space |
-         takes_mark_trails | takes_comparison | takes_names,
+         takes_mark_trails | takes_comparison | takes_names | takes_measured,
      CameraUse::all},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", body_axes_title, true,
      keeps_momentum, needs_turning, make_body_panel,
-     takes_curves | takes_spiral | takes_marks_on_ellipsoid | takes_comparison | takes_names,
+     takes_curves | takes_spiral | takes_marks_on_ellipsoid | takes_comparison | takes_names |
+         takes_measured,
      CameraUse::direction, principal_view_direction},
     {"plan", "the herpolhode on the plane, seen along its normal", herpolhode_title, true, rolls,
      needs_free_turning, make_plan_panel,
-     takes_herpolhode | takes_direction_marks | takes_azimuth | takes_names},
+     takes_herpolhode | takes_direction_marks | takes_azimuth | takes_names | takes_measured},
     {"momentum",
      "the sphere of constant |L| and the energy ellipsoid, which meet in the path of L in body "
      "axes",
@@ -69,7 +70,7 @@ inline constexpr PanelKind panel_rows[] = {
      takes_object | takes_marks_on_body | takes_mark_trails | takes_comparison | takes_forces,
      CameraUse::direction},
     {"plot", "ω, angles, energies or residuals against time, with a moving cursor", no_words, true,
-     any_motion, "", make_plot_panel, takes_quantity | takes_comparison},
+     any_motion, "", make_plot_panel, takes_quantity | takes_comparison | takes_measured},
     {"top", "a heavy top with its Euler angles and the path of its axis on the unit sphere",
      heavy_top_title, true, is_heavy_top, needs_heavy_top, make_top_panel,
      takes_axis_path | takes_comparison | takes_names, CameraUse::direction},

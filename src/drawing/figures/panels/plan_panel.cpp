@@ -14,10 +14,12 @@
 
 #include "drawing/figures/elements/direction_marks.h"
 #include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/measured_points.h"
 #include "drawing/figures/elements/trail.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
+#include "drawing/stage/possible_motions.h"
 
 namespace poinsot {
 
@@ -146,6 +148,24 @@ Curve circle_of(const Panel& panel, double radius) {
     return circle;
 }
 
+// The measured motion on the plane. Empty without one.
+Drawer measured_on_plane(const Panel& panel, StageStore& store, const PlanScale& scale) {
+    const StageContext& stage = *panel.stage;
+    if (!has_measured(stage)) return [](const FrameInput&, ViewBuilder&) {};
+    Drawer track = measured_track(
+        panel, store,
+        [&](const MeasuredRow& row) {
+            const Eigen::Quaterniond attitude =
+                stage.turned_from_space(row.time_s) * stage.measured_state(row).space_from_body;
+            Eigen::Vector3d at =
+                scale.plan_from_space * (attitude * measured_rho(stage, row)) * scale.plan_per_rho;
+            at.z() = 0.0;
+            return at;
+        },
+        [](const FrameInput&) { return Eigen::Affine3d::Identity(); });
+    return fading(stage, store, "measured", std::move(track));
+}
+
 }  // namespace
 
 void make_plan_panel(Panel& panel, StageStore& store) {
@@ -169,7 +189,8 @@ void make_plan_panel(Panel& panel, StageStore& store) {
     foot.occlusion = Occlusion::none;
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}", 0.85);
     const Plane plane = plane_of(panel);
-    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane](
+    const Drawer measured = measured_on_plane(panel, store, scale);
+    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane, measured](
                      const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
         builder.view.planes.push_back(plane);
@@ -205,6 +226,7 @@ void make_plan_panel(Panel& panel, StageStore& store) {
             builder.view.dots.push_back(start);
         }
         name_shapes("herpolhode", builder);
+        measured(instant, builder);
         builder.view.dots.push_back(foot);
         Dot dot = dot_at(panel, contact, panel.stage->theme.contact);
         dot.occlusion = Occlusion::none;

@@ -14,6 +14,8 @@
 #include "drawing/figures/charts/plot_record.h"
 #include "drawing/figures/charts/plotted_chart.h"
 #include "drawing/stage/marks.h"
+#include "drawing/stage/possible_motions.h"
+#include "measured/table_faults.h"
 #include "text/languages.h"
 
 namespace poinsot {
@@ -26,11 +28,17 @@ constexpr Phrase begins_outside_note{"begins outside",         "beginnt außerha
                                      "commence hors du cadre", "empieza fuera",
                                      "inizia fuori",           "始めは枠外"};
 
+constexpr Phrase measured_word{"measured", "gemessen", "mesuré", "medido", "misurato", "測定値"};
+
 constexpr double curve_width = 3.4;
 
 // Lines of the comparison motion are thinner and paler.
 constexpr double beside_width = 2.0;
 constexpr double beside_opacity = 0.6;
+
+// The measured motion is drawn over the exact one. More rows than this are closer than pixels.
+constexpr double measured_width = 2.2;
+constexpr std::size_t most_measured_points = 4000;
 
 // The range of an axis: the values with a margin.
 Axis axis_for(const PlotQuantity& quantity, std::pair<double, double> range, int most_ticks) {
@@ -102,6 +110,7 @@ class PlotMaker {
             record_.at(time_s);
             if (comparison_) comparison_->at(time_s);
         }
+        if (has_measured(stage) && quantity_->of_measured) read_measured_values();
         set_names();
 
         // Stacked charts have the same width of numbers.
@@ -128,6 +137,22 @@ class PlotMaker {
     std::string named_title(const Phrase& title) const {
         const Scene& scene = panel_->stage->scene;
         return title_named_by_scene(scene, phrase_in(scene.language, title));
+    }
+
+    // The same quantity of the rows of the measured motion.
+    void read_measured_values() {
+        const StageContext& stage = *panel_->stage;
+        const std::vector<MeasuredRow>& rows = stage.scene.measured.motion.rows;
+        const std::size_t every = rows.size() / most_measured_points + 1;
+        for (const auto& stretch : stretches_of(rows, stage.film_first_s, stage.film_last_s)) {
+            std::vector<std::pair<double, PlotValues>>& values = measured_.emplace_back();
+            for (std::size_t i = 0; i < stretch.size(); i += every) {
+                FrameInput instant;
+                instant.time_s = stretch[i].time_s;
+                instant.state = stage.measured_state(stretch[i]);
+                values.emplace_back(instant.time_s, shown_values(stage, *quantity_, instant));
+            }
+        }
     }
 
     void set_names() {
@@ -192,6 +217,10 @@ class PlotMaker {
         if (!place.begins_outside) from_s = stage.film_first_s;
         std::pair<double, double> range = range_of(record_, from_s);
         if (comparison_) range = common_range(*quantity_, range, range_of(*comparison_, from_s));
+        for (const auto& stretch : measured_)
+            for (const auto& [time_s, values] : stretch)
+                for (std::size_t i = place.first_curve; i <= place.last_curve; ++i)
+                    range = {std::min(range.first, values[i]), std::max(range.second, values[i])};
         place.y = axis_for(*quantity_, range,
                            n_ticks(place.region.height(), n_charts == 1 ? 75.0 : 60.0));
     }
@@ -208,10 +237,14 @@ class PlotMaker {
                       fmt::format("${}$", named_label(quantity_->curves[place.first_curve].label)),
                       unit_name, place.y.exponent)
                 : axis_title(named_title(quantity_->title), unit_name, place.y.exponent);
-        if (comparison_) {
+        std::string thin_lines =
+            comparison_ ? stage.comparison->motion().problem().method.name : "";
+        if (!measured_.empty())
+            thin_lines += fmt::format("{}{}", thin_lines.empty() ? "" : ", ",
+                                      phrase_in(stage.scene.language, measured_word));
+        if (!thin_lines.empty())
             y_title += fmt::format(";  {}: {}", phrase_in(stage.scene.language, thin_lines_note),
-                                   stage.comparison->motion().problem().method.name);
-        }
+                                   thin_lines);
         if (place.begins_outside)
             y_title += fmt::format(";  {}", phrase_in(stage.scene.language, begins_outside_note));
         const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
@@ -222,10 +255,12 @@ class PlotMaker {
                              {},
                              {},
                              {},
+                             {},
                              place.begins_outside};
         std::vector<EndName> names;
         for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
             add_curve(plotted, i);
+            add_measured(plotted, i);
             const PlottedCurve& curve = plotted.curves.back();
             names.push_back({names_[i], curve.end_y, curve.curve.colour});
             if (!comparison_) continue;
@@ -292,6 +327,25 @@ class PlotMaker {
         plotted.curves.push_back(curve);
     }
 
+    // Adds the same quantity of the measured motion; stretches are not joined.
+    void add_measured(PlottedChart& plotted, std::size_t i) {
+        const LineStyle& ink = panel_->stage->theme.measured;
+        for (const auto& stretch : measured_) {
+            if (stretch.size() < 2) continue;
+            CurveGeometry geometry;
+            for (const auto& [time_s, values] : stretch)
+                geometry.points.push_back(plotted.chart.at(time_s, values[i]));
+            Curve curve;
+            curve.colour = ink;
+            curve.width_px = measured_width * ink.weight * panel_->px;
+            curve.occlusion = Occlusion::none;
+            curve.lasting = true;
+            curve.name.element = "measured";
+            curve.geometry = store_->keep(std::move(geometry), 0.0, "the measured values");
+            plotted.measured.push_back(curve);
+        }
+    }
+
     // Adds the same quantity of the comparison motion, up to where it leaves the chart; returns the
     // height of its end if it does not.
     std::optional<double> add_curve_beside(PlottedChart& plotted, std::size_t i) {
@@ -320,6 +374,7 @@ class PlotMaker {
     const PlotQuantity* quantity_;
     PlotRecord record_;
     std::optional<PlotRecord> comparison_;
+    std::vector<std::vector<std::pair<double, PlotValues>>> measured_;  // by time, without gaps
     int n_pieces_ = 16;
     std::vector<TextBlock> names_;
     std::vector<TextBlock> names_beside_;  // of the comparison motion

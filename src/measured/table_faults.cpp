@@ -1,0 +1,93 @@
+#include "measured/table_faults.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot {
+
+std::vector<MeasuredGap> gaps_of(std::span<const MeasuredRow> rows) {
+    constexpr double most_steps = 3.0;
+    if (rows.size() < 3) return {};
+    std::vector<double> steps_s;
+    steps_s.reserve(rows.size() - 1);
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        steps_s.push_back(rows[i].time_s - rows[i - 1].time_s);
+    const auto middle = steps_s.begin() + static_cast<std::ptrdiff_t>(steps_s.size() / 2);
+    std::nth_element(steps_s.begin(), middle, steps_s.end());
+    const double most_s = most_steps * *middle;
+    std::vector<MeasuredGap> gaps;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        if (rows[i].time_s - rows[i - 1].time_s > most_s)
+            gaps.push_back({i - 1, rows[i - 1].time_s, rows[i].time_s});
+    return gaps;
+}
+
+std::vector<std::span<const MeasuredRow>> stretches_of(std::span<const MeasuredRow> rows,
+                                                       double first_s, double last_s) {
+    std::vector<std::span<const MeasuredRow>> stretches;
+    const auto add = [&](std::size_t begin, std::size_t end) {
+        while (begin < end && rows[begin].time_s < first_s) ++begin;
+        while (begin < end && rows[end - 1].time_s > last_s) --end;
+        if (begin < end) stretches.push_back(rows.subspan(begin, end - begin));
+    };
+    std::size_t begin = 0;
+    for (const MeasuredGap& gap : gaps_of(rows)) {
+        add(begin, gap.before + 1);
+        begin = gap.before + 1;
+    }
+    add(begin, rows.size());
+    return stretches;
+}
+
+std::vector<Saturation> saturations_of(std::span<const MeasuredRow> rows) {
+    constexpr std::size_t least_rows = 3;
+    // A sensor's two limits are about equal; the smaller extreme of a component may be rest.
+    constexpr double least_share = 0.5;
+    std::vector<Saturation> found;
+    for (int k = 0; k < 3; ++k) {
+        double least = 0.0, most = 0.0;
+        for (std::size_t i = 0; i < rows.size(); ++i) {
+            const double value = rows[i].omega_body[k];
+            least = i == 0 ? value : std::min(least, value);
+            most = i == 0 ? value : std::max(most, value);
+        }
+        if (!(least < most)) continue;
+        const double largest = std::max(std::abs(least), std::abs(most));
+        for (const double limit : {most, least}) {
+            if (std::abs(limit) < least_share * largest) continue;
+            Saturation at{k, limit, 0, 0.0};
+            for (std::size_t i = 0, n = 0; i < rows.size(); ++i) {
+                n = rows[i].omega_body[k] == limit ? n + 1 : 0;
+                if (n < least_rows) continue;
+                if (at.n_rows == 0) at.from_s = rows[i + 1 - least_rows].time_s;
+                at.n_rows += n == least_rows ? least_rows : 1;
+            }
+            if (at.n_rows > 0) found.push_back(at);
+        }
+    }
+    return found;
+}
+
+std::string in_words(const Saturation& saturation) {
+    return fmt::format(
+        "omega_{} stays at {:.6g} rad/s for {} rows from {:.6g} s on: the sensor's "
+        "limit?",
+        "xyz"[saturation.component], saturation.value_rad_s, saturation.n_rows, saturation.from_s);
+}
+
+std::string in_words(std::span<const MeasuredGap> gaps) {
+    if (gaps.empty()) return "";
+    const auto longest =
+        *std::max_element(gaps.begin(), gaps.end(), [](const MeasuredGap& a, const MeasuredGap& b) {
+            return a.to_s - a.from_s < b.to_s - b.from_s;
+        });
+    const std::string one =
+        fmt::format("{:.3g} s from {:.6g} s on", longest.to_s - longest.from_s, longest.from_s);
+    return gaps.size() == 1
+               ? "no rows for " + one
+               : fmt::format("no rows in {} stretches, the longest of {}", gaps.size(), one);
+}
+
+}  // namespace poinsot

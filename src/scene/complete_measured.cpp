@@ -1,0 +1,38 @@
+// [measured]: reads the table of a measured motion.
+#include <fmt/format.h>
+
+#include "measured/table_faults.h"
+#include "scene/draft_checks.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+void complete_measured(SceneDraft& draft) {
+    Scene& scene = draft.scene;
+    MeasuredSpec& measured = scene.measured;
+    const std::string key = "measured.file";
+    if (measured.file.empty()) {
+        if (draft.has("measured"))
+            refuse(scene, draft.has(key) ? key : "measured",
+                   "measured.file is missing; name a table in the scene's folder");
+        return;
+    }
+    const FileBytes file = file_named(draft, NamedFile::Kind::table, key, measured.file);
+    measured.motion = at_file_key(scene, key, [&] {
+        if (file.bytes.size() > most_table_bytes)
+            throw InputError(
+                fmt::format("{} is larger than {} MiB; cut it to the time that the film shows",
+                            printable(measured.file), most_table_bytes >> 20));
+        return measured_in(file.bytes, file.name);
+    });
+    if (!measured.motion.has_omega) {
+        add_omega_by_differences(measured.motion);
+        measured.has_derived_omega = true;
+        scene.notes.push_back(fmt::format(
+            "{} has no ω; it is computed from the differences of its attitudes", measured.file));
+    }
+    for (const Saturation& saturation : saturations_of(measured.motion.rows))
+        scene.notes.push_back(fmt::format("{}: {}", measured.file, in_words(saturation)));
+}
+
+}  // namespace poinsot

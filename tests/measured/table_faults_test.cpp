@@ -1,0 +1,81 @@
+// Gaps and saturation of measured tables.
+#include "measured/table_faults.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace poinsot {
+namespace {
+
+std::vector<MeasuredRow> rows_at(const std::vector<double>& times_s) {
+    std::vector<MeasuredRow> rows;
+    for (const double time_s : times_s) {
+        MeasuredRow row;
+        row.time_s = time_s;
+        row.omega_body = {std::sin(time_s), 1.0, std::cos(time_s)};
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+TEST(Gaps, AreStepsOfMoreThanThreeMedianSteps) {
+    // Steps 1, 1, 3, 1, 1, 3.1, 1.
+    const auto rows = rows_at({0.0, 1.0, 2.0, 5.0, 6.0, 7.0, 10.1, 11.1});
+    const auto gaps = gaps_of(rows);
+    ASSERT_EQ(gaps.size(), 1u);
+    EXPECT_EQ(gaps[0].before, 5u);
+    EXPECT_EQ(gaps[0].from_s, 7.0);
+    EXPECT_EQ(gaps[0].to_s, 10.1);
+    EXPECT_EQ(in_words(gaps), "no rows for 3.1 s from 7 s on");
+    EXPECT_TRUE(gaps_of(rows_at({0.0, 100.0})).empty());  // one step is the usual one
+    EXPECT_EQ(in_words(gaps_of(rows_at({0.0, 1.0, 2.0}))), "");
+}
+
+TEST(Stretches, EndAtGapsAndAtTheTimesAskedFor) {
+    const auto rows = rows_at({0.0, 1.0, 2.0, 3.0, 9.0, 10.0, 11.0, 20.0});
+    const auto stretches = stretches_of(rows, 1.0, 10.5);
+    ASSERT_EQ(stretches.size(), 2u);
+    EXPECT_EQ(stretches[0].front().time_s, 1.0);
+    EXPECT_EQ(stretches[0].back().time_s, 3.0);
+    EXPECT_EQ(stretches[1].front().time_s, 9.0);
+    EXPECT_EQ(stretches[1].back().time_s, 10.0);
+    EXPECT_TRUE(stretches_of(rows, 4.0, 8.0).empty());
+}
+
+// A sine of 40 rad/s that a sensor cuts at ±34.9.
+TEST(Saturation, IsAnExtremeValueInThreeRowsOrMore) {
+    std::vector<MeasuredRow> rows;
+    std::size_t n_high = 0, n_low = 0;
+    double first_high = -1.0;
+    for (int i = 0; i < 400; ++i) {
+        MeasuredRow row;
+        row.time_s = 0.01 * i;
+        const double omega = 40.0 * std::sin(3.0 * row.time_s + 0.1);
+        row.omega_body = {5.0 * std::cos(row.time_s), std::min(std::max(omega, -34.9), 34.9), 0.0};
+        n_high += row.omega_body[1] == 34.9;
+        n_low += row.omega_body[1] == -34.9;
+        if (first_high < 0.0 && row.omega_body[1] == 34.9) first_high = row.time_s;
+        rows.push_back(row);
+    }
+    const auto found = saturations_of(rows);
+    // A component that is zero throughout, and one whose extreme is a maximum, are not at a limit.
+    ASSERT_EQ(found.size(), 2u);
+    EXPECT_EQ(found[0].component, 1);
+    EXPECT_EQ(found[0].value_rad_s, 34.9);
+    EXPECT_EQ(found[0].n_rows, n_high);
+    EXPECT_EQ(found[0].from_s, first_high);
+    EXPECT_EQ(found[1].value_rad_s, -34.9);
+    EXPECT_EQ(found[1].n_rows, n_low);
+    EXPECT_EQ(in_words(found[0]).substr(0, 30), "omega_y stays at 34.9 rad/s fo");
+
+    // Two rows at the extreme value may be the top of a curve.
+    rows[50].omega_body[0] = rows[51].omega_body[0] = 7.0;
+    EXPECT_EQ(saturations_of(rows).size(), 2u);
+    rows[52].omega_body[0] = 7.0;
+    EXPECT_EQ(saturations_of(rows).size(), 3u);
+}
+
+}  // namespace
+}  // namespace poinsot
