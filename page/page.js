@@ -35,6 +35,8 @@ class Page {
     });
     this.controls = new Controls(part('controls'), (key, value) => this.set_soon(key, value));
     this.notes = new Notes(part('notes'), words, (event) => this.#key(event));
+    /** Told after the program has read a scene. @type {() => void} */
+    this.said = () => {};
     /** Values that are set at the next frame. @type {Map<string, string>} */
     this.coming = new Map();
     this.idle_timer = 0;
@@ -145,6 +147,7 @@ class Page {
       this.failure = '';
       part('sentence').hidden = true;
     }
+    this.said();
   }
 
   #drawn() {
@@ -392,7 +395,7 @@ class Page {
   }
 
   /** Offers a file for download. @param {Blob} blob @param {string} suffix */
-  #save(blob, suffix) {
+  save(blob, suffix) {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
     link.download = `${this.data.name}${suffix}`;
@@ -456,11 +459,11 @@ class Page {
     part('scene-view').addEventListener('click', () => this.views.reset());
     part('save-png').addEventListener('click', () => {
       const [width, height] = [input('png-width'), input('png-height')].map((field) => Math.min(16384, Math.max(16, Math.round(field.valueAsNumber) || 1080)));
-      this.figure.png(width ?? 1920, height ?? 1080).then((blob) => this.#save(blob, '.png'), (error) => this.#say(error));
+      this.figure.png(width ?? 1920, height ?? 1080).then((blob) => this.save(blob, '.png'), (error) => this.#say(error));
     });
     part('save-svg').addEventListener('click', () => {
       try {
-        this.#save(new Blob([this.svg()], {type: 'image/svg+xml'}), '.svg');
+        this.save(new Blob([this.svg()], {type: 'image/svg+xml'}), '.svg');
       } catch (error) {
         this.#say(error);
       }
