@@ -1,0 +1,457 @@
+// The page in Chromium: every control, links, sizes, lost contexts, sandboxes, and what scripts can do.
+// Usage: node browser_test.js POINSOT [NAME…]; POINSOT_PAGE names a page that exists already.
+'use strict';
+const assert = require('node:assert/strict');
+const {spawnSync} = require('node:child_process');
+const fs = require('node:fs');
+const os = require('node:os');
+const path = require('node:path');
+const {skip, needed} = require('./skip.js');
+
+const chromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((file) => fs.existsSync(file));
+if (!chromium) skip('there is no Chromium');
+const puppeteer = require(needed('puppeteer-core'));
+
+const [program, ...only] = process.argv.slice(2);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-page-'));
+process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
+
+/** @returns {string} the page of lecture.toml */
+function made_page() {
+  const existing = process.env['POINSOT_PAGE'];
+  if (existing) return existing;
+  const file = path.join(folder, 'lecture.html');
+  const outcome = spawnSync(program, ['render', path.join(__dirname, 'lecture.toml'), '-o', file, '--quiet'], {encoding: 'utf8'});
+  if (outcome.status === 3 && outcome.stderr.includes('without its module')) skip('the program was built without the module');
+  assert.equal(outcome.status, 0, outcome.stderr);
+  return file;
+}
+
+const page_file = made_page();
+const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+/** @type {[string, (browser: any) => Promise<void>][]} */
+const checks = [];
+const check = (name, run) => checks.push([name, run]);
+
+/** Opens the page and collects what goes wrong. */
+async function opened(browser, {fragment = '', size = {width: 640, height: 400}, before = null} = {}) {
+  const tab = await browser.newPage();
+  const faults = [];
+  tab.on('console', (message) => faults.push(`console: ${message.text()}`));
+  tab.on('pageerror', (error) => faults.push(`error: ${error.message}`));
+  tab.on('request', (request) => {
+    if (!/^(file|data|blob|about):/.test(request.url())) faults.push(`request: ${request.url()}`);
+  });
+  // Counts the frames asked for, as a measure of work.
+  await tab.evaluateOnNewDocument(() => {
+    window.n_frames = 0;
+    const ask = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (action) => {
+      ++window.n_frames;
+      return ask(action);
+    };
+  });
+  if (before) await tab.evaluateOnNewDocument(before);
+  await tab.setViewport(size);
+  await tab.goto(`file://${page_file}${fragment}`);
+  return {tab, faults};
+}
+
+async function ready(tab) {
+  await tab.evaluate(() => window.poinsot.ready);
+}
+
+/** Runs code of the tab until it is true. */
+async function until(tab, code, ms = 20000) {
+  await tab.waitForFunction(code, {timeout: ms});
+}
+
+const film_s = (tab) => tab.$eval('#scrub', (scrub) => scrub.valueAsNumber);
+const press = async (tab, key) => {
+  await tab.keyboard.press(key);
+  await tab.evaluate(() => new Promise((resolve) => setTimeout(resolve, 60)));
+};
+
+check('starts by itself, draws, and then rests', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await until(tab, 'document.body.classList.contains("drawn")');
+  await wait(700);
+  const before = await tab.evaluate(() => window.n_frames);
+  await wait(700);
+  assert.equal(await tab.evaluate(() => window.n_frames), before, 'frames were drawn while nothing moved');
+  assert.ok((await tab.$eval('#state', (state) => state.textContent)).length > 10, 'screen readers hear the state');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('shows the title as text', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  if (!process.env['POINSOT_PAGE']) assert.equal(await tab.title(), 'A page </script><b>to hold</b>');
+  assert.equal(await tab.$('b'), null);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('plays, pauses, steps, and goes from stop to stop by keys', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'End');
+  const length_s = await film_s(tab);
+  assert.ok(length_s > 1);
+  await press(tab, 'Home');
+  assert.equal(await film_s(tab), 0);
+  await press(tab, 'ArrowRight');
+  const frame_s = await film_s(tab);
+  assert.ok(frame_s > 0 && frame_s < 0.2);
+  await press(tab, 'ArrowLeft');
+  assert.equal(await film_s(tab), 0);
+  await press(tab, ' ');
+  await until(tab, 'document.getElementById("scrub").valueAsNumber > 0.2');
+  await press(tab, ' ');
+  await tab.evaluate(() => document.activeElement?.blur());
+  await wait(150);
+  const paused_s = await film_s(tab);
+  await wait(300);
+  assert.equal(await film_s(tab), paused_s);
+  await press(tab, 'PageDown');
+  const first_s = await film_s(tab);
+  await press(tab, 'PageDown'); // goes on from the stop
+  await until(tab, `document.getElementById("scrub").valueAsNumber > ${first_s + 0.1}`);
+  await press(tab, 'PageDown'); // to the next, which loops
+  await press(tab, 'PageUp');
+  assert.ok(Math.abs((await film_s(tab)) - first_s) < 1e-9);
+  await press(tab, '2'); // the second chapter
+  assert.equal(await film_s(tab), 5);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('has a button for each of these', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.click('#play');
+  await until(tab, 'document.getElementById("scrub").valueAsNumber > 0.2');
+  await tab.click('#play');
+  await tab.click('#next');
+  const at_s = await film_s(tab);
+  assert.ok(at_s > 0.2);
+  await tab.click('#previous');
+  assert.ok((await film_s(tab)) < at_s);
+  await tab.click('#speed');
+  await tab.evaluate(() => [...document.querySelectorAll('#speeds button')].find((b) => b.textContent.startsWith('4')).click());
+  assert.match(await tab.$eval('#speed', (b) => b.textContent), /^4/);
+  await press(tab, 'b');
+  assert.match(await tab.$eval('#speed', (b) => b.textContent), /^−4/);
+  const box = await (await tab.$('#scrub')).boundingBox();
+  await tab.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  assert.ok(Math.abs((await film_s(tab)) / (await tab.$eval('#scrub', (s) => Number(s.max))) - 0.5) < 0.05);
+  for (const id of ['previous', 'play', 'next', 'speed', 'options', 'full'])
+    assert.ok(await tab.$eval(`#${id}`, (b) => b.getAttribute('aria-label').length > 0), id);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('turns, moves and zooms a panel, and goes back by one key', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await until(tab, 'document.querySelector(".view")');
+  const label = () => tab.$eval('.view', (view) => view.getAttribute('aria-label'));
+  const scene = await label();
+  await tab.mouse.move(200, 150);
+  await tab.mouse.down();
+  await tab.mouse.move(260, 180, {steps: 4});
+  await tab.mouse.up();
+  assert.notEqual(await label(), scene);
+  await press(tab, 'c');
+  assert.equal(await label(), scene);
+  await tab.focus('.view');
+  await tab.keyboard.down('Shift');
+  await press(tab, 'ArrowLeft');
+  await tab.keyboard.up('Shift');
+  assert.notEqual(await label(), scene);
+  await tab.mouse.wheel({deltaY: -240});
+  await wait(700);
+  assert.match(await tab.evaluate(() => location.hash), /view=/);
+  await tab.evaluate(() => document.querySelector('.view').dispatchEvent(new MouseEvent('dblclick')));
+  assert.equal(await label(), scene);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('changes values, says the regime, and shows refusals in place', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 1280, height: 720}});
+  await ready(tab);
+  await press(tab, 'o');
+  await until(tab, 'document.querySelectorAll("#controls input").length > 0');
+  const regime = await tab.$eval('#regime', (p) => p.textContent);
+  assert.ok(regime.length > 10);
+  await tab.evaluate(() => window.poinsot.set({'start.omega_rad_s': [1.9, 0.1, 0.1]}));
+  assert.notEqual(await tab.$eval('#regime', (p) => p.textContent), regime);
+  const refusal = await tab.evaluate(() => window.poinsot.set({'start.omega_rad_s': [0, 0, 0]}).then(() => '', (e) => e.message));
+  assert.match(refusal, /omega_rad_s/);
+  const omega = await tab.evaluate(() => window.poinsot.at(0).omega_body);
+  assert.ok(omega.some((w) => w !== 0), 'a refused value changes nothing');
+  // The first field of ω: a number that no body has, and then one that it has.
+  const field = await tab.$('#controls input[type=number]');
+  await field.click({clickCount: 3});
+  await field.type('1e300');
+  await tab.keyboard.press('Enter');
+  await until(tab, '[...document.querySelectorAll(".refusal")].some((p) => p.textContent.length > 5)');
+  await field.click({clickCount: 3});
+  await field.type('0.5');
+  await tab.keyboard.press('Enter');
+  await until(tab, '[...document.querySelectorAll(".refusal")].every((p) => p.textContent === "")');
+  await tab.click('#original');
+  assert.equal(await tab.$eval('#regime', (p) => p.textContent), regime);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('shows and hides elements and names, and changes its colours', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'o');
+  await until(tab, 'document.querySelectorAll("#elements input").length > 1');
+  const shot = () => tab.evaluate(() => window.poinsot.png(160, 90).then((blob) => blob.size));
+  const all = await shot();
+  await tab.evaluate(() => [...document.querySelectorAll('#elements input')].find((box) => box.name !== '' && box.checked).click());
+  assert.notEqual(await shot(), all);
+  const ground = await tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  await press(tab, 't');
+  assert.notEqual(await tab.evaluate(() => getComputedStyle(document.body).backgroundColor), ground);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('a link opens the same instant, view and values', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.evaluate(() => {
+    window.poinsot.seek(1.5);
+    window.poinsot.view({azimuth_deg: 10, elevation_deg: 30});
+    return window.poinsot.set({'start.omega_rad_s': [0.4, 1.5, 0.7]});
+  });
+  await wait(700);
+  const fragment = await tab.evaluate(() => location.hash);
+  const label = await tab.$eval('.view', (view) => view.getAttribute('aria-label'));
+  const other = await opened(browser, {fragment});
+  await ready(other.tab);
+  assert.equal(await other.tab.evaluate(() => window.poinsot.time_s), await tab.evaluate(() => window.poinsot.time_s));
+  assert.equal(await other.tab.$eval('.view', (view) => view.getAttribute('aria-label')), label);
+  assert.deepEqual(await other.tab.evaluate(() => window.poinsot.at(0).omega_body), [0.4, 1.5, 0.7]);
+  await other.tab.reload();
+  await ready(other.tab);
+  assert.equal(await other.tab.evaluate(() => window.poinsot.time_s), 1.5);
+  assert.deepEqual([...faults, ...other.faults], []);
+  await tab.close();
+  await other.tab.close();
+});
+
+check('a link sets no other keys', async (browser) => {
+  const {tab, faults} = await opened(browser, {fragment: '#set=title=evil&set=body.mesh=/etc/passwd'});
+  await ready(tab);
+  assert.doesNotMatch(await tab.evaluate(() => document.body.textContent), /evil<|passwd/);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('fits windows, screens and zoom', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  for (const size of [{width: 1280, height: 720}, {width: 390, height: 844, deviceScaleFactor: 2}, {width: 320, height: 180, deviceScaleFactor: 4}]) {
+    await tab.setViewport(size);
+    await wait(500);
+    const fits = await tab.evaluate(() => {
+      const canvas = document.querySelector('canvas');
+      const box = canvas.getBoundingClientRect();
+      return {sharp: Math.abs(canvas.width - box.width * devicePixelRatio) <= 2, inside: document.documentElement.scrollWidth <= innerWidth,
+        seen: box.width > 100 && box.height > 50 && box.bottom <= innerHeight + 1,
+        hit: [...document.querySelectorAll('#bar button')].filter((b) => b.offsetParent).every((b) => b.offsetWidth >= 44 && b.getBoundingClientRect().right <= innerWidth)};
+    });
+    assert.deepEqual(fits, {sharp: true, inside: true, seen: true, hit: true}, JSON.stringify(size));
+  }
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('goes on after a lost context', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  const has_webgl = await tab.evaluate(() => {
+    const gl = document.querySelector('canvas').getContext('webgl2');
+    window.lose = gl?.getExtension('WEBGL_lose_context');
+    window.lose?.loseContext();
+    return Boolean(window.lose);
+  });
+  if (!has_webgl) return;
+  await until(tab, '!document.getElementById("sentence").hidden');
+  await tab.evaluate(() => window.lose.restoreContext());
+  await until(tab, 'document.getElementById("sentence").hidden && document.body.classList.contains("drawn")');
+  await press(tab, 'ArrowRight');
+  assert.ok((await film_s(tab)) > 0);
+  assert.deepEqual(faults.filter((fault) => !fault.includes('CONTEXT_LOST')), []);
+  await tab.close();
+});
+
+check('without WebGL or wasm: the poster and a sentence', async (browser) => {
+  const no_webgl = await opened(browser, {before: () => { HTMLCanvasElement.prototype.getContext = () => null; }});
+  await until(no_webgl.tab, '!document.getElementById("sentence").hidden');
+  assert.match(await no_webgl.tab.$eval('#sentence', (p) => p.textContent), /WebGL/);
+  assert.equal(await no_webgl.tab.$eval('#bar', (bar) => bar.hidden), true);
+  assert.equal(await no_webgl.tab.$eval('#poster', (img) => getComputedStyle(img).visibility), 'visible');
+  await no_webgl.tab.close();
+  const no_wasm = await opened(browser, {before: () => { delete window.WebAssembly; }});
+  await until(no_wasm.tab, '!document.getElementById("sentence").hidden');
+  assert.match(await no_wasm.tab.$eval('#sentence', (p) => p.textContent), /WebAssembly/);
+  await no_wasm.tab.close();
+});
+
+check('runs in a sandboxed frame, and gives it unused keys', async (browser) => {
+  const tab = await browser.newPage();
+  const faults = [];
+  tab.on('console', (message) => faults.push(message.text()));
+  tab.on('pageerror', (error) => faults.push(error.message));
+  await tab.setViewport({width: 700, height: 500});
+  await tab.setContent('<!doctype html><iframe sandbox="allow-scripts" style="width:600px;height:400px"></iframe>');
+  await tab.evaluate((html) => {
+    window.keys = [];
+    window.addEventListener('message', (event) => window.keys.push(event.data));
+    document.querySelector('iframe').srcdoc = html;
+  }, fs.readFileSync(page_file, 'utf8'));
+  await wait(300);
+  const frame = tab.frames().find((f) => f !== tab.mainFrame());
+  await frame.waitForFunction('document.body?.classList.contains("drawn")', {timeout: 20000});
+  await frame.focus('#play');
+  await tab.keyboard.press('Escape');
+  await tab.keyboard.press('g');
+  await tab.waitForFunction('window.keys.length > 0', {timeout: 5000});
+  assert.deepEqual(await tab.evaluate(() => window.keys.map((k) => [k.type, k.key])), [['poinsot-key', 'Escape'], ['poinsot-key', 'g']]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('forty figures on one page start in sight and rest out of it', async (browser) => {
+  const tab = await browser.newPage();
+  const faults = [];
+  tab.on('console', (message) => faults.push(message.text()));
+  tab.on('pageerror', (error) => faults.push(error.message));
+  await tab.setViewport({width: 500, height: 420});
+  const file = path.join(folder, 'forty.html');
+  const frame = `<iframe src="file://${page_file}" style="display:block;width:320px;height:200px;margin:6px;border:0"></iframe>`;
+  fs.writeFileSync(file, `<!doctype html><meta charset="utf-8">${frame.repeat(40)}`);
+  await tab.goto(`file://${file}`);
+  const running = async () => (await Promise.all(tab.frames().slice(1).map((f) =>
+    f.evaluate(() => document.body.classList.contains('drawn')).catch(() => false)))).filter(Boolean).length;
+  for (const wanted of [0, 20, 39]) {
+    await tab.evaluate((y) => window.scrollTo(0, y * 206), wanted);
+    const target = tab.frames()[1 + wanted];
+    await target.waitForFunction('document.body?.classList.contains("drawn")', {timeout: 40000});
+    await wait(900);
+    assert.ok((await running()) <= 4, 'figures out of sight rest');
+  }
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('offers scripts what commands.md lists', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const types = await tab.evaluate(async () => {
+    const p = window.poinsot;
+    await p.ready;
+    return Object.fromEntries(['at', 'seek', 'play', 'pause', 'next', 'previous', 'set', 'view', 'png', 'svg', 'time_s', 'first_time_s', 'last_time_s']
+      .map((name) => [name, typeof p[name]]));
+  });
+  for (const name of ['at', 'seek', 'play', 'pause', 'next', 'previous', 'set', 'view', 'png', 'svg']) assert.equal(types[name], 'function', name);
+  for (const name of ['time_s', 'first_time_s', 'last_time_s']) assert.equal(types[name], 'number', name);
+  const state = await tab.evaluate(() => window.poinsot.at(1e6));
+  assert.equal(state.time_s, 1e6);
+  assert.equal(state.omega_body.length, 3);
+  assert.equal(state.space_from_body.length, 4);
+  const norm = Math.hypot(...state.space_from_body);
+  assert.ok(Math.abs(norm - 1) < 1e-14);
+  const png = await tab.evaluate(async () => {
+    const blob = await window.poinsot.png(321, 123);
+    const bytes = new DataView(await blob.arrayBuffer());
+    return [blob.type, bytes.getUint32(16), bytes.getUint32(20)];
+  });
+  assert.deepEqual(png, ['image/png', 321, 123]);
+  await tab.evaluate(() => window.poinsot.play());
+  await until(tab, 'window.poinsot.time_s > 0.1');
+  await tab.evaluate(() => window.poinsot.pause());
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('prints the poster', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.emulateMediaType('print');
+  const seen = await tab.evaluate(() => ['#poster', '#bar', 'canvas', '#panel'].map((s) => {
+    const style = getComputedStyle(document.querySelector(s));
+    return style.display !== 'none' && style.visibility === 'visible';
+  }));
+  assert.deepEqual(seen, [true, false, false, false]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('the notes have a window of their own', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'PageDown');
+  const opening = new Promise((resolve) => browser.once('targetcreated', resolve));
+  await press(tab, 'n');
+  const target = await opening;
+  const notes = await target.page();
+  await wait(300);
+  assert.match(await tab.evaluate(() => location.href), /html/);
+  if (notes) assert.match(await notes.evaluate(() => document.body.textContent), /:/);
+  await press(tab, 'n');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('is accessible by the rules of axe', async (browser) => {
+  let axe;
+  try {
+    axe = fs.readFileSync(needed('axe-core/axe.min.js'), 'utf8');
+  } catch {
+    return;
+  }
+  // A policy forbids scripts from outside; the test alone sets it aside.
+  const {tab} = await opened(browser, {size: {width: 1280, height: 720}});
+  await ready(tab);
+  for (const theme of ['light', 'dark']) {
+    await press(tab, 'o');
+    await wait(300);
+    await tab.evaluate(axe);
+    const violations = await tab.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa']})
+      .then((r) => r.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(' ')}`)));
+    assert.deepEqual(violations, [], theme);
+    await press(tab, 'Escape');
+    await press(tab, 't');
+    await wait(500);
+  }
+  await tab.close();
+});
+
+(async () => {
+  const browser = await puppeteer.launch({executablePath: chromium, headless: true, args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--allow-file-access-from-files']});
+  let n_failed = 0;
+  for (const [name, run] of checks) {
+    if (only.length > 0 && !only.some((word) => name.includes(word))) continue;
+    const began = Date.now();
+    try {
+      await run(browser);
+      console.log(`ok    ${name} (${Date.now() - began} ms)`);
+    } catch (error) {
+      ++n_failed;
+      console.log(`FAIL  ${name}\n${error.stack ?? error}`);
+    }
+  }
+  await browser.close();
+  process.exit(n_failed > 0 ? 1 : 0);
+})();
