@@ -1,18 +1,26 @@
 # One CMake target per folder: every .cpp of the folder and its subfolders, without a list of files. A
 # subfolder that has a CMakeLists.txt is a target of its own.
 
-# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from
-# ./**.cpp. FUZZED: it reads untrusted input and is instrumented for coverage in fuzzing builds. The
+# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…] [NATIVE files…]) makes poinsot_NAME from
+# ./**.cpp. NATIVE: regular expressions of the files that a page in a browser does without: it has neither threads, nor
+# files, nor the libraries that they use. FUZZED: it reads untrusted input and is instrumented for coverage in fuzzing builds. The
 # instrumentation slows rendering by a factor of three, so other folders do without.
 function(poinsot_folder name)
-    cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE;NATIVE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     file(GLOB libraries ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
     foreach(library ${libraries})
         cmake_path(GET library PARENT_PATH library)
         list(FILTER sources EXCLUDE REGEX "^${library}/")
-        add_subdirectory(${library})
+        if(NOT POINSOT_IS_PAGE OR NOT library MATCHES "/files$")
+            add_subdirectory(${library})
+        endif()
     endforeach()
+    if(POINSOT_IS_PAGE)
+        foreach(file ${arg_NATIVE})
+            list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${file}$")
+        endforeach()
+    endif()
     if(NOT sources)
         add_library(poinsot_${name} INTERFACE)
         target_link_libraries(poinsot_${name} INTERFACE poinsot_options ${arg_PUBLIC} ${arg_PRIVATE})
