@@ -154,8 +154,8 @@ class Workbench {
     const findings = [];
     const rows = [];
     if (error) {
-      const place = /** @type {{line?: number, column?: number}} */ (error);
-      const finding = {message: message_of(error), line: place.line ?? 0, column: place.column ?? 0};
+      const {line, column} = error instanceof ProgramError ? error : {line: 0, column: 0};
+      const finding = {message: message_of(error), line, column};
       findings.push(finding);
       const button = document.createElement('button');
       button.type = 'button';
