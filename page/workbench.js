@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{name: string, title: string, text: string, files: Record<string, string>, thumbnail: string}} GalleryScene
- * @typedef {{schema: Schema, scenes: GalleryScene[], template: string}} WorkbenchData
+ * @typedef {{schema: string, scenes: GalleryScene[], template: string}} WorkbenchData
  */
 
 const write_after_ms = 250;
@@ -46,7 +46,7 @@ class Workbench {
     this.timer = 0;
     /** Files dropped or of the gallery, as base64. @type {Record<string, string>} */
     this.files = {};
-    this.editor = new Editor(this.data.schema, () => this.#soon());
+    this.editor = new Editor(JSON.parse(this.data.schema), () => this.#soon());
     this.#name();
     this.#wire();
     this.#show_gallery();

@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <charconv>
+#include <iterator>
 #include <span>
 #include <utility>
 
@@ -22,6 +24,9 @@ namespace {
 constexpr std::array<std::string_view, 12> page_scripts{
     "words.js",    "film.js",  "link.js",   "loader.js", "program.js", "view.js",
     "controls.js", "notes.js", "figure.js", "bar.js",    "page.js",    "scripting.js"};
+
+// Those that the workbench adds.
+constexpr std::array<std::string_view, 2> workbench_scripts{"editor.js", "workbench.js"};
 
 constexpr Phrase no_scripts{"Scripts are off, so you see a still picture.",
                             "Skripte sind ausgeschaltet; darum sehen Sie ein Standbild.",
@@ -56,20 +61,26 @@ std::string hash_source(std::string_view text) {
 
 std::string list_of(const std::vector<std::string>& texts) {
     std::vector<std::string> strings;
+    strings.reserve(texts.size());
     for (const std::string& text : texts) strings.push_back(script_string(text));
     return json_list(strings);
 }
 
+// The files as a JSON object, their bytes as base64.
+std::string files_json(const std::map<std::string, std::string>& files) {
+    std::string text;
+    for (const auto& [name, bytes] : files)
+        text += fmt::format("{}{}: \"{}\"", text.empty() ? "" : ", ", script_string(name),
+                            base64_of(bytes));
+    return "{" + text + "}";
+}
+
 std::string scene_json(const PageContents& contents) {
-    std::string files;
-    for (const auto& [name, bytes] : contents.files)
-        files += fmt::format("{}{}: \"{}\"", files.empty() ? "" : ", ", script_string(name),
-                             base64_of(bytes));
     return JsonObject()
         .json("name", script_string(contents.scene_name))
         .json("text", script_string(contents.scene_text))
         .json("overrides", list_of(contents.overrides))
-        .json("files", "{" + files + "}")
+        .json("files", files_json(contents.files))
         .json("controls", list_of(contents.controls))
         .add("language", contents.language)
         .add("width", contents.width_px)
@@ -78,9 +89,15 @@ std::string scene_json(const PageContents& contents) {
         .line();
 }
 
-// The template with every {{name}} replaced; what replaces it is not looked at again.
-std::string filled(std::string_view page,
-                   std::span<const std::pair<std::string_view, std::string>> values) {
+std::string picture_url(const std::vector<std::uint8_t>& png) {
+    return png.empty() ? "" : "data:image/png;base64," + base64(png);
+}
+
+using Values = std::vector<std::pair<std::string_view, std::string>>;
+
+// The template with every {{name}} replaced, where there is a value; what replaces it is not looked
+// at again.
+std::string filled(std::string_view page, const Values& values) {
     std::string text;
     while (true) {
         const std::size_t open = page.find("{{");
@@ -88,34 +105,86 @@ std::string filled(std::string_view page,
         text += page.substr(0, open);
         if (open == std::string_view::npos || close == std::string_view::npos) return text;
         const std::string_view name = page.substr(open + 2, close - open - 2);
-        for (const auto& [known, value] : values)
-            if (known == name) text += value;
+        const auto value = std::find_if(values.begin(), values.end(),
+                                        [name](const auto& known) { return known.first == name; });
+        text += value != values.end() ? value->second : page.substr(open, close + 2 - open);
         page.remove_prefix(close + 2);
     }
+}
+
+std::string joined(std::span<const std::string_view> names) {
+    std::string text;
+    for (const std::string_view name : names) text += page_file(name) + "\n";
+    return text;
+}
+
+// What the scripts and styles fill in.
+Values program_values(std::string script, std::string style) {
+    return {{"version", POINSOT_VERSION},
+            {"script-hash", hash_source(script)},
+            {"style-hash", hash_source(style)},
+            {"script", std::move(script)},
+            {"style", std::move(style)}};
+}
+
+// What the scene fills in.
+Values scene_values(const PageContents& contents) {
+    return {{"language", escaped_markup(contents.language)},
+            {"ground", escaped_markup(contents.ground)},
+            {"title", escaped_markup(contents.title)},
+            {"poster", picture_url(contents.poster_png)},
+            {"no-script", escaped_markup(phrase_in(contents.language, no_scripts))},
+            {"scene", scene_json(contents)},
+            {"fonts", base64_of(page_fonts_gzip())},
+            {"module", base64_of(page_module_gzip())}};
+}
+
+Values operator+(Values values, Values more) {
+    values.insert(values.end(), std::make_move_iterator(more.begin()),
+                  std::make_move_iterator(more.end()));
+    return values;
+}
+
+// The page but for its scene.
+Values page_values() {
+    return program_values(joined(page_scripts), page_file("page.css")) +
+           Values{{"body", "page"}, {"before", ""}, {"data", ""}};
 }
 
 }  // namespace
 
 std::string html_page(const PageContents& contents) {
-    std::string script;
-    for (const std::string_view name : page_scripts) script += page_file(name) + "\n";
-    const std::string& style = page_file("page.css");
-    const std::array<std::pair<std::string_view, std::string>, 13> values{{
-        {"language", escaped_markup(contents.language)},
-        {"ground", escaped_markup(contents.ground)},
-        {"version", POINSOT_VERSION},
-        {"title", escaped_markup(contents.title)},
-        {"script-hash", hash_source(script)},
-        {"style-hash", hash_source(style)},
-        {"style", style},
-        {"poster", "data:image/png;base64," + base64(contents.poster_png)},
-        {"no-script", escaped_markup(phrase_in(contents.language, no_scripts))},
-        {"scene", scene_json(contents)},
-        {"fonts", base64_of(page_fonts_gzip())},
-        {"module", base64_of(page_module_gzip())},
-        {"script", script},
-    }};
-    return filled(page_file("index.html"), values);
+    return filled(page_file("index.html"), page_values() + scene_values(contents));
+}
+
+std::string html_workbench(const PageContents& first, const std::vector<GalleryScene>& scenes,
+                           std::string_view schema) {
+    std::vector<std::string> rows;
+    rows.reserve(scenes.size());
+    for (const GalleryScene& scene : scenes)
+        rows.push_back(JsonObject()
+                           .json("name", script_string(scene.name))
+                           .json("title", script_string(scene.title))
+                           .json("text", script_string(scene.text))
+                           .json("files", files_json(scene.files))
+                           .add("thumbnail", picture_url(scene.thumbnail_png))
+                           .line());
+    // The workbench writes pages, too: their template, without a scene. The schema is a text in it,
+    // for a description may hold any character.
+    const std::string data =
+        JsonObject()
+            .json("schema", script_string(schema))
+            .json("scenes", json_list(rows))
+            .json("template", script_string(filled(page_file("index.html"), page_values())))
+            .line();
+    const Values values =
+        program_values(joined(page_scripts) + joined(workbench_scripts),
+                       page_file("page.css") + page_file("workbench.css")) +
+        Values{{"body", "workbench"},
+               {"before", page_file("workbench.html")},
+               {"data",
+                "<script id=\"workbench-data\" type=\"application/json\">" + data + "</script>\n"}};
+    return filled(page_file("index.html"), values + scene_values(first));
 }
 
 }  // namespace poinsot

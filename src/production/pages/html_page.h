@@ -28,4 +28,16 @@ struct PageContents {
 // program has a module.
 std::string html_page(const PageContents& contents);
 
+// A scene of the workbench's gallery.
+struct GalleryScene {
+    std::string name, title, text;
+    std::map<std::string, std::string> files;  // name as the scene gives it → bytes
+    std::vector<std::uint8_t> thumbnail_png;
+};
+
+// The workbench: an editor of scenes beside a page of `first`, and a gallery. `schema`: the JSON
+// Schema of scenes.
+std::string html_workbench(const PageContents& first, const std::vector<GalleryScene>& scenes,
+                           std::string_view schema);
+
 }  // namespace poinsot

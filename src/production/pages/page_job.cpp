@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <optional>
+#include <utility>
 
 #include "error/error.h"
 #include "image/png.h"
@@ -27,6 +29,9 @@ constexpr std::size_t most_page_bytes = 1'200'000;
 constexpr int poster_widths_px[] = {1280, 960, 720, 480};
 constexpr std::size_t most_poster_bytes = 130'000;
 
+// Width of a picture in the gallery.
+constexpr int thumbnail_px = 320;
+
 std::string hex(const Colour& colour) {
     const auto level = [](double share) {
         return static_cast<int>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
@@ -46,38 +51,28 @@ Scene read_again(const SceneRequest& request, PageContents& contents) {
     return parse_scene(contents.scene_text, request.file, request.overrides, kept);
 }
 
-void add_poster(const SceneRequest& request, PageContents& contents, LazyRenderer& renderer) {
-    for (const int width_px : poster_widths_px) {
-        SceneRequest of_poster = request;
-        const int height_px =
-            std::max(1, static_cast<int>(std::lround(static_cast<double>(width_px) *
-                                                     contents.height_px / contents.width_px)));
-        of_poster.overrides.push_back(fmt::format("film.size={}x{}", width_px, height_px));
-        const Session session = open_session(of_poster);
-        const FilmTime moment = still_moment(session, {}, StillTime::of_scene);
-        PictureMaker pictures(session, renderer, {moment.time_s, moment.time_s});
-        Image image;
-        pictures.draw(moment, image);
-        PngOptions png;
-        png.deflate_level = 12;
-        contents.poster_png = encode_png(image, png);
-        contents.poster_at_s = moment.film_s;
-        contents.ground = hex(session.theme.background.bottom);
-        if (contents.poster_png.size() <= most_poster_bytes) return;
-    }
+// A picture of the scene at the instant of its still.
+std::vector<std::uint8_t> still_png(const SceneRequest& request, PageContents& contents,
+                                    LazyRenderer& renderer, int width_px) {
+    SceneRequest small = request;
+    const int height_px =
+        std::max(1, static_cast<int>(std::lround(static_cast<double>(width_px) *
+                                                 contents.height_px / contents.width_px)));
+    small.overrides.push_back(fmt::format("film.size={}x{}", width_px, height_px));
+    const Session session = open_session(small);
+    const FilmTime moment = still_moment(session, {}, StillTime::of_scene);
+    PictureMaker pictures(session, renderer, {moment.time_s, moment.time_s});
+    Image image;
+    pictures.draw(moment, image);
+    contents.poster_at_s = moment.film_s;
+    contents.ground = hex(session.theme.background.bottom);
+    PngOptions png;
+    png.deflate_level = 12;
+    return encode_png(image, png);
 }
 
-}  // namespace
-
-void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
-                const ProgressSink& progress) {
-    if (page_module_gzip().empty())
-        throw EnvironmentError(
-            "this program was built without its module for browsers, so it cannot write .html; "
-            "install clang-19, lld-19, libc++-19-dev-wasm32, libc++abi-19-dev-wasm32, wasi-libc, "
-            "libclang-rt-19-dev-wasm32 and binaryen, and build it again");
-    const Session session = open_session(request, progress);
-    tell_notes(session, progress);
+// All but the poster.
+PageContents contents_of(const SceneRequest& request) {
     PageContents contents;
     const Scene scene = read_again(request, contents);
     contents.scene_name = scene.name;
@@ -87,22 +82,60 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
     contents.controls = scene.page.controls;
     contents.width_px = scene.film.width_px;
     contents.height_px = scene.film.height_px;
-    add_poster(request, contents, renderer);
+    return contents;
+}
 
-    const OutputPlace place(output, scene, ".html");
+void need_module() {
+    if (!page_module_gzip().empty()) return;
+    throw EnvironmentError(
+        "this program was built without its module for browsers, so it cannot write .html; install "
+        "clang-19, lld-19, libc++-19-dev-wasm32, libc++abi-19-dev-wasm32, wasi-libc, "
+        "libclang-rt-19-dev-wasm32 and binaryen, and build it again");
+}
+
+}  // namespace
+
+void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
+                const ProgressSink& progress) {
+    need_module();
+    const Session session = open_session(request, progress);
+    tell_notes(session, progress);
+    PageContents contents = contents_of(request);
+    for (const int width_px : poster_widths_px) {
+        contents.poster_png = still_png(request, contents, renderer, width_px);
+        if (contents.poster_png.size() <= most_poster_bytes) break;
+    }
+    const OutputPlace place(output, session.scene, ".html");
     const std::string page = html_page(contents);
     write_whole(place.path(), page);
     const std::string name = printable(place.path().string());
     progress.say(fmt::format("{}\n{:.2f} MB", name, 1e-6 * static_cast<double>(page.size())));
+    std::size_t n_file_bytes = 0;
+    for (const auto& file : contents.files) n_file_bytes += file.second.size();
     if (page.size() > most_page_bytes)
         progress.say(fmt::format(
-            "note: {} is larger than 1.2 MB, because of the files that the scene names ({:.2f} MB)",
-            name, [&] {
-                double bytes = 0.0;
-                for (const auto& file : contents.files)
-                    bytes += static_cast<double>(file.second.size());
-                return 1e-6 * bytes;
-            }()));
+            "note: {} is larger than 1.2 MB; the files that the scene names take {:.2f} MB", name,
+            4e-6 / 3.0 * static_cast<double>(n_file_bytes)));
+}
+
+void write_workbench(const std::vector<SceneRequest>& scenes, std::string_view schema,
+                     const std::string& output, LazyRenderer& renderer) {
+    need_module();
+    std::vector<GalleryScene> gallery;
+    std::optional<PageContents> first;
+    for (const SceneRequest& request : scenes) {
+        PageContents contents = contents_of(request);
+        GalleryScene scene{contents.scene_name, contents.title, contents.scene_text, contents.files,
+                           still_png(request, contents, renderer, thumbnail_px)};
+        gallery.push_back(std::move(scene));
+        if (!first) {
+            contents.poster_png = still_png(request, contents, renderer, poster_widths_px[1]);
+            first = std::move(contents);
+        }
+    }
+    if (!first) throw InputError("a workbench needs a scene; name one");
+    first->title = "poinsot";
+    write_whole(output, html_workbench(*first, gallery, schema));
 }
 
 }  // namespace poinsot

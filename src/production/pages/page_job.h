@@ -2,6 +2,8 @@
 #pragma once
 
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "production/jobs/open_session.h"
 #include "production/jobs/picture.h"
@@ -14,5 +16,10 @@ namespace poinsot {
 // program was built without the module for browsers.
 void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
                 const ProgressSink& progress);
+
+// Writes the workbench with these scenes in its gallery, of which it opens the first. `schema`: the
+// JSON Schema of scenes. Throws as write_page does.
+void write_workbench(const std::vector<SceneRequest>& scenes, std::string_view schema,
+                     const std::string& output, LazyRenderer& renderer);
 
 }  // namespace poinsot
