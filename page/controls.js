@@ -1,10 +1,5 @@
 // Sliders, fields, switches and choices for the keys of [page] controls.
 
-/**
- * @typedef {{key: string, label: string, unit: string, min: number|null, max: number|null, step: number|null,
- *   value: number|number[]|boolean|string, kind: string, choices?: string[]}} Control
- */
-
 /** A value as TOML, for --set. @param {unknown} value @returns {string} */
 function toml_of(value) {
   if (Array.isArray(value)) return `[${value.map(toml_of).join(', ')}]`;

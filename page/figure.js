@@ -1,7 +1,5 @@
 // The picture in the page: starts the program, draws when something changed, and only then.
 
-/** @typedef {{kind: string, message: string}} StartError */
-
 const longest_step_s = 0.25; // between two frames: a hidden page does not jump
 const most_pixels = 3840 * 2400;
 
@@ -83,7 +81,7 @@ class Figure {
     cancelAnimationFrame(this.frame);
     this.frame = 0;
     const old = this.canvas;
-    this.#draw();
+    if (!this.is_lost) this.#draw();
     const last = /** @type {HTMLImageElement} */ (this.parts.picture.querySelector('#last'));
     last.src = old.toDataURL('image/png');
     last.hidden = false;
@@ -127,7 +125,7 @@ class Figure {
     program.setViews(this.views);
     const {loaded} = this;
     this.film.change({
-      length_s: this.length_s, frames_per_s: loaded.frames_per_s, loops: loaded.loops ?? false,
+      length_s: loaded.film_length_s, frames_per_s: loaded.frames_per_s, loops: loaded.loops,
       stops: loaded.stops, chapters: loaded.chapters,
     });
     this.hooks.loaded();
@@ -137,52 +135,22 @@ class Figure {
   reload(changes = {}) {
     const {data, program} = this;
     if (!program || !data) throw new Error('the figure has not started');
-    try {
-      this.#load(changes.data ?? data, changes.values ?? this.values);
-    } catch (error) {
-      try {
-        this.#load(data, this.values);
-      } catch {
-        // The first refusal says what is wrong.
-      }
-      throw error;
-    }
+    this.#load(changes.data ?? data, changes.values ?? this.values);
     this.values = changes.values ?? this.values;
     this.data = changes.data ?? data;
     this.invalidate();
   }
 
-  /** Length of the film in its seconds. */
-  get length_s() {
-    const {loaded} = this;
-    if (!loaded) return 0;
-    if (loaded.length_s !== undefined) return loaded.length_s;
-    return (loaded.last_time_s - loaded.first_time_s) / (loaded.playback_speed || 1);
-  }
-
   /** The motion's time at a second of the film. @param {number} film_s */
   time_of(film_s) {
-    const {loaded, program} = this;
-    if (!loaded || !program) return 0;
-    if (program.timeAt) return program.timeAt(film_s);
-    return loaded.first_time_s + film_s * (loaded.playback_speed || 1);
+    return this.program && this.loaded ? this.program.timeAt(film_s) : 0;
   }
 
   /** The second of the film that shows a time of the motion: the nearest where none does. @param {number} time_s */
   film_second_of(time_s) {
-    let low = 0;
-    let high = this.length_s;
-    if (time_s <= this.time_of(low)) return low;
-    if (time_s >= this.time_of(high)) return high;
-    for (let i = 0; i < 60; ++i) {
-      const middle = 0.5 * (low + high);
-      if (this.time_of(middle) < time_s) low = middle;
-      else high = middle;
-    }
-    // The film's clock is exact at a frame where the root lies on one.
-    const fps = this.film.plan.frames_per_s;
-    const frame_s = Math.round(high * fps) / fps;
-    return Math.abs(frame_s - high) < 1e-9 ? frame_s : high;
+    const length_s = this.loaded?.film_length_s ?? 0;
+    if (!this.program || !(time_s > this.time_of(0))) return 0;
+    return time_s >= this.time_of(length_s) ? length_s : this.program.filmSecondAt(time_s);
   }
 
   get time_s() {
@@ -223,7 +191,7 @@ class Figure {
       if (width !== this.canvas.width || height !== this.canvas.height) {
         this.canvas.width = width;
         this.canvas.height = height;
-        this.loaded.panels = program.resize(width, height) ?? this.loaded.panels;
+        this.loaded.panels = program.resize(width, height);
       }
     }
     program.draw(this.time_s, this.film.at_s);

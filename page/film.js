@@ -1,7 +1,7 @@
 // Where the film is: playing, waiting at stops, and stepping. No drawing, no clock of its own.
 
 /**
- * @typedef {{at_s: number, title: string, loop_s: number, note: string}} Stop
+ * @typedef {{at_s: number, title: string, loop_s: number|null, note: string}} Stop
  * @typedef {{at_s: number, title: string}} Chapter
  * @typedef {{length_s: number, frames_per_s: number, loops: boolean, stops: Stop[], chapters: Chapter[]}} FilmPlan
  */
@@ -156,13 +156,14 @@ class Film {
     const {stops, length_s} = this.plan;
     if (this.waiting >= 0) {
       const stop = /** @type {Stop} */ (stops[this.waiting]);
+      const loop_s = stop.loop_s ?? 0;
       if (this.speed < 0) this.waiting = -1;
       else if (to_s < stop.at_s) {
         this.at_s = to_s;
         return;
       } else if (!this.leaving) {
         // The seam: the picture of the stop is followed by that of the loop's beginning.
-        this.at_s = stop.at_s - stop.loop_s + ((to_s - stop.at_s) % stop.loop_s);
+        this.at_s = loop_s > 0 ? stop.at_s - loop_s + ((to_s - stop.at_s) % loop_s) : stop.at_s;
         return;
       } else {
         this.waiting = -1;
@@ -175,7 +176,8 @@ class Film {
       const stop = stops[reached];
       if (stop) {
         this.waiting = reached;
-        if (stop.loop_s > 0) this.at_s = stop.at_s - stop.loop_s + ((to_s - stop.at_s) % stop.loop_s);
+        const loop_s = stop.loop_s ?? 0;
+        if (loop_s > 0) this.at_s = stop.at_s - loop_s + ((to_s - stop.at_s) % loop_s);
         else {
           this.at_s = stop.at_s;
           this.playing = false;

@@ -1,8 +1,6 @@
 // The state of a page in the fragment of its address: instant, views, values, look.
 
 /**
- * @typedef {{panel: number, azimuth_deg?: number, elevation_deg?: number, roll_deg?: number,
- *   distance?: number, zoom?: number, shift_x?: number, shift_y?: number}} View
  * @typedef {{at_s: number|null, speed: number, views: View[], values: Map<string, string>,
  *   shown: string[]|null, names: boolean|null, theme: string}} PageState
  */

@@ -11,10 +11,12 @@ class Page {
     /** @type {Promise<void>|null} */
     this.starting = null;
     this.failure = '';
+    /** The module is unpacked once. @type {Promise<{module: Uint8Array<ArrayBuffer>, fonts: Uint8Array<ArrayBuffer>}>|null} */
+    this.bytes = null;
     this.figure = new Figure(
       {stage: part('stage'), picture: part('picture'), poster: /** @type {HTMLImageElement} */ (part('poster'))},
       {
-        bytes: async () => ({module: await unpacked('module'), fonts: await unpacked('fonts')}),
+        bytes: () => (this.bytes ??= Promise.all([unpacked('module'), unpacked('fonts')]).then(([module, fonts]) => ({module, fonts}))),
         drawn: () => this.#drawn(),
         loaded: () => this.#loaded(),
         failed: (kind) => this.#fail(kind),
@@ -35,6 +37,8 @@ class Page {
     });
     this.controls = new Controls(part('controls'), (key, value) => this.set_soon(key, value));
     this.notes = new Notes(part('notes'), words, (event) => this.#key(event));
+    /** Told after the program has read a scene. @type {() => void} */
+    this.said = () => {};
     /** Values that are set at the next frame. @type {Map<string, string>} */
     this.coming = new Map();
     this.idle_timer = 0;
@@ -62,9 +66,9 @@ class Page {
     try {
       await this.figure.start(this.data);
     } catch (error) {
-      const kind = error && typeof error === 'object' && 'kind' in error ? String(error.kind) : '';
+      const kind = error instanceof ProgramError ? error.kind : '';
       // Values of a link that the program refuses are left out.
-      if (!kind && this.figure.values.size > 0) {
+      if (!kind.startsWith('no-') && this.figure.values.size > 0) {
         this.figure.values = new Map();
         this.figure.program?.stop();
         this.figure.program = null;
@@ -139,12 +143,12 @@ class Page {
     part('section-change').hidden = loaded.controls.length === 0 && !said;
     part('original').hidden = loaded.controls.length === 0;
     part('hint').textContent = this.#drags_omega ? this.words.of('drag_omega') : '';
-    part('save-svg').hidden = this.figure.program?.svg === undefined;
     this.#fit();
     if (this.failure === 'lost') {
       this.failure = '';
       part('sentence').hidden = true;
     }
+    this.said();
   }
 
   #drawn() {
@@ -163,7 +167,7 @@ class Page {
     this.settle_timer = window.setTimeout(() => {
       const {figure} = this;
       if (!figure.program || figure.film.playing) return;
-      const said = figure.program.state(figure.time_s);
+      const said = figure.program.state(figure.time_s, figure.film.at_s);
       if (part('state').textContent !== said) part('state').textContent = said;
       try {
         history.replaceState(null, '', `#${this.fragment()}`);
@@ -259,7 +263,7 @@ class Page {
   #picked(x, y, panel) {
     const {program, film} = this.figure;
     if (!program || !this.#drags_omega) return false;
-    const found = program.pick(this.figure.time_s, x, y);
+    const found = program.pick(this.figure.time_s, x, y, film.at_s);
     if (found?.thing !== 'omega' || found.panel !== panel) return false;
     // ω of the scene is that of t = 0.
     film.pause();
@@ -270,7 +274,7 @@ class Page {
 
   /** @param {number} x @param {number} y @param {number} panel */
   #dragged(x, y, panel) {
-    const omega = this.figure.program?.omegaAt(this.figure.time_s, panel, x, y);
+    const omega = this.figure.program?.omegaAt(this.figure.time_s, panel, x, y, this.figure.film.at_s);
     if (omega) this.set_soon('start.omega_rad_s', toml_of(omega.map((w) => Number(w.toPrecision(6)))));
   }
 
@@ -365,6 +369,7 @@ class Page {
           else figure.shown = [...part('elements').querySelectorAll('input')].filter((b) => b.name !== '' && b.checked).map((b) => b.name);
           this.#reload();
         });
+        label.title = loaded.elements.find((e) => e.name === name)?.summary ?? '';
         label.append(box, name === '' ? this.words.of('names') : name.replaceAll('-', ' '));
         return label;
       }));
@@ -392,7 +397,7 @@ class Page {
   }
 
   /** Offers a file for download. @param {Blob} blob @param {string} suffix */
-  #save(blob, suffix) {
+  save(blob, suffix) {
     const link = document.createElement('a');
     link.href = URL.createObjectURL(blob);
     link.download = `${this.data.name}${suffix}`;
@@ -456,11 +461,11 @@ class Page {
     part('scene-view').addEventListener('click', () => this.views.reset());
     part('save-png').addEventListener('click', () => {
       const [width, height] = [input('png-width'), input('png-height')].map((field) => Math.min(16384, Math.max(16, Math.round(field.valueAsNumber) || 1080)));
-      this.figure.png(width ?? 1920, height ?? 1080).then((blob) => this.#save(blob, '.png'), (error) => this.#say(error));
+      this.figure.png(width ?? 1920, height ?? 1080).then((blob) => this.save(blob, '.png'), (error) => this.#say(error));
     });
     part('save-svg').addEventListener('click', () => {
       try {
-        this.#save(new Blob([this.svg()], {type: 'image/svg+xml'}), '.svg');
+        this.save(new Blob([this.svg()], {type: 'image/svg+xml'}), '.svg');
       } catch (error) {
         this.#say(error);
       }
@@ -498,7 +503,7 @@ class Page {
 
   svg() {
     const {program} = this.figure;
-    if (!program?.svg) throw new Error('this page makes no SVG');
+    if (!program) throw new Error('the figure has not started');
     return program.svg(this.figure.time_s, this.figure.film.at_s);
   }
 
@@ -535,7 +540,7 @@ class Page {
     const arrows = /** @type {Record<string, [number, number]>} */ ({ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, 1], ArrowDown: [0, -1]});
     const arrow = arrows[event.key];
     if (arrow && event.shiftKey && panel >= 0) this.views.turn(panel, 5 * arrow[0], 5 * arrow[1]);
-    else if (arrow && event.altKey && panel >= 0) this.views.pan(panel, 0.04 * arrow[0], -0.04 * arrow[1]);
+    else if (arrow && event.altKey && panel >= 0) this.views.pan(panel, 0.04 * arrow[0], 0.04 * arrow[1]);
     else if (event.shiftKey && arrow) return false;
     else if (/^[0-9]$/.test(event.key) && !event.altKey) film.to_chapter(Number(event.key));
     else {

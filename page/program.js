@@ -544,4 +544,5 @@ class Program {
   }
 }
 
-if (typeof module !== 'undefined') module.exports = {Program, ProgramError};
+// @ts-ignore: Node.js has `module`, browsers have none.
+if (typeof module !== 'undefined') Object.assign(module.exports, {Program, ProgramError});

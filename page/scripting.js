@@ -70,9 +70,6 @@ function scripting(page) {
   });
 }
 
-/** @type {any} */ (window)['poinsot'] = (() => {
-  const page = new Page();
-  const object = scripting(page);
-  page.watch_sight();
-  return object;
-})();
+const the_page = new Page();
+/** @type {any} */ (window)['poinsot'] = scripting(the_page);
+the_page.watch_sight();

@@ -1,8 +1,6 @@
 // Turning, moving and zooming the panels that have a view, by mouse, touch, pen and keys.
 
 /**
- * @typedef {{name: string, kind: string, x: number, y: number, width: number, height: number,
- *   has_view: boolean, azimuth_deg: number, elevation_deg: number}} PanelPlace
  * @typedef {{changed: () => void, picked: (x: number, y: number, panel: number) => boolean,
  *   dragged: (x: number, y: number, panel: number) => void, dropped: () => void,
  *   touched: () => void, words: () => Words, zooms_by_wheel: () => boolean}} ViewEvents
@@ -19,7 +17,7 @@ class Views {
     this.events = events;
     /** @type {Map<number, View>} */
     this.views = new Map();
-    /** @type {PanelPlace[]} */
+    /** @type {Panel[]} */
     this.panels = [];
     /** @type {HTMLElement[]} */
     this.frames = [];
@@ -39,7 +37,7 @@ class Views {
     this.views = new Map(views.map((view) => [view.panel, view]));
   }
 
-  /** Places a focusable frame over each panel with a view. @param {PanelPlace[]} panels @param {number} ratio pixels of the canvas for a CSS pixel */
+  /** Places a focusable frame over each panel with a view. @param {Panel[]} panels @param {number} ratio pixels of the canvas for a CSS pixel */
   place(panels, ratio) {
     this.panels = panels;
     this.ratio = ratio;
@@ -110,10 +108,10 @@ class Views {
     this.change(panel, {azimuth_deg: now.azimuth_deg + right_deg, elevation_deg: now.elevation_deg + up_deg});
   }
 
-  /** @param {number} panel @param {number} right @param {number} down in panel heights */
-  pan(panel, right, down) {
+  /** @param {number} panel @param {number} right @param {number} up in heights of the panel */
+  pan(panel, right, up) {
     const now = this.of(panel);
-    this.change(panel, {shift_x: now.shift_x + right, shift_y: now.shift_y + down});
+    this.change(panel, {shift_x: now.shift_x + right, shift_y: now.shift_y + up});
   }
 
   /** @param {number} panel @param {number} factor */
@@ -183,11 +181,11 @@ class Views {
       const was = Math.hypot(before.x - other.x, before.y - other.y);
       const is = Math.hypot(event.clientX - other.x, event.clientY - other.y);
       if (was > 1 && is > 1) this.zoom(panel, is / was);
-      this.pan(panel, dx / 2 / height, dy / 2 / height);
+      this.pan(panel, dx / 2 / height, -dy / 2 / height);
     } else if (this.drags_omega) {
       const {x, y} = this.#on_canvas(event);
       this.events.dragged(x, y, panel);
-    } else if (this.pans) this.pan(panel, dx / height, dy / height);
+    } else if (this.pans) this.pan(panel, dx / height, -dy / height);
     else if (dx !== 0 || dy !== 0) this.turn(panel, (-dx / height) * degrees_a_height, (dy / height) * degrees_a_height);
   }
 

@@ -70,6 +70,8 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"production/jobs",
      {"production/session", "production/sampling", "production/sidecars", "production/provenance",
       "production/vectors"}},
+    {"production/pages",
+     {"production/session", "production/provenance", "production/vectors", "production/jobs"}},
     {"production/parts",
      {"production/session", "production/sidecars", "production/provenance", "production/jobs"}},
     {"drawing/style", {}},
