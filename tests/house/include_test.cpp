@@ -42,6 +42,10 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"production",
      {"error", "text", "system", "mesh", "mechanics", "scene", "construction", "typeset", "shapes",
       "drawing", "render", "vector", "image", "output"}},
+    // The module of a page in a browser.
+    {"page",
+     {"error", "text", "mechanics", "image", "typeset", "scene", "construction", "shapes",
+      "drawing", "render", "vector", "production"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},
@@ -82,6 +86,7 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"drawing/figures/panels",
      {"drawing/style", "drawing/stage", "drawing/stage/type", "drawing/figures/charts",
       "drawing/figures/elements"}},
+    {"page/webgl/glad", {}},
     {"render/context", {}},
     {"render/passes", {"render/context", "render/cache"}},
     {"render/cache", {"render/context", "render/passes"}},
@@ -119,7 +124,7 @@ constexpr int most_headers = 20;
 
 // Beginning of a library's header → the folders that may include it.
 const std::map<std::string, std::set<std::string>> library_owners{
-    {"glad/", {"render"}},         {"glm/", {"render"}},
+    {"glad/", {"render", "page"}},        {"glm/", {"render"}},
     {"GL/", {"render"}},           {"EGL/", {"render"}},
     {"libav", {"output"}},         {"libsw", {"output"}},
     {"toml", {"scene"}},           {"CLI/", {"cli"}},
