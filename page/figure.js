@@ -114,14 +114,15 @@ class Figure {
   #load(data, values) {
     const program = /** @type {Program} */ (this.program);
     const {width, height} = this.size();
-    this.canvas.width = width;
-    this.canvas.height = height;
-    this.is_resized = false;
     const overrides = [...data.overrides, ...[...values].map(([key, value]) => `${key}=${value}`)];
     if (this.names !== null) overrides.push(`labels=${this.names}`);
     this.loaded = program.load(data.text, data.name, overrides, {
       width, height, theme: this.theme || undefined, shown: this.shown ?? undefined,
     });
+    // Setting the size of a canvas clears it, so only a scene that will be drawn does.
+    if (this.canvas.width !== width) this.canvas.width = width;
+    if (this.canvas.height !== height) this.canvas.height = height;
+    this.is_resized = false;
     program.setViews(this.views);
     const {loaded} = this;
     this.film.change({
