@@ -43,6 +43,17 @@ class Figure {
       this.is_resized = true;
       this.invalidate();
     }).observe(parts.picture);
+    this.#watch_ratio();
+  }
+
+  /** A window that moves to another screen gets other pixels. */
+  #watch_ratio() {
+    const same = window.matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
+    same.addEventListener('change', () => {
+      this.is_resized = true;
+      this.invalidate();
+      this.#watch_ratio();
+    }, {once: true});
   }
 
   get canvas() {
@@ -136,10 +147,25 @@ class Figure {
   reload(changes = {}) {
     const {data, program} = this;
     if (!program || !data) throw new Error('the figure has not started');
-    this.#load(changes.data ?? data, changes.values ?? this.values);
+    try {
+      this.#load(changes.data ?? data, changes.values ?? this.values);
+    } catch (error) {
+      this.#revive(error);
+      throw error;
+    }
     this.values = changes.values ?? this.values;
     this.data = changes.data ?? data;
     this.invalidate();
+  }
+
+  /** After a crash the module starts anew, with the scene that it had. @param {unknown} error */
+  #revive(error) {
+    if (!(error instanceof ProgramError) || error.kind !== 'crash') return;
+    const program = /** @type {Program} */ (this.program);
+    program.restart().then(() => {
+      program.setViews(this.views);
+      this.invalidate();
+    }, () => this.hooks.failed('no-start', message_of(error)));
   }
 
   /** The motion's time at a second of the film. @param {number} film_s */
@@ -178,7 +204,13 @@ class Figure {
     this.before_next?.();
     this.before_next = null;
     this.film.advance(step_s);
-    this.#draw();
+    try {
+      this.#draw();
+    } catch (error) {
+      this.film.pause();
+      this.#revive(error);
+      this.hooks.failed('draw', message_of(error));
+    }
     this.last_ms = this.film.playing ? ms : 0;
     if (this.film.playing) this.invalidate();
   }

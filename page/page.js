@@ -19,7 +19,7 @@ class Page {
         bytes: () => (this.bytes ??= Promise.all([unpacked('module'), unpacked('fonts')]).then(([module, fonts]) => ({module, fonts}))),
         drawn: () => this.#drawn(),
         loaded: () => this.#loaded(),
-        failed: (kind) => this.#fail(kind),
+        failed: (kind, message) => (kind === 'draw' ? this.#say(message) : this.#fail(kind)),
       });
     const words = () => this.words;
     this.bar = new Bar(this.figure, words, () => this.changed());
@@ -244,10 +244,11 @@ class Page {
     return message_of(error).replace(/^--set [^:]*: /, '');
   }
 
-  /** Reads the scene again for what it shows; a refusal is said. */
-  #reload() {
+  /** Reads the scene again; a refusal is said. @param {Map<string, string>} [values] */
+  #reload(values = this.figure.values) {
     try {
-      this.figure.reload();
+      this.figure.reload({values});
+      part('sentence').hidden = true;
     } catch (error) {
       part('sentence').textContent = message_of(error);
       part('sentence').hidden = false;
@@ -454,10 +455,7 @@ class Page {
         this.changed();
       }, () => {});
     });
-    part('original').addEventListener('click', () => {
-      this.figure.reload({values: new Map()});
-      this.#settle();
-    });
+    part('original').addEventListener('click', () => this.#reload(new Map()));
     part('scene-view').addEventListener('click', () => this.views.reset());
     part('save-png').addEventListener('click', () => {
       const [width, height] = [input('png-width'), input('png-height')].map((field) => Math.min(16384, Math.max(16, Math.round(field.valueAsNumber) || 1080)));
@@ -480,8 +478,11 @@ class Page {
     document.addEventListener('visibilitychange', () => { this.figure.last_ms = 0; });
     new ResizeObserver(() => this.#fit()).observe(part('stage'));
     window.addEventListener('hashchange', () => {
+      const {values} = this.figure;
       this.#read_fragment();
-      if (this.figure.program) this.#reload();
+      const asked = this.figure.values;
+      this.figure.values = values;
+      if (this.figure.program) this.#reload(asked);
     });
   }
 
