@@ -6,11 +6,8 @@ const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
+const {opened_file, press, ready, run_checks, until, wait} = require('./chromium.js');
 const {skip, needed} = require('./skip.js');
-
-const chromium = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((file) => fs.existsSync(file));
-if (!chromium) skip('there is no Chromium');
-const puppeteer = require(needed('puppeteer-core'));
 
 const [program, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-page-'));
@@ -28,50 +25,13 @@ function made_page() {
 }
 
 const page_file = made_page();
-const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
 /** @type {[string, (browser: any) => Promise<void>][]} */
 const checks = [];
 const check = (name, run) => checks.push([name, run]);
 
-/** Opens the page and collects what goes wrong. */
-async function opened(browser, {fragment = '', size = {width: 640, height: 400}, before = null} = {}) {
-  const tab = await browser.newPage();
-  const faults = [];
-  tab.on('console', (message) => faults.push(`console: ${message.text()}`));
-  tab.on('pageerror', (error) => faults.push(`error: ${error.message}`));
-  tab.on('request', (request) => {
-    if (!/^(file|data|blob|about):/.test(request.url())) faults.push(`request: ${request.url()}`);
-  });
-  // Counts the frames asked for, as a measure of work.
-  await tab.evaluateOnNewDocument(() => {
-    window.n_frames = 0;
-    const ask = window.requestAnimationFrame.bind(window);
-    window.requestAnimationFrame = (action) => {
-      ++window.n_frames;
-      return ask(action);
-    };
-  });
-  if (before) await tab.evaluateOnNewDocument(before);
-  await tab.setViewport(size);
-  await tab.goto(`file://${page_file}${fragment}`);
-  return {tab, faults};
-}
-
-async function ready(tab) {
-  await tab.evaluate(() => window.poinsot.ready);
-}
-
-/** Runs code of the tab until it is true. */
-async function until(tab, code, ms = 20000) {
-  await tab.waitForFunction(code, {timeout: ms});
-}
-
+const opened = (browser, options = {}) => opened_file(browser, page_file, options);
 const film_s = (tab) => tab.$eval('#scrub', (scrub) => scrub.valueAsNumber);
-const press = async (tab, key) => {
-  await tab.keyboard.press(key);
-  await tab.evaluate(() => new Promise((resolve) => setTimeout(resolve, 60)));
-};
 
 check('starts by itself, draws, and then rests', async (browser) => {
   const {tab, faults} = await opened(browser);
@@ -438,20 +398,4 @@ check('is accessible by the rules of axe', async (browser) => {
   await tab.close();
 });
 
-(async () => {
-  const browser = await puppeteer.launch({executablePath: chromium, headless: true, args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--allow-file-access-from-files']});
-  let n_failed = 0;
-  for (const [name, run] of checks) {
-    if (only.length > 0 && !only.some((word) => name.includes(word))) continue;
-    const began = Date.now();
-    try {
-      await run(browser);
-      console.log(`ok    ${name} (${Date.now() - began} ms)`);
-    } catch (error) {
-      ++n_failed;
-      console.log(`FAIL  ${name}\n${error.stack ?? error}`);
-    }
-  }
-  await browser.close();
-  process.exit(n_failed > 0 ? 1 : 0);
-})();
+run_checks(checks, only);

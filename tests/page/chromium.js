@@ -1,0 +1,70 @@
+// Chromium for the tests of the page: opens a page, and collects what goes wrong in it.
+'use strict';
+const fs = require('node:fs');
+const {skip, needed} = require('./skip.js');
+
+const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+async function launched() {
+  const file = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((name) => fs.existsSync(name));
+  if (!file) skip('there is no Chromium');
+  const puppeteer = require(needed('puppeteer-core'));
+  return puppeteer.launch({executablePath: file, headless: true,
+    args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--allow-file-access-from-files']});
+}
+
+/** Opens a file; `faults` collects its errors, its messages and its requests. */
+async function opened_file(browser, file, {fragment = '', size = {width: 640, height: 400}, before = null} = {}) {
+  const tab = await browser.newPage();
+  const faults = [];
+  tab.on('console', (message) => faults.push(`console: ${message.text()}`));
+  tab.on('pageerror', (error) => faults.push(`error: ${error.message}`));
+  tab.on('request', (request) => {
+    if (!/^(file|data|blob|about):/.test(request.url())) faults.push(`request: ${request.url()}`);
+  });
+  // Counts the frames asked for, as a measure of work.
+  await tab.evaluateOnNewDocument(() => {
+    window.n_frames = 0;
+    const ask = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (action) => {
+      ++window.n_frames;
+      return ask(action);
+    };
+  });
+  if (before) await tab.evaluateOnNewDocument(before);
+  await tab.setViewport(size);
+  await tab.goto(`file://${file}${fragment}`);
+  return {tab, faults};
+}
+
+const ready = (tab) => tab.evaluate(() => window.poinsot.ready);
+
+/** Waits until code of the tab is true. */
+const until = (tab, code, ms = 20000) => tab.waitForFunction(code, {timeout: ms});
+
+/** Presses a key, and lets the page draw. */
+async function press(tab, key) {
+  await tab.keyboard.press(key);
+  await wait(60);
+}
+
+/** Runs checks, a list of [name, function of the browser], and ends the process. @param {string[]} only words of names */
+async function run_checks(checks, only) {
+  const browser = await launched();
+  let n_failed = 0;
+  for (const [name, run] of checks) {
+    if (only.length > 0 && !only.some((word) => name.includes(word))) continue;
+    const began = Date.now();
+    try {
+      await run(browser);
+      console.log(`ok    ${name} (${Date.now() - began} ms)`);
+    } catch (error) {
+      ++n_failed;
+      console.log(`FAIL  ${name}\n${error.stack ?? error}`);
+    }
+  }
+  await browser.close();
+  process.exit(n_failed > 0 ? 1 : 0);
+}
+
+module.exports = {opened_file, press, ready, run_checks, until, wait};
