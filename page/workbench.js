@@ -210,7 +210,7 @@ class Workbench {
       poster: `data:image/png;base64,${base64_of_bytes(new Uint8Array(await poster.arrayBuffer()))}`,
       scene: script_json(scene), fonts: block('fonts'), module: block('module'),
     };
-    return this.data.template.replace(/\{\{([a-z-]+)\}\}/g, (_, name) => values[name] ?? '');
+    return this.data.template.replace(/\{\{([a-z-]+)\}\}/g, (place, name) => values[name] ?? place);
   }
 }
 
