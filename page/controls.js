@@ -25,6 +25,19 @@ function slider_span(control, value) {
   return {least, most};
 }
 
+/** "Angular velocity at t = 0": the beginning of what a key means. @param {Control} control */
+function title_of(control) {
+  const clause = (control.label || control.key).split(';')[0] ?? '';
+  return clause.charAt(0).toUpperCase() + clause.slice(1);
+}
+
+/** A component of a vector, "start.omega_rad_s[1]", is a number. @param {Control} control @returns {Control} */
+function component_of(control) {
+  const index = /\[(\d+)\]$/.exec(control.key)?.[1];
+  if (index === undefined || !Array.isArray(control.value)) return control;
+  return {...control, kind: 'number', label: `${title_of(control)} [${index}]`, value: control.value[Number(index)] ?? 0};
+}
+
 class Controls {
   /** @param {HTMLElement} holder @param {(key: string, value: string) => void} change */
   constructor(holder, change) {
@@ -37,6 +50,7 @@ class Controls {
 
   /** Shows the values that the scene has now. @param {Control[]} controls */
   show(controls) {
+    controls = controls.map(component_of);
     const signature = controls.map((c) => c.key + c.kind + (Array.isArray(c.value) ? c.value.length : '')).join();
     if (signature !== this.signature) this.#build(controls);
     this.signature = signature;
@@ -63,7 +77,7 @@ class Controls {
       const group = document.createElement('fieldset');
       group.className = 'control';
       const title = document.createElement('legend');
-      title.textContent = control.label || control.key;
+      title.textContent = title_of(control);
       title.title = control.key;
       if (control.unit) {
         const unit = document.createElement('span');
@@ -93,7 +107,7 @@ class Controls {
       this.change(control.key, override_of(control, value));
     };
     const rows = first.map((value, i) => {
-      const name = first.length > 1 ? `${control.label || control.key} ${i + 1}` : control.label || control.key;
+      const name = first.length > 1 ? `${title_of(control)} ${i + 1}` : title_of(control);
       return this.#number(group, control, name, first.length > 1 ? String(i + 1) : '', value, (changed) => {
         now[i] = changed;
         sent();
@@ -162,7 +176,7 @@ class Controls {
   #switch(group, control) {
     const box = document.createElement('input');
     box.type = 'checkbox';
-    box.setAttribute('aria-label', control.label || control.key);
+    box.setAttribute('aria-label', title_of(control));
     box.addEventListener('change', () => this.change(control.key, String(box.checked)));
     group.append(box);
     return (value) => {
@@ -173,7 +187,7 @@ class Controls {
   /** @param {HTMLElement} group @param {Control} control @returns {(value: Control['value']) => void} */
   #choice(group, control) {
     const list = document.createElement('select');
-    list.setAttribute('aria-label', control.label || control.key);
+    list.setAttribute('aria-label', title_of(control));
     for (const choice of control.choices ?? []) list.append(new Option(choice, choice));
     list.addEventListener('change', () => this.change(control.key, JSON.stringify(list.value)));
     group.append(list);

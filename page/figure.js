@@ -34,6 +34,7 @@ class Figure {
     this.theme = '';
     /** @type {View[]} */
     this.views = [];
+    this.is_lost = false;
     this.frame = 0;
     this.last_ms = 0;
     this.is_resized = false;
@@ -80,7 +81,16 @@ class Figure {
     this.#watch_context(this.canvas);
     for (const [name, bytes] of Object.entries(data.files)) program.addFile(name, bytes_of_base64(bytes));
     this.program = program;
-    this.#load(data, this.values);
+    this.is_lost = false;
+    try {
+      this.#load(data, this.values);
+    } catch (error) {
+      if (this.values.size === 0) throw error;
+      // A link may hold values that the program refuses: the scene itself is shown then.
+      this.values = new Map();
+      this.#load(data, this.values);
+      this.hooks.failed('draw', message_of(error));
+    }
     this.data = data;
     this.#draw();
   }
@@ -127,6 +137,9 @@ class Figure {
     const {width, height} = this.size();
     const overrides = [...data.overrides, ...[...values].map(([key, value]) => `${key}=${value}`)];
     if (this.names !== null) overrides.push(`labels=${this.names}`);
+    const overlays = (this.loaded?.elements ?? []).filter((e) => e.overlay).map((e) => e.name);
+    // A list without overlays would show all of them.
+    if (this.shown && overlays.length > 0) overrides.push(`overlays=${overlays.some((name) => this.shown?.includes(name))}`);
     this.loaded = program.load(data.text, data.name, overrides, {
       width, height, theme: this.theme || undefined, shown: this.shown ?? undefined,
     });

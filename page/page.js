@@ -66,18 +66,9 @@ class Page {
     try {
       await this.figure.start(this.data);
     } catch (error) {
-      const kind = error instanceof ProgramError ? error.kind : '';
-      // Values of a link that the program refuses are left out.
-      if (!kind.startsWith('no-') && this.figure.values.size > 0) {
-        this.figure.values = new Map();
-        this.figure.program?.stop();
-        this.figure.program = null;
-        await this.#start();
-        this.controls.refuse('', message_of(error));
-        return;
-      }
+      const kind = error instanceof ProgramError && error.kind.startsWith('no-') ? error.kind : 'no-start';
       this.figure.program = null;
-      this.#fail(kind || 'no-start', message_of(error));
+      this.#fail(kind, message_of(error));
       throw error instanceof Error ? error : new Error(message_of(error));
     }
     this.failure = '';
@@ -355,30 +346,35 @@ class Page {
   }
 
   #show_elements() {
-    const {loaded, figure} = {loaded: this.figure.loaded, figure: this.figure};
+    const {figure} = this;
+    const {loaded} = figure;
     if (!loaded) return;
-    const known = [...part('elements').querySelectorAll('input')].map((box) => box.name).join();
-    const wanted = ['', ...loaded.elements.map((e) => e.name)].join();
-    if (known !== wanted) {
-      part('elements').replaceChildren(...['', ...loaded.elements.map((e) => e.name)].map((name) => {
+    const rows = [{name: '', summary: '', offered: true}, ...loaded.elements].filter((row) => row.offered);
+    const boxes = () => [...part('elements').querySelectorAll('input')];
+    if (boxes().map((box) => box.name).join() !== rows.map((row) => row.name).join()) {
+      part('elements').replaceChildren(...rows.map(({name, summary}) => {
         const label = document.createElement('label');
         const box = document.createElement('input');
         box.type = 'checkbox';
         box.name = name;
         box.addEventListener('change', () => {
           if (name === '') figure.names = box.checked ? null : false;
-          else figure.shown = [...part('elements').querySelectorAll('input')].filter((b) => b.name !== '' && b.checked).map((b) => b.name);
+          else this.#show_element(name, box.checked);
           this.#reload();
         });
-        label.title = loaded.elements.find((e) => e.name === name)?.summary ?? '';
+        label.title = summary;
         label.append(box, name === '' ? this.words.of('names') : name.replaceAll('-', ' '));
         return label;
       }));
     }
-    for (const box of part('elements').querySelectorAll('input')) {
-      if (box.name === '') box.checked = figure.names !== false;
-      else box.checked = figure.shown ? figure.shown.includes(box.name) : loaded.elements.some((e) => e.name === box.name && e.shown);
-    }
+    for (const box of boxes())
+      box.checked = box.name === '' ? figure.names !== false : loaded.elements.some((e) => e.name === box.name && e.shown);
+  }
+
+  /** @param {string} name @param {boolean} shown */
+  #show_element(name, shown) {
+    const names = (this.figure.loaded?.elements ?? []).filter((e) => (e.name === name ? shown : e.shown)).map((e) => e.name);
+    this.figure.shown = names;
   }
 
   async #copy_link() {

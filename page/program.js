@@ -17,7 +17,7 @@
  *   playback_speed: number, width: number, height: number, regime: string, notes: string[],
  *   panels: Panel[], chapters: {at_s: number, title: string}[],
  *   stops: {at_s: number, title: string, loop_s: number|null, note: string}[],
- *   controls: Control[], elements: {name: string, summary: string, shown: boolean}[],
+ *   controls: Control[], elements: {name: string, summary: string, overlay: boolean, offered: boolean, shown: boolean}[],
  *   captions: {at_s: number, text: string}[]}} Loaded
  *   Chapters, stops and captions are at seconds of the film; the other times are the motion's.
  * @typedef {{time_s: number, omega_body: number[], space_from_body: number[],

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "drawing/figures/elements/elements.h"
+#include "drawing/stage/overlay.h"
 #include "drawing/stage/panel.h"
 #include "drawing/stage/stage_context.h"
 #include "drawing/stage/stage_store.h"
@@ -37,23 +38,39 @@ std::string elements_of(const Stage& stage) {
         return panel.spec.kind == "space";
     });
     if (!has_space) return "[]";
-    for (const Element& element : elements())
+    const Scene& scene = stage.context().scene;
+    const auto offered = [&scene](std::string_view name) {
+        const auto& names = scene.page.elements;
+        return !names || std::find(names->begin(), names->end(), name) != names->end();
+    };
+    const auto add = [&](const auto& row, bool is_overlay_row, bool shown) {
         items.push_back(JsonObject()
-                            .add("name", element.name)
-                            .add("summary", element.summary)
-                            .add("shown", is_shown(stage.context(), element.name))
+                            .add("name", row.name)
+                            .add("summary", row.summary)
+                            .add("overlay", is_overlay_row)
+                            .add("offered", offered(row.name))
+                            .add("shown", shown)
                             .line());
+    };
+    for (const Element& element : elements())
+        add(element, false, is_shown(stage.context(), element.name));
+    // Without an overlay among them, `show` leaves all overlays in the picture.
+    const bool lists_overlays = std::any_of(scene.show.begin(), scene.show.end(),
+                                            [](const auto& n) { return is_overlay(n); });
+    for (const OverlayName& overlay : overlays())
+        add(overlay, true,
+            scene.overlays && (!lists_overlays || std::find(scene.show.begin(), scene.show.end(),
+                                                            overlay.name) != scene.show.end()));
     return json_list(items);
 }
 
 // The index in an item of an array of tables: 0 for "body.masses[0].mass_kg" and for keys without.
 std::size_t item_of(const std::string& key) {
     const std::size_t open = key.find('[');
-    const auto index =
-        open == std::string::npos
-            ? std::nullopt
-            : number_of<std::int64_t>(std::string_view(key).substr(
-                  open + 1, std::max(key.find(']', open), open + 1) - open - 1));
+    const auto index = open == std::string::npos
+                           ? std::nullopt
+                           : number_of<std::int64_t>(std::string_view(key).substr(
+                                 open + 1, std::max(key.find(']', open), open + 1) - open - 1));
     return index ? static_cast<std::size_t>(*index) : 0;
 }
 
@@ -66,7 +83,7 @@ std::string control_of(const Scene& scene, const std::string& name) {
     if (value.empty()) value = std::string(key.example);
     const bool is_list = type.size.has_value();
     const bool is_choice = type.kind == ValueType::Kind::text;
-    const std::string kind = is_choice                                ? "choice"
+    const std::string kind = is_choice                               ? "choice"
                              : type.kind == ValueType::Kind::boolean ? "boolean"
                              : is_list                               ? "vector"
                              : type.kind == ValueType::Kind::integer ? "integer"
@@ -98,7 +115,8 @@ std::string Lecture::description() const {
         for (const std::string& note : *from) notes.push_back(json_string(note));
     for (const std::string& note : stage_->notes()) notes.push_back(json_string(note));
     for (const ChapterSpec& chapter : scene.chapters)
-        chapters.push_back(JsonObject().add("at_s", chapter.at_s).add("title", chapter.title).line());
+        chapters.push_back(
+            JsonObject().add("at_s", chapter.at_s).add("title", chapter.title).line());
     for (const TimedCaptionSpec& caption : scene.captions)
         captions.push_back(
             JsonObject().add("at_s", caption.at_s).add("text", plain_text(caption.text)).line());

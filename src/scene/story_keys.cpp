@@ -163,8 +163,9 @@ std::span<const SceneKey> story_keys() {
               "and false, or one of a few names")
             .read_by(read_controls),
         texts("page.elements", in(&Scene::page, &PageSpec::elements), R"(["plane", "momentum"])",
-              "elements, overlays or kinds of panels that the viewers of a page can show and hide")
-            .default_is("all that the scene shows"),
+              "elements and overlays that the viewers of a page can show and hide")
+            .from_list("elements")
+            .default_is("all"),
     };
     return rows;
 }

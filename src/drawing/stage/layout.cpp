@@ -230,7 +230,6 @@ void check_named_elements(const Scene& scene, const StageStore& store) {
     for (std::size_t i = 0; i < scene.fades.size(); ++i)
         check_names_of(scene, store, fmt::format("fades[{}].elements", i), scene.fades[i].elements);
     check_names_of(scene, store, "unlabelled", scene.unlabelled);
-    if (scene.page.elements) check_names_of(scene, store, "page.elements", *scene.page.elements);
 }
 
 void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels) {

@@ -162,11 +162,13 @@ void make_space_panel(Panel& panel, StageStore& store) {
     aim_along(panel);
 
     // The elements that the scene lists, or the default ones for this kind of motion.
-    const std::vector<std::string>& show = panel.stage->scene.show;
-    for (const std::string& name : show) {
-        if (is_overlay(name)) continue;
-        at_scene_key(panel.stage->scene, "show", [&] { element_named(name); });
-    }
+    const Scene& scene = panel.stage->scene;
+    const auto check = [&scene](const std::string& key, const std::vector<std::string>& names) {
+        for (const std::string& name : names)
+            if (!is_overlay(name)) at_scene_key(scene, key, [&] { element_named(name); });
+    };
+    check("show", scene.show);
+    if (scene.page.elements) check("page.elements", *scene.page.elements);
     std::vector<Drawer> drawers;
     for (const Element& element : elements()) {
         if (is_shown(*panel.stage, element.name)) {
