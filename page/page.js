@@ -28,6 +28,7 @@ class Page {
         this.figure.set_views(this.views.list());
         this.#settle();
       },
+      hovered: (x, y, panel) => this.#is_omega_at(x, y, panel),
       picked: (x, y, panel) => this.#picked(x, y, panel),
       dragged: (x, y, panel) => this.#dragged(x, y, panel),
       dropped: () => this.#settle(),
@@ -251,12 +252,18 @@ class Page {
     return this.figure.loaded?.controls.some((c) => c.key === 'start.omega_rad_s') ?? false;
   }
 
+  /** Whether the tip of ω can be dragged from here. @param {number} x @param {number} y @param {number} panel */
+  #is_omega_at(x, y, panel) {
+    const {program, film} = this.figure;
+    if (!program || !this.#drags_omega || film.playing) return false;
+    const found = program.pick(this.figure.time_s, x, y, film.at_s);
+    return found?.thing === 'omega' && found.panel === panel;
+  }
+
   /** Whether the pointer takes the tip of ω. @param {number} x @param {number} y @param {number} panel */
   #picked(x, y, panel) {
-    const {program, film} = this.figure;
-    if (!program || !this.#drags_omega) return false;
-    const found = program.pick(this.figure.time_s, x, y, film.at_s);
-    if (found?.thing !== 'omega' || found.panel !== panel) return false;
+    const {film} = this.figure;
+    if (!this.#is_omega_at(x, y, panel)) return false;
     // ω of the scene is that of t = 0.
     film.pause();
     film.seek(this.figure.film_second_of(0));

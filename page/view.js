@@ -2,6 +2,7 @@
 
 /**
  * @typedef {{changed: () => void, picked: (x: number, y: number, panel: number) => boolean,
+ *   hovered: (x: number, y: number, panel: number) => boolean,
  *   dragged: (x: number, y: number, panel: number) => void, dropped: () => void,
  *   touched: () => void, words: () => Words, zooms_by_wheel: () => boolean}} ViewEvents
  */
@@ -169,7 +170,11 @@ class Views {
   /** @param {HTMLElement} frame @param {number} panel @param {PointerEvent} event */
   #move(frame, panel, event) {
     const before = this.pointers.get(event.pointerId);
-    if (!before) return;
+    if (!before) {
+      const {x, y} = this.#on_canvas(event);
+      frame.classList.toggle('omega', this.events.hovered(x, y, panel));
+      return;
+    }
     const height = Math.max(1, frame.clientHeight);
     const dx = event.clientX - before.x;
     const dy = event.clientY - before.y;

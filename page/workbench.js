@@ -202,7 +202,7 @@ class Workbench {
     const poster = await figure.png(width, height);
     const used = Object.fromEntries(Object.entries(this.files).filter(([name]) => this.editor.text.includes(name)));
     const scene = {...page.data, text: this.editor.text, files: used, controls: loaded?.controls.map((c) => c.key) ?? [],
-      overrides: [], language: loaded?.language ?? 'en', width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
+      overrides: [...figure.values].map(([key, value]) => `${key}=${value}`), language: loaded?.language ?? 'en', width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
       poster_at_s: figure.film.at_s};
     /** @type {Record<string, string>} */
     const values = {
