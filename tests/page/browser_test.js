@@ -170,6 +170,56 @@ check('changes values, says the regime, and shows refusals in place', async (bro
   await tab.close();
 });
 
+check('drags the tip of ω along the ellipsoid, with the same energy', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 800, height: 560}});
+  await ready(tab);
+  await press(tab, 'Home');
+  // Where the program finds the tip, in CSS pixels.
+  const tip = await tab.evaluate(() => {
+    const {figure} = the_page;
+    const found = [];
+    for (let y = 0; y < figure.canvas.height; y += 6)
+      for (let x = 0; x < figure.canvas.width; x += 6)
+        if (figure.program.pick(figure.time_s, x, y, figure.film.at_s)?.thing === 'omega') found.push([x, y]);
+    const mean = (k) => found.reduce((sum, at) => sum + at[k], 0) / found.length / figure.ratio;
+    return found.length > 0 ? [mean(0), mean(1)] : null;
+  });
+  assert.ok(tip, 'the tip of ω is in sight');
+  const omega = () => tab.evaluate(() => window.poinsot.at(0).omega_body);
+  const energy = ([x, y, z]) => 3 * x * x + 2 * y * y + z * z;
+  const before = await omega();
+  await tab.mouse.move(tip[0], tip[1]);
+  await until(tab, 'document.querySelector(".view.omega")');
+  await tab.mouse.down();
+  await tab.mouse.move(tip[0] + 14, tip[1] - 10, {steps: 3});
+  await wait(300);
+  await tab.mouse.up();
+  const after = await omega();
+  assert.notDeepEqual(after, before);
+  // Six digits of each component are kept.
+  assert.ok(Math.abs(energy(after) / energy(before) - 1) < 1e-4, `${energy(after)} is not ${energy(before)}`);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('repeats the loop of a stop until its viewer goes on', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.evaluate(() => the_page.figure.film.seek(5.9));
+  await press(tab, ' ');
+  await until(tab, 'the_page.figure.film.is_looping');
+  for (let i = 0; i < 8; ++i) {
+    await wait(150);
+    const at_s = await film_s(tab);
+    assert.ok(at_s >= 5 - 1e-9 && at_s <= 6 + 1e-9, `${at_s} is outside of the loop`);
+  }
+  assert.equal(await tab.$eval('#stops', (stops) => [...stops.children].findIndex((mark) => mark.classList.contains('now'))), 1);
+  await press(tab, 'PageDown');
+  await until(tab, 'document.getElementById("scrub").valueAsNumber > 6.1');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('shows and hides elements and names, and changes its colours', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);
