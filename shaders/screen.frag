@@ -11,12 +11,12 @@ void main() {
     vec4 light = clamp(texelFetch(texture_0, pixel, 0), 0.0, 1.0);
     float opacity = alpha == 0 ? 1.0 : floor(65535.0 * light.a + 0.5) / 65535.0;
     uint threshold = texelFetch(texture_1, ivec2((pixel.x & 7) + 8 * (pixel.y & 7), 256), 0).r;
+    vec3 colour;
     for (int c = 0; c < 3; ++c) {
         float part = opacity > 0.0 ? min(light[c] / opacity, 1.0) : 0.0;
         int k = int(floor(65535.0 * part + 0.5));
         uint level = texelFetch(texture_1, ivec2(k & 255, k >> 8), 0).r + threshold;
-        fragment[c] = float(level >> 8) / 255.0;
+        colour[c] = float(level >> 8) / 255.0;
     }
-    if (alpha == 1) fragment.rgb *= opacity;
-    fragment.a = opacity;
+    fragment = vec4(alpha == 1 ? opacity * colour : colour, opacity);
 }

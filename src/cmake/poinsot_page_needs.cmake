@@ -23,6 +23,9 @@ string(REPLACE "#define _LIBCPP_HAS_NO_FILESYSTEM" "" config_site "${config_site
 file(WRITE ${CMAKE_BINARY_DIR}/libc++/__config_site.new "${config_site}")
 file(COPY_FILE ${CMAKE_BINARY_DIR}/libc++/__config_site.new ${CMAKE_BINARY_DIR}/libc++/__config_site ONLY_IF_DIFFERENT)
 
+# A header of Boost asks for threads.
+file(COPY ${CMAKE_SOURCE_DIR}/src/page/single_thread/boost DESTINATION ${CMAKE_BINARY_DIR}/libc++)
+
 target_include_directories(poinsot_options SYSTEM BEFORE INTERFACE ${CMAKE_BINARY_DIR}/libc++ ${page_headers})
 target_compile_options(poinsot_options INTERFACE -Oz -fwasm-exceptions -fvisibility=hidden -ffunction-sections -fdata-sections
     -mbulk-memory -mnontrapping-fptoint -msign-ext)

@@ -314,6 +314,8 @@ void Renderer::Impl::render_to(const Drawing& drawing, GLuint framebuffer, Scree
     render_whole(drawing);
     glBindVertexArray(empty_.id());
     if (!screen_) screen_.emplace();
+    // The alpha of an opaque picture is rounded.
+    if (drawing.background.alpha >= 1.0) alpha = ScreenAlpha::opaque;
     screen_->draw(canvas_.light(), drawing.width_px, drawing.height_px, framebuffer, alpha);
 }
 

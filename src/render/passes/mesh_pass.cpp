@@ -13,7 +13,7 @@
 namespace poinsot {
 namespace {
 
-constexpr std::uint64_t kept_pictures = 120;
+constexpr std::uint64_t kept_mesh_pictures = 120;
 constexpr GLsizei n_samples = 4;
 constexpr GLenum multisampled = 0x9100;  // GL_TEXTURE_2D_MULTISAMPLE, which OpenGL ES 3.0 lacks
 
@@ -124,7 +124,7 @@ MeshPass::MeshPass(LightBits light)
 void MeshPass::begin_picture() {
     ++picture_number_;
     std::erase_if(uploads_, [this](const auto& entry) {
-        return entry.second.last_picture + kept_pictures < picture_number_;
+        return entry.second.last_picture + kept_mesh_pictures < picture_number_;
     });
 }
 
