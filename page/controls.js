@@ -28,7 +28,7 @@ function slider_span(control, value) {
 /** "Angular velocity at t = 0": the beginning of what a key means. @param {Control} control */
 function title_of(control) {
   const clause = (control.label || control.key).split(';')[0] ?? '';
-  return clause.charAt(0).toUpperCase() + clause.slice(1);
+  return clause.replace(/^[a-z]/, (letter) => letter.toUpperCase());
 }
 
 /** A component of a vector, "start.omega_rad_s[1]", is a number. @param {Control} control @returns {Control} */
