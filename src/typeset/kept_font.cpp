@@ -181,8 +181,7 @@ void put_kerning(Writer& to, const Neighbours& found) {
 
 }  // namespace
 
-std::string keep_font(FontFile& font, std::span<const char32_t> characters,
-                      std::span<const char32_t> running) {
+std::string keep_font(FontFile& font, const KeptCharacters& characters) {
     Writer to;
     to.text = signature;
     to.put_signed(font.units_per_em());
@@ -193,12 +192,13 @@ std::string keep_font(FontFile& font, std::span<const char32_t> characters,
 
     std::set<GlyphId> glyphs;
     std::map<char32_t, std::array<GlyphId, 3>> known;
-    for (const char32_t character : characters) {
+    const std::set<char32_t> scripts(characters.scripts.begin(), characters.scripts.end());
+    for (const char32_t character : characters.all) {
         std::array<GlyphId, 3> of_levels{};
         if (!font.glyph(character)) continue;
         for (int level = 0; level < 3; ++level)
             of_levels[static_cast<std::size_t>(level)] =
-                *font.script_glyph(character, font.has_math() ? level : 0);
+                *font.script_glyph(character, scripts.contains(character) ? level : 0);
         glyphs.insert(of_levels.begin(), of_levels.end());
         known[character] = of_levels;
     }
@@ -208,11 +208,13 @@ std::string keep_font(FontFile& font, std::span<const char32_t> characters,
         for (const GlyphId glyph : of_levels) to.put(glyph);
     }
 
-    const Neighbours neighbours = neighbours_of(font, running);
+    const Neighbours neighbours = neighbours_of(font, characters.running);
     glyphs.insert(neighbours.glyphs.begin(), neighbours.glyphs.end());
     std::map<GlyphId, TallForms> tall;
     if (font.has_math()) {
-        for (const GlyphId glyph : std::set<GlyphId>(glyphs)) {
+        for (const char32_t character : characters.tall) {
+            if (!known.contains(character)) continue;
+            const GlyphId glyph = known[character][0];
             TallForms forms = font.tall_forms(glyph);
             if (forms.variants.empty() && forms.pieces.empty()) continue;
             glyphs.insert(forms.variants.begin(), forms.variants.end());

@@ -18,10 +18,16 @@
 
 namespace poinsot {
 
-// Writes the table of these characters, of which those that the font lacks are left out. Pairs of
-// `running` characters keep their kerning and ligatures.
-std::string keep_font(FontFile& font, std::span<const char32_t> characters,
-                      std::span<const char32_t> running);
+// What to keep of a font. Characters that the font lacks are left out.
+struct KeptCharacters {
+    std::span<const char32_t> all;
+    std::span<const char32_t> running{};  // of which pairs keep their kerning and ligatures
+    std::span<const char32_t> scripts{};  // that keep their forms for sub- and superscripts
+    std::span<const char32_t> tall{};     // that keep their tall forms
+};
+
+// Writes the table of these characters.
+std::string keep_font(FontFile& font, const KeptCharacters& characters);
 
 // A table that keep_font wrote. The members mean what those of FontFile mean.
 class KeptFont {

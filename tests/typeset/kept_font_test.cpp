@@ -21,12 +21,13 @@ std::vector<char32_t> letters() {
 }
 
 struct Fonts {
+    std::vector<char32_t> characters = letters();
     FontFile font;
     std::string table;
     KeptFont kept;
     explicit Fonts(std::string_view name)
         : font(installed_fonts().open(name)),
-          table(keep_font(font, letters(), letters())),
+          table(keep_font(font, {characters, characters, characters, characters})),
           kept(table) {}
 };
 
