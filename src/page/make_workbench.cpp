@@ -5,7 +5,6 @@
 #include <vector>
 
 #include "production/pages/page_job.h"
-#include "system/files/file_contents.h"
 
 int main(int n_arguments, char** arguments) {
     using namespace poinsot;
@@ -22,7 +21,7 @@ int main(int n_arguments, char** arguments) {
             scenes.push_back(request);
         }
         LazyRenderer renderer;
-        write_workbench(scenes, read_text(given[1]), given[0], renderer);
+        write_workbench(scenes, given[1], given[0], renderer);
     } catch (const std::exception& error) {
         std::cerr << "make_workbench: " << error.what() << "\n";
         return 3;

@@ -16,6 +16,7 @@
 #include "production/session/still_moment.h"
 #include "production/vectors/vector_still.h"
 #include "system/files/atomic_file.h"
+#include "system/files/file_contents.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -118,7 +119,7 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
             4e-6 / 3.0 * static_cast<double>(n_file_bytes)));
 }
 
-void write_workbench(const std::vector<SceneRequest>& scenes, std::string_view schema,
+void write_workbench(const std::vector<SceneRequest>& scenes, const std::string& schema_file,
                      const std::string& output, LazyRenderer& renderer) {
     need_module();
     std::vector<GalleryScene> gallery;
@@ -135,7 +136,7 @@ void write_workbench(const std::vector<SceneRequest>& scenes, std::string_view s
     }
     if (!first) throw InputError("a workbench needs a scene; name one");
     first->title = "poinsot";
-    write_whole(output, html_workbench(*first, gallery, schema));
+    write_whole(output, html_workbench(*first, gallery, read_text(schema_file)));
 }
 
 }  // namespace poinsot

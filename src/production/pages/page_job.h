@@ -2,7 +2,6 @@
 #pragma once
 
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "production/jobs/open_session.h"
@@ -17,9 +16,9 @@ namespace poinsot {
 void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
                 const ProgressSink& progress);
 
-// Writes the workbench with these scenes in its gallery, of which it opens the first. `schema`: the
-// JSON Schema of scenes. Throws as write_page does.
-void write_workbench(const std::vector<SceneRequest>& scenes, std::string_view schema,
+// Writes the workbench with these scenes in its gallery, of which it opens the first.
+// `schema_file`: the JSON Schema of scenes. Throws as write_page does.
+void write_workbench(const std::vector<SceneRequest>& scenes, const std::string& schema_file,
                      const std::string& output, LazyRenderer& renderer);
 
 }  // namespace poinsot
