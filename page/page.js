@@ -16,7 +16,7 @@ class Page {
     this.figure = new Figure(
       {stage: part('stage'), picture: part('picture'), poster: /** @type {HTMLImageElement} */ (part('poster'))},
       {
-        bytes: () => (this.bytes ??= Promise.all([unpacked('module'), unpacked('fonts')]).then(([module, fonts]) => ({module, fonts}))),
+        bytes: () => (this.bytes ??= Promise.all([unpacked('program-module'), unpacked('program-fonts')]).then(([module, fonts]) => ({module, fonts}))),
         drawn: () => this.#drawn(),
         loaded: () => this.#loaded(),
         failed: (kind, message) => (kind === 'draw' ? this.#say(message) : this.#fail(kind)),

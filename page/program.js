@@ -545,4 +545,4 @@ class Program {
 }
 
 // @ts-ignore: Node.js has `module`, browsers have none.
-if (typeof module !== 'undefined') Object.assign(module.exports, {Program, ProgramError});
+if (typeof module !== 'undefined' && module.exports) Object.assign(module.exports, {Program, ProgramError});

@@ -208,7 +208,7 @@ class Workbench {
     const values = {
       language: escaped(loaded?.language ?? 'en'), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),
       poster: `data:image/png;base64,${base64_of_bytes(new Uint8Array(await poster.arrayBuffer()))}`,
-      scene: script_json(scene), fonts: block('fonts'), module: block('module'),
+      scene: script_json(scene), fonts: block('program-fonts'), module: block('program-module'),
     };
     return this.data.template.replace(/\{\{([a-z-]+)\}\}/g, (place, name) => values[name] ?? place);
   }
