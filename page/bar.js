@@ -109,7 +109,7 @@ class Bar {
     const loaded = figure.loaded;
     if (!loaded) return '';
     const span_s = Math.abs(loaded.last_time_s - loaded.first_time_s) || 1;
-    const digits = Math.min(9, Math.max(0, Math.ceil(3 - Math.log10(span_s))));
+    const digits = Math.min(9, Math.max(0, Math.ceil(2.9 - Math.log10(span_s))));
     const number = new Intl.NumberFormat(this.words().code, {minimumFractionDigits: digits, maximumFractionDigits: digits, useGrouping: false});
     return `t = ${number.format(figure.time_s).replace('-', '−')} s`;
   }

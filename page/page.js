@@ -356,7 +356,7 @@ class Page {
     const {figure} = this;
     const {loaded} = figure;
     if (!loaded) return;
-    const rows = [{name: '', summary: '', offered: true}, ...loaded.elements].filter((row) => row.offered);
+    const rows = [{name: '', summary: '', offered: true}, ...loaded.elements].filter((row) => row.offered !== false);
     const boxes = () => [...part('elements').querySelectorAll('input')];
     if (boxes().map((box) => box.name).join() !== rows.map((row) => row.name).join()) {
       part('elements').replaceChildren(...rows.map(({name, summary}) => {
@@ -411,20 +411,14 @@ class Page {
 
   // ── Size ────────────────────────────────────────────────────────────────────────────────
 
-  /** The picture fills the stage; held upright, it keeps the shape of the scene, or is a little taller than wide. */
+  /** The picture fills the stage. Held upright, several panels keep the shape of the scene; below them the ground goes on. */
   #fit() {
-    const stage = part('stage');
-    const {clientWidth, clientHeight} = stage;
+    const {clientWidth, clientHeight} = part('stage');
     const upright = clientHeight > clientWidth && clientWidth < 640;
+    const free = upright && !part('panel').hidden ? clientHeight - part('panel').clientHeight : clientHeight;
     const n_panels = this.figure.loaded?.panels.length ?? 1;
-    const shape = n_panels > 1 ? this.data.height / this.data.width : 1.1;
-    const closed = part('panel').hidden;
-    const free = closed ? clientHeight : Math.round(clientHeight - part('panel').clientHeight);
-    const height = upright ? Math.min(free, Math.round(clientWidth * shape)) : clientHeight;
-    const top = upright && closed ? Math.round((clientHeight - height) / 2) : 0;
-    const {style} = part('picture');
-    style.height = `${height}px`;
-    style.top = `${top}px`;
+    const shaped = Math.round((clientWidth * this.data.height) / this.data.width);
+    part('picture').style.height = `${upright && n_panels > 1 ? Math.min(free, shaped) : free}px`;
   }
 
   // ── Events ──────────────────────────────────────────────────────────────────────────────

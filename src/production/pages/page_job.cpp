@@ -28,7 +28,7 @@ constexpr std::size_t most_page_bytes = 1'200'000;
 
 // Widths of the poster, of which the first that leaves room for the rest is taken.
 constexpr int poster_widths_px[] = {1280, 960, 720, 480};
-constexpr std::size_t most_poster_bytes = 130'000;
+constexpr std::size_t most_poster_bytes = 60'000;
 
 // Width of a picture in the gallery.
 constexpr int thumbnail_px = 320;
