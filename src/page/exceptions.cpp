@@ -26,10 +26,13 @@ namespace {
 
 using TypeInfo = __cxxabiv1::__shim_type_info;
 
+// In WebAssembly a destructor returns its object.
+using Destroy = void* (*)(void*);
+
 // In front of each thrown object.
 struct alignas(16) Thrown {
     const TypeInfo* type = nullptr;
-    void (*destroy)(void*) = nullptr;
+    Destroy destroy = nullptr;
     void* seen = nullptr;  // what the handler sees of it
     int n_handlers = 0;
     bool is_rethrown = false;
@@ -125,7 +128,7 @@ void* __cxa_allocate_exception(std::size_t size) noexcept {
 
 void __cxa_free_exception(void* object) noexcept { std::free(static_cast<Thrown*>(object) - 1); }
 
-[[noreturn]] void __cxa_throw(void* object, std::type_info* type, void (*destroy)(void*)) {
+[[noreturn]] void __cxa_throw(void* object, std::type_info* type, Destroy destroy) {
     Thrown* const thrown = static_cast<Thrown*>(object) - 1;
     thrown->type = static_cast<const TypeInfo*>(type);
     thrown->destroy = destroy;

@@ -131,7 +131,7 @@ const list = scenes.map((name) => {
   const still = path.join(out, `${name}.native.png`);
   const found = /^still_s *= *([-\d.e+]+)/m.exec(text);
   const time_s = found ? Number(found[1]) : 1.0;
-  execFileSync(poinsot, ['still', path.join(folder, `${name}.toml`), '-q', '-f', '--portable', '--size', size, '--time', String(time_s), '-o', still]);
+  execFileSync(poinsot, ['still', path.join(folder, `${name}.toml`), '-q', '--portable', '--size', size, '--time', String(time_s), '-o', still]);
   return {name, time_s, overrides: [], has_mesh: /\[object\]|"body"/.test(text)};
 });
 
