@@ -137,11 +137,11 @@ class Figure {
     const {width, height} = this.size();
     const overrides = [...data.overrides, ...[...values].map(([key, value]) => `${key}=${value}`)];
     if (this.names !== null) overrides.push(`labels=${this.names}`);
-    const overlays = (this.loaded?.elements ?? []).filter((e) => e.overlay).map((e) => e.name);
-    // A list without overlays would show all of them.
-    if (this.shown && overlays.length > 0) overrides.push(`overlays=${overlays.some((name) => this.shown?.includes(name))}`);
+    // An empty list would show what the scene shows by default.
+    const shown = this.shown?.length === 0 ? ['title'] : this.shown;
+    if (this.shown?.length === 0) overrides.push('overlays=false');
     this.loaded = program.load(data.text, data.name, overrides, {
-      width, height, theme: this.theme || undefined, shown: this.shown ?? undefined,
+      width, height, theme: this.theme || undefined, shown: shown ?? undefined,
     });
     // Setting the size of a canvas clears it, so only a scene that will be drawn does.
     if (this.canvas.width !== width) this.canvas.width = width;
@@ -244,8 +244,8 @@ class Figure {
     this.hooks.drawn();
   }
 
-  /** A picture of this instant as a PNG file. @param {number} width @param {number} height @returns {Promise<Blob>} */
-  async png(width, height) {
+  /** A picture of this instant as a file. @param {number} width @param {number} height @param {string} [type] @returns {Promise<Blob>} */
+  async png(width, height, type = 'image/png') {
     const {program} = this;
     if (!program) throw new Error('the figure has not started');
     const pixels = program.pixels(this.time_s, width, height, this.film.at_s);
@@ -255,7 +255,7 @@ class Figure {
     const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
     /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).putImageData(image, 0, 0);
     return new Promise((resolve, reject) => {
-      canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the browser made no PNG'))), 'image/png');
+      canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the browser made no picture'))), type, 0.85);
     });
   }
 }

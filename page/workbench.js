@@ -199,7 +199,7 @@ class Workbench {
     const {loaded} = figure;
     const width = 1280;
     const height = Math.round((width * (loaded?.height ?? page.data.height)) / (loaded?.width ?? page.data.width));
-    const poster = await figure.png(width, height);
+    const poster = await figure.png(width, height, 'image/jpeg');
     const used = Object.fromEntries(Object.entries(this.files).filter(([name]) => this.editor.text.includes(name)));
     const scene = {...page.data, text: this.editor.text, files: used, controls: loaded?.controls.map((c) => c.key) ?? [],
       overrides: [...figure.values].map(([key, value]) => `${key}=${value}`), language: loaded?.language ?? 'en', width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
@@ -207,7 +207,7 @@ class Workbench {
     /** @type {Record<string, string>} */
     const values = {
       language: escaped(loaded?.language ?? 'en'), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),
-      poster: `data:image/png;base64,${base64_of_bytes(new Uint8Array(await poster.arrayBuffer()))}`,
+      poster: `data:${poster.type};base64,${base64_of_bytes(new Uint8Array(await poster.arrayBuffer()))}`,
       scene: script_json(scene), fonts: block('program-fonts'), module: block('program-module'),
     };
     return this.data.template.replace(/\{\{([a-z-]+)\}\}/g, (place, name) => values[name] ?? place);

@@ -54,13 +54,10 @@ std::string elements_of(const Stage& stage) {
     };
     for (const Element& element : elements())
         add(element, false, is_shown(stage.context(), element.name));
-    // Without an overlay among them, `show` leaves all overlays in the picture.
-    const bool lists_overlays = std::any_of(scene.show.begin(), scene.show.end(),
-                                            [](const auto& n) { return is_overlay(n); });
     for (const OverlayName& overlay : overlays())
         add(overlay, true,
-            scene.overlays && (!lists_overlays || std::find(scene.show.begin(), scene.show.end(),
-                                                            overlay.name) != scene.show.end()));
+            scene.overlays && (scene.show.empty() || std::find(scene.show.begin(), scene.show.end(),
+                                                               overlay.name) != scene.show.end()));
     return json_list(items);
 }
 

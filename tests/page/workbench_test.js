@@ -113,7 +113,7 @@ check('opens a scene of the gallery', async (browser) => {
 check('reads files that are dropped', async (browser) => {
   const {tab, faults} = await opened(browser);
   const tetrahedron = 'v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n';
-  const scene = '[body]\nmesh = "solid.obj"\n[start]\nomega_rad_s = [0.1, 2, 0.1]\n';
+  const scene = '[body]\nmesh = "solid.obj"\ndensity_kg_m3 = 1000\n[start]\nomega_rad_s = [0.1, 2, 0.1]\n';
   await tab.evaluate((files) => {
     const transfer = new DataTransfer();
     for (const [name, text] of files) transfer.items.add(new File([text], name));

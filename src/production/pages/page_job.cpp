@@ -27,11 +27,11 @@ namespace {
 constexpr std::size_t most_page_bytes = 1'200'000;
 
 // Widths of the poster, of which the first that leaves room for the rest is taken.
-constexpr int poster_widths_px[] = {1280, 960, 720, 480};
-constexpr std::size_t most_poster_bytes = 60'000;
+constexpr int poster_widths_px[] = {960, 640, 480};
+constexpr std::size_t most_poster_bytes = 110'000;
 
 // Width of a picture in the gallery.
-constexpr int thumbnail_px = 320;
+constexpr int thumbnail_px = 240;
 
 std::string hex(const Colour& colour) {
     const auto level = [](double share) {
