@@ -411,14 +411,12 @@ class Page {
 
   // ── Size ────────────────────────────────────────────────────────────────────────────────
 
-  /** The picture fills the stage. Held upright, several panels keep the shape of the scene; below them the ground goes on. */
+  /** The picture fills the stage; on a small screen held upright, what the options leave of it. */
   #fit() {
     const {clientWidth, clientHeight} = part('stage');
     const upright = clientHeight > clientWidth && clientWidth < 640;
     const free = upright && !part('panel').hidden ? clientHeight - part('panel').clientHeight : clientHeight;
-    const n_panels = this.figure.loaded?.panels.length ?? 1;
-    const shaped = Math.round((clientWidth * this.data.height) / this.data.width);
-    part('picture').style.height = `${upright && n_panels > 1 ? Math.min(free, shaped) : free}px`;
+    part('picture').style.height = `${free}px`;
   }
 
   // ── Events ──────────────────────────────────────────────────────────────────────────────
