@@ -7,7 +7,7 @@ const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
 const {opened_file, ready, run_checks, until, wait} = require('./chromium.js');
-const {skip} = require('./skip.js');
+const {needed, skip} = require('./skip.js');
 
 const [make, scenes, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-workbench-'));
@@ -158,6 +158,16 @@ check('writes a page of the scene that runs, and its data', async (browser) => {
   assert.equal(rows[0], 'time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,herpolhode_x,herpolhode_y,herpolhode_z');
   const state = await tab.evaluate(() => window.poinsot.at(0));
   assert.deepEqual(rows[1].split(',').map(Number), [0, ...state.omega_body, ...state.space_from_body, ...state.herpolhode]);
+  await tab.close();
+});
+
+check('is accessible by the rules of axe', async (browser) => {
+  const axe = fs.readFileSync(needed('axe-core/axe.min.js'), 'utf8');
+  const {tab} = await opened(browser);
+  await tab.evaluate(axe);
+  const violations = await tab.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa']})
+    .then((r) => r.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(' ')}`)));
+  assert.deepEqual(violations, []);
   await tab.close();
 });
 
