@@ -49,11 +49,10 @@ std::string elements_of(const Stage& stage) {
 // The index in an item of an array of tables: 0 for "body.masses[0].mass_kg" and for keys without.
 std::size_t item_of(const std::string& key) {
     const std::size_t open = key.find('[');
-    const auto index =
-        open == std::string::npos
-            ? std::nullopt
-            : number_of<std::int64_t>(std::string_view(key).substr(
-                  open + 1, std::max(key.find(']', open), open + 1) - open - 1));
+    const auto index = open == std::string::npos
+                           ? std::nullopt
+                           : number_of<std::int64_t>(std::string_view(key).substr(
+                                 open + 1, std::max(key.find(']', open), open + 1) - open - 1));
     return index ? static_cast<std::size_t>(*index) : 0;
 }
 
@@ -66,7 +65,7 @@ std::string control_of(const Scene& scene, const std::string& name) {
     if (value.empty()) value = std::string(key.example);
     const bool is_list = type.size.has_value();
     const bool is_choice = type.kind == ValueType::Kind::text;
-    const std::string kind = is_choice                                ? "choice"
+    const std::string kind = is_choice                               ? "choice"
                              : type.kind == ValueType::Kind::boolean ? "boolean"
                              : is_list                               ? "vector"
                              : type.kind == ValueType::Kind::integer ? "integer"
@@ -98,7 +97,8 @@ std::string Lecture::description() const {
         for (const std::string& note : *from) notes.push_back(json_string(note));
     for (const std::string& note : stage_->notes()) notes.push_back(json_string(note));
     for (const ChapterSpec& chapter : scene.chapters)
-        chapters.push_back(JsonObject().add("at_s", chapter.at_s).add("title", chapter.title).line());
+        chapters.push_back(
+            JsonObject().add("at_s", chapter.at_s).add("title", chapter.title).line());
     for (const TimedCaptionSpec& caption : scene.captions)
         captions.push_back(
             JsonObject().add("at_s", caption.at_s).add("text", plain_text(caption.text)).line());
