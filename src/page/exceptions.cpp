@@ -1,6 +1,7 @@
 // C++ exceptions by WebAssembly's own: Debian's libc++abi for wasm is built without. The compiler
 // calls these functions (Itanium C++ ABI, "Exception Handling"; LLVM, "Exception Handling in
-// WebAssembly"): a thrown value is a pointer, and a landing pad asks which of its handlers takes it.
+// WebAssembly"): a thrown value is a pointer, and a landing pad asks which of its handlers takes
+// it.
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
@@ -10,8 +11,8 @@
 
 namespace __cxxabiv1 {
 
-// As libc++abi lays it out: whether a handler of this type takes a thrown type. It moves the pointer
-// to the part of the object that the handler sees.
+// As libc++abi lays it out: whether a handler of this type takes a thrown type. It moves the
+// pointer to the part of the object that the handler sees.
 class __shim_type_info : public std::type_info {
  public:
     ~__shim_type_info() override;
@@ -87,8 +88,7 @@ std::intptr_t handler_of(Thrown& thrown, const std::uint8_t* table, std::uintptr
     for (const std::uint8_t* at = actions + action - 1;;) {
         const std::intptr_t number = take_signed(at);
         if (number > 0) {
-            const auto* const type =
-                reinterpret_cast<const TypeInfo* const*>(types)[-number];
+            const auto* const type = reinterpret_cast<const TypeInfo* const*>(types)[-number];
             void* seen = object_of(&thrown);
             if (type == nullptr || type->can_catch(thrown.type, seen)) {
                 thrown.seen = seen;

@@ -81,9 +81,9 @@ void write(const std::string& path) {
     std::ofstream file(path, std::ios::binary);
     for (const std::string_view name : poinsot::font_names()) {
         poinsot::FontFile font = source.open(name);
-        const std::string table =
-            font.has_math() ? poinsot::keep_font(font, {formulas, {}, scripts, tall})
-                            : poinsot::keep_font(font, {text, text, {}, {}});
+        const std::string table = font.has_math()
+                                      ? poinsot::keep_font(font, {formulas, {}, scripts, tall})
+                                      : poinsot::keep_font(font, {text, text, {}, {}});
         file << name << ' ' << table.size() << '\n' << table;
     }
     file.close();

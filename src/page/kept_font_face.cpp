@@ -1,5 +1,5 @@
-// FontFace over kept glyphs, in a page: its vector figures draw all type as paths, for a page has no
-// font files that a figure could embed.
+// FontFace over kept glyphs, in a page: its vector figures draw all type as paths, for a page has
+// no font files that a figure could embed.
 #include <string>
 
 #include "page/kept_fonts.h"

@@ -13,7 +13,8 @@ namespace poinsot {
 // Adds a table, whose bytes last as long as the program.
 void add_kept_font(std::string_view name, std::string_view table);
 
-// The fonts of labels and captions from these tables; tables of other names are fallbacks, in order.
+// The fonts of labels and captions from these tables; tables of other names are fallbacks, in
+// order.
 FontSource kept_fonts();
 
 // The table of a font. throws: EnvironmentError if there is none.

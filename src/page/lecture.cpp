@@ -35,9 +35,10 @@ Scene read(const LectureFiles& files, int width_px, int height_px) {
     const SceneFiles bytes_of = [&files](const NamedFile& named) {
         const auto found = files.files.find(named.name);
         if (found == files.files.end())
-            throw InputError(fmt::format("{} = \"{}\": this file is not in the page; add it, or "
-                                         "remove the key",
-                                         named.key, printable(named.name)));
+            throw InputError(
+                fmt::format("{} = \"{}\": this file is not in the page; add it, or "
+                            "remove the key",
+                            named.key, printable(named.name)));
         return FileBytes{named.name, found->second};
     };
     Scene scene = parse_scene(files.text, files.name, files.overrides, bytes_of);
@@ -71,7 +72,8 @@ struct Direction {
 Direction direction_of(const Camera& camera) {
     const Eigen::Vector3d sight =
         axes_about(camera.up).transpose() * (camera.eye - camera.target).normalized();
-    return {deg * std::atan2(sight.y(), sight.x()), deg * std::asin(std::clamp(sight.z(), -1.0, 1.0))};
+    return {deg * std::atan2(sight.y(), sight.x()),
+            deg * std::asin(std::clamp(sight.z(), -1.0, 1.0))};
 }
 
 bool is_given(double value) { return !std::isnan(value); }
@@ -106,10 +108,9 @@ Camera changed(const Camera& camera, const PanelView& view) {
             std::clamp(is_given(view.elevation_deg) ? view.elevation_deg : own.elevation_deg,
                        -most_deg, most_deg) /
             deg;
-        towards_eye =
-            axes_about(camera.up) * Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
-                                                    std::cos(elevation) * std::sin(azimuth),
-                                                    std::sin(elevation));
+        towards_eye = axes_about(camera.up) *
+                      Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                      std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
     }
     if (is_given(view.distance) && view.distance > 0.0 && !camera.orthographic)
         distance = view.distance;
@@ -211,7 +212,8 @@ std::string Lecture::state_at(const FilmTime& moment) const {
         "時刻 {t:.4g}。角速度 {omega:.3g}。物体軸に沿った成分は {omega_1:.3g}、{omega_2:.3g}、"
         "{omega_3:.3g}。"};
     FrameInput instant;
-    static_cast<MotionSample&>(instant) = session_.motion.sample(moment.time_s, {.attitude = false});
+    static_cast<MotionSample&>(instant) =
+        session_.motion.sample(moment.time_s, {.attitude = false});
     instant.time_s = moment.time_s;
     instant.film_s = moment.film_s;
     return plain_text(
@@ -272,8 +274,8 @@ std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int 
     const InertiaTensor& inertia = session_.motion.problem().inertia;
     const Eigen::Vector3d omega = session_.motion.at(moment.time_s).omega_body;
     const double twice_energy = omega.dot(inertia.matrix_body() * omega);
-    const Eigen::Vector3d rate = std::sqrt(twice_energy) *
-                                 u.cwiseQuotient(inertia.moments_kg_m2().cwiseSqrt().eval());
+    const Eigen::Vector3d rate =
+        std::sqrt(twice_energy) * u.cwiseQuotient(inertia.moments_kg_m2().cwiseSqrt().eval());
     return inertia.body_from_principal() * rate;
 }
 

@@ -1,5 +1,5 @@
-// A scene as a page shows it: the session and the stage of a canvas, with cameras that viewers turn.
-// It makes drawings and numbers; it knows neither OpenGL nor the browser.
+// A scene as a page shows it: the session and the stage of a canvas, with cameras that viewers
+// turn. It makes drawings and numbers; it knows neither OpenGL nor the browser.
 #pragma once
 
 #include <Eigen/Core>
@@ -73,8 +73,9 @@ class Lecture {
     // What lies under a pixel of the canvas, as JSON: {"panel": 0, "thing": "omega"}, or null.
     std::string picked_at(const FilmTime& moment, const Eigen::Vector2d& px) const;
 
-    // The ω in body axes, with the energy of the instant, whose tip is seen at a pixel of the canvas;
-    // beside the ellipsoid that of its outline. Empty where the panel has no inertia ellipsoid.
+    // The ω in body axes, with the energy of the instant, whose tip is seen at a pixel of the
+    // canvas; beside the ellipsoid that of its outline. Empty where the panel has no inertia
+    // ellipsoid.
     std::optional<Eigen::Vector3d> omega_under(const FilmTime& moment, int panel,
                                                const Eigen::Vector2d& px) const;
 

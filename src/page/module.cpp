@@ -160,15 +160,14 @@ POINSOT_EXPORT(film_second_at) double film_second_at(double time_s) {
 
 // Everything that `draw` computes before it calls OpenGL; for measurements.
 POINSOT_EXPORT(prepare) int prepare(double time_s) {
-    return answered(
-        [&] { static_cast<void>(lecture().drawing_at(lecture().moment_of(time_s))); });
+    return answered([&] { static_cast<void>(lecture().drawing_at(lecture().moment_of(time_s))); });
 }
 
 // The bytes of a picture, R, G, B and alpha from its top row, lie at the answer.
 POINSOT_EXPORT(pixels) int pixels(double time_s, double film_s, int width_px, int height_px) {
     return answered([&] {
-        const Drawing drawing = lecture().drawing_of_size(
-            lecture().moment_of(time_s, film_s), width_px, height_px);
+        const Drawing drawing =
+            lecture().drawing_of_size(lecture().moment_of(time_s, film_s), width_px, height_px);
         program().answer = pixels_of(renderer(), drawing);
     });
 }
@@ -178,29 +177,27 @@ POINSOT_EXPORT(at) int at(double time_s) {
 }
 
 POINSOT_EXPORT(state) int state(double time_s, double film_s) {
-    return answered([&] {
-        program().answer = lecture().state_at(lecture().moment_of(time_s, film_s));
-    });
+    return answered(
+        [&] { program().answer = lecture().state_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(svg) int svg(double time_s, double film_s) {
-    return answered([&] {
-        program().answer = lecture().svg_at(lecture().moment_of(time_s, film_s));
-    });
+    return answered(
+        [&] { program().answer = lecture().svg_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(pick) int pick(double time_s, double film_s, double x_px, double y_px) {
     return answered([&] {
-        program().answer =
-            lecture().picked_at(lecture().moment_of(time_s, film_s), {x_px, y_px});
+        program().answer = lecture().picked_at(lecture().moment_of(time_s, film_s), {x_px, y_px});
     });
 }
 
-POINSOT_EXPORT(omega_at) int omega_at(double time_s, double film_s, int panel, double x_px, double y_px) {
+POINSOT_EXPORT(omega_at)
+int omega_at(double time_s, double film_s, int panel, double x_px, double y_px) {
     return answered([&] {
         program().numbers.clear();
-        if (const auto omega = lecture().omega_under(
-                lecture().moment_of(time_s, film_s), panel, {x_px, y_px}))
+        if (const auto omega =
+                lecture().omega_under(lecture().moment_of(time_s, film_s), panel, {x_px, y_px}))
             program().numbers.assign(omega->begin(), omega->end());
     });
 }

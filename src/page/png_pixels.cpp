@@ -114,8 +114,8 @@ class Inflater {
 
     bool inflate_with(const Codes& literals, const Codes& distances,
                       std::vector<std::uint8_t>& out) {
-        static constexpr std::array<int, 29> bases{3,  4,  5,  6,  7,  8,  9,  10,  11,  13,
-                                                   15, 17, 19, 23, 27, 31, 35, 43,  51,  59,
+        static constexpr std::array<int, 29> bases{3,  4,  5,  6,   7,   8,   9,   10,  11, 13,
+                                                   15, 17, 19, 23,  27,  31,  35,  43,  51, 59,
                                                    67, 83, 99, 115, 131, 163, 195, 227, 258};
         static constexpr std::array<int, 29> extra{0, 0, 0, 0, 0, 0, 0, 0, 1, 1, 1, 1, 2, 2, 2,
                                                    2, 3, 3, 3, 3, 4, 4, 4, 4, 5, 5, 5, 5, 0};
@@ -198,10 +198,9 @@ struct Parts {
 
 Parts parts_of(Bytes file, const std::string& name) {
     constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
-    if (file.size() < 8 || !std::equal(signature.begin(), signature.end(), file.begin(),
-                                       [](char a, std::uint8_t b) {
-                                           return static_cast<std::uint8_t>(a) == b;
-                                       }))
+    if (file.size() < 8 ||
+        !std::equal(signature.begin(), signature.end(), file.begin(),
+                    [](char a, std::uint8_t b) { return static_cast<std::uint8_t>(a) == b; }))
         refuse(name, "not a PNG picture");
     Parts parts;
     for (std::size_t at = 8; at + 12 <= file.size();) {
@@ -219,8 +218,9 @@ Parts parts_of(Bytes file, const std::string& name) {
             parts.depth = data[8];
             parts.kind = data[9];
             if (data[12] != 0)
-                refuse(name, "an interlaced PNG picture, which a page cannot read; save it without "
-                             "interlacing");
+                refuse(name,
+                       "an interlaced PNG picture, which a page cannot read; save it without "
+                       "interlacing");
         }
         if (kind == "PLTE") take(parts.palette);
         if (kind == "tRNS") take(parts.transparent);
@@ -232,9 +232,7 @@ Parts parts_of(Bytes file, const std::string& name) {
     refuse(name, "the PNG picture is incomplete");
 }
 
-int n_components_of(int kind) {
-    return kind == 2 ? 3 : kind == 4 ? 2 : kind == 6 ? 4 : 1;
-}
+int n_components_of(int kind) { return kind == 2 ? 3 : kind == 4 ? 2 : kind == 6 ? 4 : 1; }
 
 // The rows without their filters (PNG specification, "Filtering").
 std::vector<std::uint8_t> rows_of(const Parts& parts, std::size_t row_size, std::size_t step,
@@ -251,13 +249,12 @@ std::vector<std::uint8_t> rows_of(const Parts& parts, std::size_t row_size, std:
         std::uint8_t* const to = plain.data() + y * row_size;
         for (std::size_t k = 0; k < row_size; ++k) {
             const int left = k >= step ? to[k - step] : 0;
-            const int above = y > 0 ? to[static_cast<std::ptrdiff_t>(k) -
-                                         static_cast<std::ptrdiff_t>(row_size)]
-                                    : 0;
-            const int corner = k >= step && y > 0
-                                   ? to[static_cast<std::ptrdiff_t>(k - step) -
-                                        static_cast<std::ptrdiff_t>(row_size)]
-                                   : 0;
+            const int above =
+                y > 0 ? to[static_cast<std::ptrdiff_t>(k) - static_cast<std::ptrdiff_t>(row_size)]
+                      : 0;
+            const int corner = k >= step && y > 0 ? to[static_cast<std::ptrdiff_t>(k - step) -
+                                                       static_cast<std::ptrdiff_t>(row_size)]
+                                                  : 0;
             int guess = 0;
             switch (from[0]) {
                 case 1:

@@ -17,8 +17,9 @@ ContextInfo web_context() {
     GLint texture_px = 0, renderbuffer_px = 0;
     glGetIntegerv(GL_MAX_TEXTURE_SIZE, &texture_px);
     glGetIntegerv(GL_MAX_RENDERBUFFER_SIZE, &renderbuffer_px);
-    return {"WebGL", "", "", std::min(texture_px, renderbuffer_px), "browser",
-            has_integer_light() != 0 ? LightBits::integer : LightBits::half};
+    return {"WebGL",   "",
+            "",        std::min(texture_px, renderbuffer_px),
+            "browser", has_integer_light() != 0 ? LightBits::integer : LightBits::half};
 }
 
 std::string pixels_of(Renderer& renderer, const Drawing& drawing) {
@@ -29,8 +30,9 @@ std::string pixels_of(Renderer& renderer, const Drawing& drawing) {
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours.id());
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
-        throw EnvironmentError("the browser has no memory for a picture of this size; ask for a "
-                               "smaller one");
+        throw EnvironmentError(
+            "the browser has no memory for a picture of this size; ask for a "
+            "smaller one");
     renderer.render_to(drawing, framebuffer.id(), ScreenAlpha::straight);
     const auto row = 4 * static_cast<std::size_t>(drawing.width_px);
     const auto n_rows = static_cast<std::size_t>(drawing.height_px);

@@ -83,7 +83,7 @@ struct Renderer::Impl {
     LabelPass label_;
     MeshPass mesh_;
     std::optional<ScreenPass> screen_;  // made when first needed
-    GlVertexArray empty_;  // for shapes whose corners are uniforms
+    GlVertexArray empty_;               // for shapes whose corners are uniforms
 
     std::vector<ViewScene> scenes_;
     std::vector<bool> overlaps_;         // whether static content of a view covers an earlier view

@@ -44,7 +44,8 @@ std::from_chars_result decimal_at_front(std::string_view text, double& number) {
     }
     if (n_digits == 0) return {text.data(), std::errc::invalid_argument};
     if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
-        const std::size_t sign = end + 1 < text.size() && (text[end + 1] == '-' || text[end + 1] == '+');
+        const std::size_t sign =
+            end + 1 < text.size() && (text[end + 1] == '-' || text[end + 1] == '+');
         const std::size_t n_power = n_digits_at(std::min(end + 1 + sign, text.size()));
         if (n_power > 0) end += 1 + sign + n_power;
     }

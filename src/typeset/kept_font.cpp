@@ -85,8 +85,8 @@ std::vector<OutlineStep> take_outline(Reader from) {
 }
 
 void put_metrics(Writer& to, const GlyphMetrics& m) {
-    for (const double value : {m.advance, m.height, m.depth, m.left, m.right, m.italic_correction,
-                               m.accent_attachment})
+    for (const double value :
+         {m.advance, m.height, m.depth, m.left, m.right, m.italic_correction, m.accent_attachment})
         to.put_signed(value);
 }
 
@@ -138,8 +138,8 @@ Neighbours neighbours_of(FontFile& font, std::span<const char32_t> running) {
             if (run.glyphs.size() != 2 || run.glyphs[0].glyph != left.glyph ||
                 run.glyphs[1].glyph != right.glyph)
                 continue;
-            const double kern = run.advance - font.metrics(left.glyph).advance -
-                                font.metrics(right.glyph).advance;
+            const double kern =
+                run.advance - font.metrics(left.glyph).advance - font.metrics(right.glyph).advance;
             if (kern != 0.0) found.kerning[{left.glyph, right.glyph}] = kern;
         }
     }
@@ -282,8 +282,7 @@ KeptFont::KeptFont(std::string_view bytes) {
             GlyphPiece& piece = forms.pieces.emplace_back();
             piece.glyph = from.take();
             piece.repeats = from.take() == 1;
-            for (double* value :
-                 {&piece.advance, &piece.start_connector, &piece.end_connector})
+            for (double* value : {&piece.advance, &piece.start_connector, &piece.end_connector})
                 *value = from.take_signed();
         }
     }

@@ -124,7 +124,7 @@ constexpr int most_headers = 20;
 
 // Beginning of a library's header → the folders that may include it.
 const std::map<std::string, std::set<std::string>> library_owners{
-    {"glad/", {"render", "page"}},        {"glm/", {"render"}},
+    {"glad/", {"render", "page"}}, {"glm/", {"render"}},
     {"GL/", {"render"}},           {"EGL/", {"render"}},
     {"libav", {"output"}},         {"libsw", {"output"}},
     {"toml", {"scene"}},           {"CLI/", {"cli"}},

@@ -1,6 +1,6 @@
 // node browser_pixels.js BROWSER POINSOT MODULE FONTS PROGRAM_JS SCENES_FOLDER OUT_FOLDER SIZE [SCENE…]: draws scenes
-// with the page's module in a browser (firefox under Xvfb, or chromium) and compares the pixels with portable stills
-// of the program. Prints a line a scene; fails where more differs than `limits` allow.
+// with the page's module in a browser (firefox under Xvfb, or chromium) and compares the pixels with a portable frame of
+// the film. Prints a line a scene; fails where more differs than `limits` allow.
 'use strict';
 const fs = require('fs');
 const http = require('http');
@@ -91,24 +91,27 @@ const say = (of, body) => fetch('/' + of, {method: 'POST', body});
     let program = await Program.start(module, fonts, canvas);
     const gl = program.gl;
     const start_ms = performance.now() - began;
-    for (const {name, time_s, overrides} of await (await fetch('/list')).json()) {
+    for (const {name, overrides} of await (await fetch('/list')).json()) {
       try {
         const text = await (await fetch('/scene/' + name)).text();
         began = performance.now();
-        program.load(text, name + '.toml', overrides, {width: ${width}, height: ${height}});
+        const loaded = program.load(text, name + '.toml', overrides, {width: ${width}, height: ${height}});
+        const n_frames = Math.max(1, Math.round(loaded.film_length_s * loaded.frames_per_s));
+        const film_s = loaded.loops ? loaded.film_length_s * (40 / n_frames) : 40 / loaded.frames_per_s;
+        const time_s = program.timeAt(film_s);
         const load_ms = performance.now() - began;
         const one = new Uint8Array(4);
         const ms = [];
         for (let k = 0; k < 2; ++k) {
           began = performance.now();
-          program.draw(time_s);
+          program.draw(time_s, film_s);
           gl.readPixels(0, 0, 1, 1, gl.RGBA, gl.UNSIGNED_BYTE, one);
           ms.push(performance.now() - began);
         }
         began = performance.now();
         for (let k = 0; k < 5; ++k) program.prepare(time_s);
         ms.push((performance.now() - began) / 5);
-        const pixels = program.pixels(time_s, ${width}, ${height});
+        const pixels = program.pixels(time_s, ${width}, ${height}, film_s);
         const error = gl.getError();
         await say('pixels/' + name + '/' + [start_ms, load_ms, ...ms].map((v) => v.toFixed(1)).join(',') + '/' + error + '/' + (program.has_integer_light ? 'int' : 'half'), pixels);
       } catch (error) {
@@ -125,14 +128,14 @@ const say = (of, body) => fetch('/' + of, {method: 'POST', body});
 /** What may differ, in shares of the pixels. */
 const limits = {with_mesh: 0.001};
 
+const frame = 40;
+
 let n_failed = 0;
 const list = scenes.map((name) => {
   const text = fs.readFileSync(path.join(folder, `${name}.toml`), 'utf8');
-  const still = path.join(out, `${name}.native.png`);
-  const found = /^still_s *= *([-\d.e+]+)/m.exec(text);
-  const time_s = found ? Number(found[1]) : 1.0;
-  execFileSync(poinsot, ['still', path.join(folder, `${name}.toml`), '-q', '--portable', '--size', size, '--time', String(time_s), '-o', still]);
-  return {name, time_s, overrides: [], has_mesh: /\[object\]|"body"/.test(text)};
+  execFileSync(poinsot, ['render', path.join(folder, `${name}.toml`), '-q', '--portable', '--size', size, '--frames', `${frame}-${frame}`,
+                         '-o', path.join(out, `${name}.native_####.png`)]);
+  return {name, overrides: [], has_mesh: /\[object\]|"body"/.test(text)};
 });
 
 const server = http.createServer((request, response) => {
@@ -161,7 +164,7 @@ const server = http.createServer((request, response) => {
       ++n_failed;
       return console.log(`FAILS ${name}: ${body.toString()}`);
     }
-    const native = pixels_of_png(path.join(out, `${name}.native.png`));
+    const native = pixels_of_png(path.join(out, `${name}.native_0040.png`));
     write_png(path.join(out, `${name}.page.png`), body);
     let n_differ = 0;
     let n_more = 0;

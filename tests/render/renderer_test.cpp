@@ -67,7 +67,8 @@ TEST(Renderer, ShowsTheBytesThatItReturns) {
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours.id());
     renderer().render_to(drawing, framebuffer.id(), ScreenAlpha::opaque);
     std::vector<std::uint8_t> shown(image.bytes().size());
-    glReadPixels(0, 0, drawing.width_px, drawing.height_px, GL_RGBA, GL_UNSIGNED_BYTE, shown.data());
+    glReadPixels(0, 0, drawing.width_px, drawing.height_px, GL_RGBA, GL_UNSIGNED_BYTE,
+                 shown.data());
     const auto row = 4 * static_cast<std::size_t>(drawing.width_px);
     const auto n_rows = static_cast<std::size_t>(drawing.height_px);
     for (std::size_t y = 0; y < n_rows; ++y)

@@ -35,7 +35,9 @@ bool same(const GlyphOutline& a, const GlyphOutline& b) {
     if (a.steps.size() != b.steps.size()) return false;
     for (std::size_t k = 0; k < a.steps.size(); ++k) {
         const OutlineStep &p = a.steps[k], &q = b.steps[k];
-        const auto is_equal = [](OutlinePoint s, OutlinePoint t) { return s.x == t.x && s.y == t.y; };
+        const auto is_equal = [](OutlinePoint s, OutlinePoint t) {
+            return s.x == t.x && s.y == t.y;
+        };
         if (p.kind != q.kind || !is_equal(p.to, q.to)) return false;
         if (p.kind == OutlineStep::Kind::cubic &&
             !(is_equal(p.control_1, q.control_1) && is_equal(p.control_2, q.control_2)))

@@ -124,7 +124,8 @@ Residual residual_of(const Polhode& p, const Series& s, const Series& d) {
     for (std::size_t n = 0; n < n_coefficients; ++n) {
         Series power = 1.0;
         for (std::size_t j = 0; j < n_coefficients; ++j) {
-            const double moment = 0.5 * beta(static_cast<double>(j) + 0.5, static_cast<double>(n) + 1.0);
+            const double moment =
+                0.5 * beta(static_cast<double>(j) + 0.5, static_cast<double>(n) + 1.0);
             if (j == 0) time = time + root[n] * moment;
             weighted = weighted + root[n] * power * moment;
             power = power * end_squared;

@@ -199,19 +199,16 @@ void MeshPass::make_multisampled() {
     resolved_ = GlTexture::make();
     single_ = GlFramebuffer::make();
     glBindTexture(multisampled, samples_.id());
-    glTexImage2DMultisample(multisampled, n_samples, GL_RGBA16, width_px_, height_px_,
-                            GL_TRUE);
+    glTexImage2DMultisample(multisampled, n_samples, GL_RGBA16, width_px_, height_px_, GL_TRUE);
     glBindTexture(multisampled, depth_.id());
-    glTexImage2DMultisample(multisampled, n_samples, GL_DEPTH_COMPONENT32F, width_px_,
-                            height_px_, GL_TRUE);
+    glTexImage2DMultisample(multisampled, n_samples, GL_DEPTH_COMPONENT32F, width_px_, height_px_,
+                            GL_TRUE);
     make_texture(resolved_, light_.internal, GL_RGBA, light_.type, width_px_, height_px_);
     glBindFramebuffer(GL_FRAMEBUFFER, single_.id());
     glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_.id(), 0);
     glBindFramebuffer(GL_FRAMEBUFFER, sampled_.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, multisampled,
-                           samples_.id(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, multisampled,
-                           depth_.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, multisampled, samples_.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, multisampled, depth_.id(), 0);
 }
 #else
 void MeshPass::make_multisampled() {}

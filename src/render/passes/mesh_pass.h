@@ -58,8 +58,9 @@ class MeshPass {
     Drawer plain_;
     std::optional<Drawer> pictured_;  // made for the first picture
     PolygonProgram over_;
-    // In a desktop's OpenGL, the four samples of a pixel are in multisampled textures; in a browser's
-    // four pictures are side by side in one texture, each displaced to one of the samples.
+    // In a desktop's OpenGL, the four samples of a pixel are in multisampled textures; in a
+    // browser's four pictures are side by side in one texture, each displaced to one of the
+    // samples.
     GlTexture samples_, depth_, resolved_;
     GlFramebuffer sampled_, single_;
     int width_px_ = 0, height_px_ = 0;

@@ -53,12 +53,11 @@ GlShader compiled(GLenum kind, std::string_view name, const std::vector<std::str
 }  // namespace
 
 std::string shader_text(std::string_view name, const std::vector<std::string>& defines) {
-    std::string text =
-        dialect == Dialect::desktop
-            ? "#version 330 core\n"
-            // w is 1 in all shapes with noperspective.
-            : "#version 300 es\nprecision highp float;\nprecision highp int;\n"
-              "precision highp sampler2D;\n#define noperspective\n";
+    std::string text = dialect == Dialect::desktop
+                           ? "#version 330 core\n"
+                           // w is 1 in all shapes with noperspective.
+                           : "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                             "precision highp sampler2D;\n#define noperspective\n";
     text += "#define real float\n";
     for (const std::string& define : defines) text += "#define " + define + "\n";
     append(text, name);
