@@ -35,7 +35,7 @@ async function main() {
     const text = fs.readFileSync(file, 'utf8');
     const loaded = program.load(text, file, [], {width: 640, height: 360});
     const report = JSON.parse(execFileSync(poinsot, ['check', file, '--json']).toString());
-    const is_stepped = report.regime === 'integrated' || !['exact', undefined].includes(report.method);
+    const is_stepped = text.includes('[beside]') || report.regime === 'integrated' || !['exact', undefined].includes(report.method);
     const times = instants(loaded, is_stepped);
     const csv = execFileSync(poinsot, ['sample', file, '--times', times.map(String).join(',')], {maxBuffer: 1 << 27});
     const [heads, ...rows] = csv.toString().trim().split('\n').filter((line) => !line.startsWith('#')).map((line) => line.split(','));
@@ -60,8 +60,11 @@ async function main() {
       });
       n_differ += differs ? 1 : 0;
     });
-    const is_exact = !report.regime.includes('top') && !is_stepped;
-    const fails = n_compared === 0 || (is_exact ? n_differ > 0 : worst > 1e-15 && !is_stepped);
+    // The moments of an object follow from its surface, whose points need elementary functions, which
+    // differ by the last digit.
+    const is_exact = !report.regime.includes('top') && !is_stepped && !/^(object|mesh|shape) *=/m.test(text);
+    const limit = /^(object|mesh|shape) *=/m.test(text) ? 1e-12 : 1e-15;
+    const fails = n_compared === 0 || (is_exact ? n_differ > 0 : worst > limit && !is_stepped);
     n_failed += fails ? 1 : 0;
     console.log(`${fails ? 'FAILS' : 'ok   '} ${name}: ${n_differ} of ${rows.length} instants differ, by ${worst} (${report.regime})`);
   }
