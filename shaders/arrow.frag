@@ -77,11 +77,16 @@ vec4 frustum(vec3 o, vec3 d, vec3 axis, vec4 part) {
         vec3 n = across_o + t * across_d - (r_o + t * r_d) * slope * axis;
         return vec4(normalize(n), t);
     }
-    // Beyond an end: the flat base, or the cone itself if the head is seen along its axis.
-    float end = along_d > 0.0 ? 0.0 : part.y;
-    float t_end = (end - along_o) / (abs(along_d) < 1e-6 ? 1e-6 : along_d);
-    if (abs(along_d) > 0.02 && (along_d > 0.0 || part.w > 0.0))
-        return vec4(along_d > 0.0 ? -axis : axis, t_end);
+    // Beyond an end: a flat base that faces the eye, or the side where it ends; the cone itself if the
+    // head is seen along its axis.
+    bool meets = a > 1e-9;
+    bool is_far_end = meets ? h > part.y : along_d < 0.0;
+    bool faces = is_far_end == along_d < 0.0;
+    float t_end = ((is_far_end ? part.y : 0.0) - along_o) / (abs(along_d) < 1e-6 ? 1e-6 : along_d);
+    if (abs(along_d) > 0.02) {
+        if (faces && (!is_far_end || part.w > 0.0)) return vec4(is_far_end ? axis : -axis, t_end);
+        if (meets && !faces) t = t_end;
+    }
     vec3 n = across_o + t * across_d - (r_o + t * r_d) * slope * axis;
     float square = dot(n, n);
     return vec4(square > 1e-20 ? n * inversesqrt(square) : -normalize(d), clamp(t, -1e3, 1e3));

@@ -18,6 +18,7 @@ struct ApproveChoices {
     std::string results, baselines;
     std::string why;
     bool any_renderer = false;
+    bool foreign = false;
     bool all = false;
     bool quiet = false;
 };
@@ -32,7 +33,8 @@ int run(const ApproveChoices& choices) {
              .names = choices.names,
              .all = choices.all,
              .why = choices.why,
-             .any_renderer = choices.any_renderer},
+             .any_renderer = choices.any_renderer,
+             .foreign = choices.foreign},
             {.settled =
                  [&choices](const std::string& name, std::string_view outcome) {
                      if (!choices.quiet) fmt::print("{}: {}\n", printable(name), outcome);
@@ -53,6 +55,8 @@ CommandLine approve_line(std::any& storage) {
           false, "folder"},
          {"--why", "the reason for the change, kept in the manifest", &c.why, "", "REASON"},
          {"--any-renderer", "also accept pictures of another renderer or profile", &c.any_renderer},
+         {"--foreign", "also accept PNG pictures of other programs; the manifest says so",
+          &c.foreign},
          {"--all", "approve every picture that is new or has changed", &c.all},
          quiet_option(c.quiet)},
         [&c] { return run(c); }};

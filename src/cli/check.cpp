@@ -7,9 +7,11 @@
 #include <string_view>
 #include <vector>
 
+#include "cli/check_against.h"
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
+#include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
 #include "production/parts/job_choice.h"
@@ -26,6 +28,7 @@ struct CheckChoices {
     std::vector<std::string> scenes;
     std::vector<std::string> sweeps;
     SceneOptions scene;
+    AgainstChoices against;
     bool json = false, plan = false, quiet = false;
 };
 
@@ -77,25 +80,32 @@ int check_sweep(const CheckChoices& choices, const ProgressSink& progress) {
     std::vector<std::string> answers;
     std::string_view between;
     int worst = 0;
+    Refusals refusals;
     for (const SweepPoint& point : points_of(choices.sweeps)) {
         JsonObject answer;
         for (const auto& [key, value] : point) answer.add(key, value);
-        try {
+        const auto check = [&] {
             const SceneSummary summary = summary_of(choices, point, progress);
-            worst = std::max(worst, code_of(summary));
             for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
             if (!choices.json) {
                 fmt::print("{}{}:\n", between, printable(in_words(point), any_length));
                 print_words(summary);
                 between = "\n";
             }
-        } catch (const InputError& error) {
-            worst = 2;
-            say(printable(error.what()));
-            answer.add("error", error.what());
-        }
+            return code_of(summary);
+        };
+        const SceneJob job{choices.scenes.at(0), "", overrides_of(point)};
+        worst = std::max(worst, refusals.code_of(job, [&] {
+            try {
+                return check();
+            } catch (const InputError& error) {
+                answer.add("error", error.what());
+                throw;
+            }
+        }));
         answers.push_back(answer.line());
     }
+    refusals.say_others();
     if (choices.json) fmt::print("{}\n", json_lines(answers));
     return worst;
 }
@@ -103,23 +113,52 @@ int check_sweep(const CheckChoices& choices, const ProgressSink& progress) {
 int run(const CheckChoices& choices) {
     ProgressBar bar(choices.quiet);
     const ProgressSink progress = bar.sink();
+    if (!choices.against.file.empty()) {
+        if (!choices.sweeps.empty() || choices.plan)
+            throw InputError("--against compares one motion; leave out --sweep and --plan");
+        AgainstChoices against = choices.against;
+        against.json = choices.json;
+        return check_against(scene_request_of(choices.scenes.at(0), choices.scene), against,
+                             progress);
+    }
+    if (!choices.against.tolerance.empty() || !choices.against.chart.empty())
+        throw InputError("--tolerance and --chart belong to --against FILE.csv");
     return choices.sweeps.empty() ? check_alone(choices, progress) : check_sweep(choices, progress);
 }
 
 CommandLine check_line(std::any& storage) {
     auto& c = storage.emplace<CheckChoices>();
-    return {&c.scenes,
-            {set_option(c.scene),
-             sweep_option(c.sweeps),
-             size_option(c.scene),
-             fps_option(c.scene),
-             quality_option(c.scene),
-             json_option(c.json,
-                         "print JSON: one object, with --sweep an array of one object per value"),
-             quiet_option(c.quiet),
-             {"--plan", "explain what is modelled and why", &c.plan},
-             allow_outside_option(c.scene.allow_outside)},
-            [&c] { return run(c); }};
+    return {
+        &c.scenes,
+        {set_option(c.scene),
+         sweep_option(c.sweeps),
+         size_option(c.scene),
+         fps_option(c.scene),
+         quality_option(c.scene),
+         json_option(c.json,
+                     "print JSON: one object, with --sweep an array of one object per value"),
+         quiet_option(c.quiet),
+         {"--against",
+          "FILE.csv: compare the motion in this table with the scene's",
+          &c.against.file,
+          "",
+          {},
+          false,
+          "file"},
+         {"--tolerance",
+          "TOL: with --against, the error of the attitude that passes: pixels of the picture, as "
+          "0.5px, or an angle, as 0.01rad; default: the scene's accuracy_px",
+          &c.against.tolerance},
+         {"--chart",
+          "FILE.png: with --against, draw the errors against time",
+          &c.against.chart,
+          "",
+          {},
+          false,
+          "file"},
+         {"--plan", "explain what is modelled and why", &c.plan},
+         allow_outside_option(c.scene.allow_outside)},
+        [&c] { return run(c); }};
 }
 
 }  // namespace

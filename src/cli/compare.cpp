@@ -1,23 +1,28 @@
-// poinsot compare REF NEW: compares two pictures, or two folders of pictures.
+// poinsot compare REF NEW: compares two pictures, films or vector figures, or two folders of them.
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <fstream>
+#include <set>
 
 #include "cli/command.h"
+#include "cli/option_values.h"
 #include "cli/options.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "production/provenance/record.h"
+#include "report/compare_file.h"
 #include "report/compared_picture.h"
+#include "report/github_report.h"
 #include "report/html_report.h"
 #include "report/json_report.h"
 #include "report/junit.h"
-#include "report/rendered_page.h"
+#include "report/report_pictures.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
 #include "text/printable.h"
-#include "text/rational.h"
 #include "text/say.h"
 
 namespace poinsot {
@@ -26,55 +31,57 @@ namespace {
 
 // The allowed differences, and the files to write.
 struct CompareChoices {
-    std::vector<std::string> pictures;         // two
-    std::string profile;                       // empty: depends on what rendered the baselines
-    std::optional<std::string> max_differing;  // a share of the pixels
-    std::optional<std::string> max_over;
-    std::optional<int> over_levels;
+    std::vector<std::string> pictures;  // two
+    std::string profile;                // empty: depends on what rendered the baselines
+    Gates gates;
+    std::vector<std::string> ignore;
+    bool antialiasing = false;
     std::string report, junit, diff;  // files to write, empty for none
+    bool single_file = false, github = false;
     bool measures = false, json = false, quiet = false;
 };
 
 namespace fs = std::filesystem;
 
-// A share of the pixels: "0.001" or "0.1%".
-double parse_share(std::string_view option, std::string_view text) {
-    const bool percent = text.ends_with('%');
-    const std::string_view digits = text.substr(0, text.size() - (percent ? 1 : 0));
-    const auto value = rational_of(digits);
-    const double share = value ? nearest_double(*value / (percent ? 100 : 1)) : -1.0;
-    if (!(share >= 0 && share <= 1))
-        throw InputError(fmt::format(
-            "{} {}: not a share of the pixels; give a share from 0 to 1, or from 0% to 100%",
-            option, printable(text)));
-    return share;
+// Of the strip of --diff: frames keep their size up to this width.
+constexpr int any_strip_width = 16384;
+
+// The value of an option that is read by one of the functions of report/gates.h.
+template <typename Read>
+auto value_of(std::string_view option, Read read) {
+    try {
+        return read();
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{} {}", option, error.what()));
+    }
 }
 
-// Within a portable profile no pixel may differ; otherwise the default limits separate a
-// processor's rounding from a defect, unless the command line sets others. None if no limit was
-// given.
-std::optional<CompareLimits> limits_of(const CompareChoices& choices) {
-    if (!choices.profile.empty() && choices.profile != "portable" && choices.profile != "native")
-        throw InputError(fmt::format("--profile {}: unknown; choose portable or native",
-                                     printable(choices.profile)));
-    const bool own = choices.max_differing || choices.max_over || choices.over_levels;
-    if (choices.profile.empty() && !own) return std::nullopt;
-    if (choices.profile == "portable" && !own) return CompareLimits::exact();
-    CompareLimits limits;
-    if (choices.max_differing)
-        limits.differing_share = parse_share("--max-differing", *choices.max_differing);
-    if (choices.max_over) limits.over_level_share = parse_share("--max-over", *choices.max_over);
-    if (choices.over_levels) {
-        limits.level = *choices.over_levels;
-        if (limits.level < 0 || limits.level > 255)
-            throw InputError(fmt::format(
-                "--over-levels {}: not a level; give a level from 0 to 255", *choices.over_levels));
-    }
-    return limits;
+// Within a portable profile no pixel may differ; the default limits of a native one separate a
+// processor's rounding from a defect.
+std::optional<CompareLimits> profile_limits(const CompareChoices& choices) {
+    if (choices.profile.empty()) return std::nullopt;
+    if (choices.profile == "portable") return CompareLimits::exact();
+    if (choices.profile == "native") return CompareLimits{};
+    throw InputError(fmt::format("--profile {}: unknown; choose portable or native",
+                                 printable(choices.profile)));
+}
+
+// The limits of the command line; none if it sets none.
+std::optional<CompareLimits> limits_of_line(const CompareChoices& choices) {
+    const Gates& gates = choices.gates;
+    const bool own = gates.limits_pixels() || gates.max_flip || gates.min_ssim;
+    const std::optional<CompareLimits> profile = profile_limits(choices);
+    if (!own && !profile) return std::nullopt;
+    return limits_of(gates, profile, CompareLimits::exact());
 }
 
 // Whether both are folders. Throws for a file and a folder.
 bool are_folders(const fs::path& expected, const fs::path& actual) {
+    if (is_sequence_name(expected)) {
+        [[maybe_unused]] const FrameStream readable{expected};  // throws if there is none
+        return false;
+    }
+    if (is_sequence_name(actual)) return false;
     const FileKind kind = kind_of_file(expected), actual_kind = kind_of_file(actual);
     if (kind == FileKind::missing)
         throw InputError(fmt::format(
@@ -98,12 +105,8 @@ void print_lines(const std::vector<ComparedPicture>& pictures) {
         n_same += p.outcome == Outcome::same;
         n_failed += !p.passes();
         if (p.outcome == Outcome::same) continue;
-        const auto& likeness = p.measured.likeness;
-        fmt::print("{}: {}: {}{}\n", name_of(p.outcome), printable(p.name),
-                   printable(p.reason, most_of_a_message),
-                   likeness
-                       ? fmt::format("; FLIP {:.3g}, SSIM {:.5f}", likeness->flip, likeness->ssim)
-                       : "");
+        fmt::print("{}: {}: {}\n", name_of(p.outcome), printable(p.name),
+                   printable(p.line(), most_of_a_message));
     }
     fmt::print("{} compared, {} failed, {} the same\n", pictures.size(), n_failed, n_same);
 }
@@ -143,9 +146,37 @@ void note_native(const std::vector<ComparedPicture>& pictures) {
             n_native == 1 ? "1 pair differs" : fmt::format("{} pairs differ", n_native)));
 }
 
-// An output must not replace a compared picture or another output.
+// A name that is ignored and that no picture shows may be a mistake.
+void note_unused_regions(const std::vector<ComparedPicture>& pictures) {
+    std::set<std::string> asked, found;
+    for (const ComparedPicture& picture : pictures) {
+        if (picture.outcome == Outcome::same || picture.outcome == Outcome::region ||
+            picture.measured.n_pixels == 0)
+            continue;
+        asked.insert(picture.ignored.begin(), picture.ignored.end());
+        found.insert(picture.found_regions.begin(), picture.found_regions.end());
+    }
+    for (const std::string& name : asked)
+        if (name.find(',') == std::string::npos && !found.contains(name))
+            say(fmt::format(
+                "note: \"{}\" is ignored, but none of the pictures that differ shows it",
+                printable(name)));
+}
+
+// Whether a path is a folder or lies inside of it.
+bool is_within(const fs::path& path, const fs::path& folder) {
+    std::error_code error;
+    const fs::path inner = fs::weakly_canonical(path, error),
+                   outer = fs::weakly_canonical(folder, error);
+    const auto [end, ignored] =
+        std::mismatch(outer.begin(), outer.end(), inner.begin(), inner.end());
+    return end == outer.end() || (std::next(end) == outer.end() && end->empty());
+}
+
+// An output must not replace a compared picture or another output, and the report's pictures must
+// not be compared the next time.
 void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
-                        const fs::path& actual, const std::vector<ComparedPicture>& pictures) {
+                        const fs::path& actual, bool folders) {
     const std::array<std::pair<std::string_view, fs::path>, 3> outputs{
         {{"--diff", choices.diff}, {"--report", choices.report}, {"--junit", choices.junit}}};
     const auto same = [](const fs::path& a, const fs::path& b) {
@@ -164,54 +195,114 @@ void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
                 refuse(option, path, fmt::format("is also the output of {}", outputs[k].first));
         if (same(path, expected) || same(path, actual))
             refuse(option, path, "is one of the files compared");
-        for (const ComparedPicture& picture : pictures)
-            if (same(path, picture.expected) || same(path, picture.actual))
-                refuse(option, path, "is one of the pictures compared");
+        std::error_code error;
+        if (folders && !path.empty() && is_comparable(path) && fs::exists(path, error) &&
+            (is_within(path, expected) || is_within(path, actual)))
+            refuse(option, path, "is one of the pictures compared");
     }
+    if (choices.report.empty() || choices.single_file) return;
+    const fs::path pictures = ReportPictures::folder_of(choices.report);
+    for (const fs::path& compared : {expected, actual}) {
+        if (folders && is_within(pictures, compared))
+            throw InputError(fmt::format(
+                "--report {}: lies in a folder that is compared, so that the report's pictures "
+                "would be compared the next time; choose another folder, or give --single-file",
+                printable(choices.report)));
+        if (!folders && is_within(compared, pictures))
+            throw InputError(
+                fmt::format("--report {}: the report's pictures belong into {}, where {} is; "
+                            "choose another name",
+                            printable(choices.report), printable(pictures.string()),
+                            printable(compared.string())));
+    }
+}
+
+// Appends to the file that GitHub Actions names for a job's summary.
+void write_github_summary(const std::string& text) {
+    const char* const path = std::getenv("GITHUB_STEP_SUMMARY");
+    if (path == nullptr || *path == '\0') return;
+    std::ofstream file(path, std::ios::app | std::ios::binary);
+    file << text;
+    file.close();
+    if (!file)
+        throw EnvironmentError(
+            fmt::format("cannot write {}, which GITHUB_STEP_SUMMARY names", printable(path)));
+}
+
+// Equal pictures are shown beside each other, too, where that was asked for.
+void show_same(const CompareChoices& choices, const fs::path& expected, const fs::path& actual,
+               bool are_pictures) {
+    if (are_pictures)
+        write_png(choices.diff,
+                  difference_picture(read_stored_png(expected), read_stored_png(actual)));
+    else if (!choices.quiet)
+        say(fmt::format("note: nothing differs, so {} is not written", printable(choices.diff)));
 }
 
 int run(const CompareChoices& choices) {
     const fs::path expected = choices.pictures.at(0), actual = choices.pictures.at(1);
-    CompareRequest request{.limits = limits_of(choices)};
-    if (choices.measures) request.likeness = likeness_of;
+    CompareRequest request{.limits = profile_limits(choices), .gates = choices.gates};
+    if (choices.antialiasing) request.gates.antialiasing = true;
+    for (const std::string& region : choices.ignore)
+        request.gates.ignore.push_back(value_of("--ignore", [&] { return parse_region(region); }));
+    request.ssim = request.flip = choices.measures;
     const bool folders = are_folders(expected, actual);
     if (folders && !choices.diff.empty())
         throw InputError("--diff shows one pair of pictures; for folders use --report FILE.html");
     if (!choices.diff.empty() && suffix_of(choices.diff) != ".png")
         throw InputError(fmt::format("--diff {}: the picture is a PNG; end its name in .png",
                                      printable(choices.diff)));
+    if (choices.single_file && choices.report.empty())
+        throw InputError(
+            "--single-file says how --report writes its page; give --report FILE.html");
+    request.file = read_compare_file(folders ? expected : expected.parent_path());
+    refuse_overwriting(choices, expected, actual, folders);
+
+    std::optional<ReportPictures> shown;
+    if (!choices.report.empty()) shown.emplace(choices.report, choices.single_file);
+    request.seen = [&](ComparedPicture& picture, const PicturePair& pair) {
+        if (shown) shown->add(picture, pair);
+        if (choices.diff.empty()) return;
+        write_png(choices.diff, pair.strip.empty() ? difference_picture(pair.expected, pair.actual)
+                                                   : film_strip(pair.strip, any_strip_width));
+    };
 
     std::vector<ComparedPicture> pictures;
-    std::optional<RenderedPages> pages;
-    if (is_page_name(expected) && is_page_name(actual)) {
-        pages.emplace();
-        const fs::path first = pages->picture_of(expected), second = pages->picture_of(actual);
-        pictures = {compare_files(actual.filename().string(), first, second, request)};
-        if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
-    } else if (folders) {
+    if (folders) {
         pictures = compare_folders(expected, actual, request);
         sort_by_severity(pictures);
     } else {
         const Baselines baselines(expected.parent_path());
-        pictures = {compare_files(actual.filename().replace_extension().string(), expected, actual,
-                                  request, &baselines, expected.stem().string())};
+        const bool is_picture = suffix_of(actual) == ".png" && !is_sequence_name(actual);
+        const fs::path name = is_picture ? actual.stem() : actual.filename();
+        pictures = {compare_files(name.string(), expected, actual, request,
+                                  is_picture ? &baselines : nullptr, expected.stem().string())};
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
+        if (!choices.diff.empty() && pictures[0].outcome == Outcome::same)
+            show_same(choices, expected, actual, is_picture);
     }
 
-    refuse_overwriting(choices, expected, actual, pictures);
     const std::string title = fmt::format("{} compared with {}", printable(actual.string()),
                                           printable(expected.string()));
-    if (!choices.diff.empty() && !pictures[0].actual.empty())
-        write_png(choices.diff, difference_picture(read_stored_png(pictures[0].expected),
-                                                   read_stored_png(pictures[0].actual)));
-    if (!choices.report.empty()) write_whole(choices.report, html_report(title, pictures));
+    if (!choices.report.empty()) {
+        std::optional<ComparedFolders> approvable;
+        if (folders) approvable = {expected.string(), actual.string()};
+        write_whole(choices.report, html_report(title, pictures, *shown, approvable));
+    }
     if (!choices.junit.empty()) write_whole(choices.junit, junit_xml(title, pictures));
     if (choices.json) {
-        fmt::print("{}", json_report(pictures, request.limits, choices.measures));
+        fmt::print("{}", json_report(pictures, limits_of_line(choices)));
     } else {
         print_lines(pictures);
     }
-    if (choices.profile != "native" && !choices.quiet) note_native(pictures);
+    if (choices.github) {
+        if (!choices.json) fmt::print("{}", github_annotations(pictures));
+        write_github_summary(github_summary(title, pictures));
+    }
+    if (!choices.quiet) {
+        note_unused_regions(pictures);
+        if (choices.profile != "native") note_native(pictures);
+    }
     return all_pass(pictures) ? 0 : 1;
 }
 
@@ -224,26 +315,66 @@ CommandLine compare_line(std::any& storage) {
           "by the renderer that the baselines' manifest names, portable without a manifest",
           &c.profile, "", "NAME", false, "portable|native"},
          {"--max-differing", "share of the pixels that may differ, as 0.001 or 0.1%",
-          &c.max_differing, "", "SHARE"},
+          ReadText{[&c](const std::string& text) {
+              c.gates.max_differing =
+                  value_of("--max-differing", [&] { return parse_share(text); });
+          }},
+          "", "SHARE"},
          {"--max-over", "share of the pixels that may differ by more than --over-levels",
-          &c.max_over, "", "SHARE"},
-         {"--over-levels", "threshold of --max-over in levels of 255; default 2", &c.over_levels,
-          "a level of 0 to 255"},
+          ReadText{[&c](const std::string& text) {
+              c.gates.max_over = value_of("--max-over", [&] { return parse_share(text); });
+          }},
+          "", "SHARE"},
+         {"--over-levels", "threshold of --max-over in levels of 255; default 2",
+          ReadText{[&c](const std::string& text) {
+              const int level = parse_whole("--over-levels", text, "a level of 0 to 255");
+              c.gates.over_levels = value_of("--over-levels", [&] { return checked_level(level); });
+          }},
+          "", "N"},
+         {"--max-flip",
+          "most visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of pixels "
+          "may differ unless another option limits it",
+          ReadText{[&c](const std::string& text) {
+              const double value = parse_number("--max-flip", text, "0 to 1");
+              c.gates.max_flip = value_of("--max-flip", [&] { return checked_flip(value); });
+          }},
+          "", "FLIP"},
+         {"--min-ssim",
+          "least structural similarity (SSIM, 1: equal) that passes, as 0.99; likewise",
+          ReadText{[&c](const std::string& text) {
+              const double value = parse_number("--min-ssim", text, "at most 1");
+              c.gates.min_ssim = value_of("--min-ssim", [&] { return checked_ssim(value); });
+          }},
+          "", "SSIM"},
+         {"--antialiasing",
+          "allow differences at edges that anti-aliasing explains: edges that move by less than a "
+          "pixel",
+          &c.antialiasing},
+         {"--ignore",
+          "do not compare a rectangle (left,top,width,height in pixels or %), or what the "
+          "pictures' "
+          "records name: labels, clock, caption, title, or an element such as polhode; repeatable",
+          Repeated{&c.ignore}, "", "REGION"},
          {"--measures",
-          "also measure SSIM and FLIP of pictures that differ, for --json, --report and the order "
-          "of the results; takes seconds per pair",
+          "also measure SSIM and FLIP of pictures that differ and are not limited by them; takes "
+          "seconds per pair",
           &c.measures},
          json_option(c.json),
          {"--report",
-          "FILE.html: write a report that shows the pictures",
+          "FILE.html: write a report that shows the pictures, with their files beside it in "
+          "FILE_pictures",
           &c.report,
           "",
           {},
           false,
           "file"},
+         {"--single-file", "embed small pictures in the report instead", &c.single_file},
          {"--junit", "FILE.xml: write test results (JUnit)", &c.junit, "", {}, false, "file"},
+         {"--github", "print annotations for GitHub Actions, and add to the job's summary",
+          &c.github},
          {"--diff",
-          "FILE.png: write expected | difference × 16 | actual",
+          "FILE.png: write expected | difference × 16 | actual; of films, a row for each of the "
+          "worst frames",
           &c.diff,
           "",
           {},
@@ -260,11 +391,11 @@ extern const Command compare_command{
     "REF NEW",
     2,
     2,
-    "compare two pictures, vector figures or folders exactly, or within limits that you set",
+    "compare two pictures, films, vector figures or folders exactly, or within limits that you set",
     compare_line,
     {{{"poinsot compare expected.png new.png", "exit code 0: no pixel differs; 1: some do"},
-      {"poinsot compare baselines/ results/ --report report.html",
-       "compares two folders and writes a report that shows the pictures"}}},
+      {"poinsot compare baselines/ results/ --report report.html --ignore clock --max-flip 0.01",
+       "compares two folders without their clocks and writes a report that shows the pictures"}}},
     "two pictures or two folders"};
 
 }  // namespace poinsot

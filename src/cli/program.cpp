@@ -39,6 +39,7 @@ extern const Command doctor_command;
 extern const Command compare_command;
 extern const Command approve_command;
 extern const Command explain_command;
+extern const Command fit_command;
 extern const Command rerender_command;
 extern const Command recover_command;
 extern const Command join_command;
@@ -249,9 +250,10 @@ void flush_stdout() {
 
 std::span<const Command> commands() {
     static const std::array table{
-        render_command,  still_command,   check_command,    sample_command,  compare_command,
-        approve_command, explain_command, rerender_command, recover_command, join_command,
-        submit_command,  status_command,  tradeoff_command, list_command,    doctor_command};
+        render_command,  still_command,    check_command,   sample_command,
+        compare_command, approve_command,  explain_command, rerender_command,
+        recover_command, join_command,     submit_command,  status_command,
+        fit_command,     tradeoff_command, list_command,    doctor_command};
     return table;
 }
 

@@ -196,7 +196,7 @@ CommandLine sample_line(std::any& storage) {
               false,
               "columns"},
              {"-o,--output",
-              "FILE: write .csv, .jsonl or .npy instead of CSV to stdout",
+              "FILE: write .csv, .jsonl, .npy or .json (keyframes) instead of CSV to stdout",
               ReadText{[&c](const std::string& text) { c.output = parse_text("--output", text); }},
               "",
               {},

@@ -12,6 +12,7 @@
 #include "error/error.h"
 #include "output/frame_name.h"
 #include "production/jobs/output_place.h"
+#include "scene/parse_scene.h"
 #include "system/files/file_kind.h"
 #include "system/files/program_files.h"
 #include "text/nearest.h"

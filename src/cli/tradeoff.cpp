@@ -3,15 +3,14 @@
 
 #include <filesystem>
 
+#include "cli/chart_file.h"
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
-#include "image/files/png_files.h"
 #include "lab/tradeoff_report.h"
 #include "production/jobs/output_place.h"
 #include "production/jobs/picture.h"
 #include "system/files/atomic_file.h"
-#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 
@@ -26,13 +25,6 @@ struct TradeoffChoices {
     ContextOptions context;
     bool all = false, json = false, quiet = false;
 };
-
-void write_chart(const Chart& chart, const ContextChoice& context_choice, const fs::path& path) {
-    const ChartSheet sheet(chart, theme_named("light"), installed_fonts(), 1600, 1000);
-    const OffscreenContext context = make_context(context_choice);
-    Renderer renderer(context);
-    write_png(path, renderer.render(sheet.drawing()));
-}
 
 int run(const TradeoffChoices& choices) {
     ProgressBar bar(choices.quiet);

@@ -9,6 +9,7 @@
 
 #include "image/alpha.h"
 #include "image/channel.h"
+#include "image/pixel_differences.h"
 
 namespace poinsot {
 
@@ -18,61 +19,67 @@ bool same_size(const Image& a, const Image& b) {
     return a.width() == b.width() && a.height() == b.height();
 }
 
-// The number of sample levels in one 8-bit level.
-template <typename Sample>
-constexpr int one_level = sizeof(Sample) == 2 ? 257 : 1;
-
-template <typename Sample>
-void count_differences(std::span<const Sample> a, std::span<const Sample> b, int level,
-                       Comparison& result) {
-    result.n_pixels = static_cast<std::int64_t>(a.size() / 4);
-    // Most pairs are equal, and ten times as quickly found to be.
-    if (std::equal(a.begin(), a.end(), b.begin(), b.end())) return;
-    std::int64_t sum = 0;
-    int largest_of_all = 0;
-    for (std::size_t i = 0; i < a.size(); i += 4) {
-        int largest = 0;
-        for (std::size_t c = 0; c < 4; ++c) {
-            const int difference = std::abs(int{a[i + c]} - int{b[i + c]});
-            sum += difference;
-            largest = std::max(largest, difference);
-        }
-        result.n_differing += largest > 0;
-        result.n_over_level += largest > one_level<Sample> * level;
-        largest_of_all = std::max(largest_of_all, largest);
-    }
-    result.largest_difference = 1.0 * largest_of_all / one_level<Sample>;
-    if (!a.empty())
-        result.mean_difference =
-            static_cast<double>(sum) / static_cast<double>(a.size()) / one_level<Sample>;
+double share_of(std::int64_t n, std::int64_t n_all) {
+    return n_all > 0 ? static_cast<double>(n) / static_cast<double>(n_all) : 0.0;
 }
 
-void judge(const CompareLimits& limits, Comparison& result) {
-    const auto share = [&](std::int64_t n) {
-        return static_cast<double>(n) / static_cast<double>(result.n_pixels);
-    };
-    if (result.n_differing == 0) return;
-    const bool too_many = share(result.n_differing) > limits.differing_share;
-    const bool too_strong = share(result.n_over_level) > limits.over_level_share;
-    result.verdict = too_many || too_strong ? Verdict::pixels_differ : Verdict::within_limits;
-    const auto allowed = [](double most) {
-        return most > 0.0 ? fmt::format("{:.3g} % allowed", 100 * most) : "none allowed";
-    };
+std::string levels_in_words(double n) {
+    return fmt::format("{:.3g} {}", n, n == 1.0 ? "level" : "levels");
+}
+
+std::string allowed_in_words(double most) {
+    return most > 0.0 ? fmt::format("{:.3g} % allowed", 100 * most) : "none allowed";
+}
+
+// "7 of 100 pixels differ (7 %, none allowed), 3 by more than 2 levels (3 %, none allowed)"
+std::string counts_in_words(const CompareLimits& limits, const Comparison& result) {
+    const double differing = share_of(result.n_differing, result.n_pixels);
+    if (!limits.limits_pixels())
+        return fmt::format("{} of {} pixels differ ({:.3g} %)", result.n_differing, result.n_pixels,
+                           100 * differing);
     // From level 0 on both caps count the same pixels, and the lower one decides.
     const bool same_count = limits.level == 0;
     const double share_allowed = same_count
                                      ? std::min(limits.differing_share, limits.over_level_share)
                                      : limits.differing_share;
-    result.reason =
+    std::string words =
         fmt::format("{} of {} pixels differ ({:.3g} %, {})", result.n_differing, result.n_pixels,
-                    100 * share(result.n_differing), allowed(share_allowed));
+                    100 * differing, allowed_in_words(share_allowed));
     if (!same_count)
-        result.reason +=
-            fmt::format(", {} by more than {} {} ({:.3g} %, {})", result.n_over_level, limits.level,
-                        limits.level == 1 ? "level" : "levels", 100 * share(result.n_over_level),
-                        allowed(limits.over_level_share));
-    result.reason += fmt::format("; the largest difference is {:.3g} {}", result.largest_difference,
-                                 result.largest_difference == 1.0 ? "level" : "levels");
+        words += fmt::format(", {} by more than {} ({:.3g} %, {})", result.n_over_level,
+                             levels_in_words(limits.level),
+                             100 * share_of(result.n_over_level, result.n_pixels),
+                             allowed_in_words(limits.over_level_share));
+    return words;
+}
+
+// Sets the verdict and the reason from the counts and the measures.
+void judge(const CompareLimits& limits, Comparison& result) {
+    if (result.n_differing == 0 && result.n_antialiased == 0) {
+        if (result.n_ignored_differing == 0) return;
+        result.verdict = Verdict::within_limits;
+        result.reason = "the pictures differ only where differences are ignored";
+        return;
+    }
+    const bool too_many = share_of(result.n_differing, result.n_pixels) > limits.differing_share;
+    const bool too_strong =
+        share_of(result.n_over_level, result.n_pixels) > limits.over_level_share;
+    const bool too_visible = limits.most_flip && *result.flip > *limits.most_flip;
+    const bool too_unlike = limits.least_ssim && *result.ssim < *limits.least_ssim;
+    result.verdict = too_many || too_strong || too_visible || too_unlike ? Verdict::pixels_differ
+                                                                         : Verdict::within_limits;
+    result.reason = counts_in_words(limits, result);
+    if (result.n_antialiased > 0)
+        result.reason += fmt::format(", and {} more at edges by anti-aliasing, which is allowed",
+                                     result.n_antialiased);
+    if (result.n_differing > 0)
+        result.reason += fmt::format("; the largest difference is {}",
+                                     levels_in_words(result.largest_difference));
+    if (result.flip) result.reason += fmt::format("; FLIP {:.3g}", *result.flip);
+    if (limits.most_flip) result.reason += fmt::format(" ({:.3g} allowed)", *limits.most_flip);
+    if (result.ssim) result.reason += fmt::format("; SSIM {:.5f}", *result.ssim);
+    if (limits.least_ssim)
+        result.reason += fmt::format(" (at least {:.5g} required)", *limits.least_ssim);
 }
 
 // Luma of the sRGB values, 0 to 255 (Rec. ITU-R BT.709).
@@ -97,9 +104,30 @@ Channel product(const Channel& a, const Channel& b) {
 
 namespace {
 
+// A picture whose ignored pixels are those of the expected picture.
+Image without_ignored(const Image& expected, Image actual, const PixelMask& ignored) {
+    const std::span<const std::uint8_t> from = expected.bytes();
+    const std::span<std::uint8_t> to = actual.bytes();
+    for (std::size_t i = 0; i < ignored.bytes().size(); ++i)
+        if (ignored.bytes()[i] != 0)
+            std::copy_n(from.begin() + static_cast<std::ptrdiff_t>(4 * i), 4,
+                        to.begin() + static_cast<std::ptrdiff_t>(4 * i));
+    return actual;
+}
+
+// Measures are means over all pixels; differences are only in those that are not ignored.
+void measure(const Image& expected, const Image& actual, const CompareLimits& limits,
+             const CompareExtras& extras, Comparison& result) {
+    const double rest = 1.0 / share_of(result.n_pixels, result.n_pixels + result.n_ignored);
+    if (extras.flip || limits.most_flip)
+        result.flip = std::min(1.0, flip_error(expected, actual) * rest);
+    if (extras.ssim || limits.least_ssim)
+        result.ssim = 1.0 - (1.0 - structural_similarity(expected, actual)) * rest;
+}
+
 Comparison compare_samples(const Image& expected, const Image& actual,
                            const DeepImage* deep_expected, const DeepImage* deep_actual,
-                           const CompareLimits& limits) {
+                           const CompareLimits& limits, const CompareExtras& extras) {
     Comparison result;
     result.expected_width = expected.width(), result.expected_height = expected.height();
     result.actual_width = actual.width(), result.actual_height = actual.height();
@@ -109,26 +137,37 @@ Comparison compare_samples(const Image& expected, const Image& actual,
                                     expected.height(), actual.width(), actual.height());
         return result;
     }
+    const PixelMask ignored(expected.width(), expected.height(), extras.ignored);
+    result.n_ignored = ignored.count();
+    result.n_pixels = std::int64_t{expected.width()} * expected.height() - result.n_ignored;
     if (deep_expected != nullptr && deep_actual != nullptr)
-        count_differences(deep_expected->samples(), deep_actual->samples(), limits.level, result);
+        count_differences(samples_of(*deep_expected), samples_of(*deep_actual), limits, ignored,
+                          result);
     else
-        count_differences(expected.bytes(), actual.bytes(), limits.level, result);
+        count_differences(samples_of(expected), samples_of(actual), limits, ignored, result);
+    if (result.n_differing + result.n_antialiased > 0) {
+        if (ignored.count() == 0)
+            measure(expected, actual, limits, extras, result);
+        else
+            measure(expected, without_ignored(expected, actual, ignored), limits, extras, result);
+    }
     judge(limits, result);
     return result;
 }
 
 }  // namespace
 
-Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits) {
-    return compare_samples(expected, actual, nullptr, nullptr, limits);
+Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits,
+                   const CompareExtras& extras) {
+    return compare_samples(expected, actual, nullptr, nullptr, limits, extras);
 }
 
 Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
-                   const CompareLimits& limits) {
+                   const CompareLimits& limits, const CompareExtras& extras) {
     const bool deep = !expected.deep.empty() && !actual.deep.empty();
     Comparison result =
         compare_samples(expected.image, actual.image, deep ? &expected.deep : nullptr,
-                        deep ? &actual.deep : nullptr, limits);
+                        deep ? &actual.deep : nullptr, limits, extras);
     if (result.verdict == Verdict::size_differs) return result;
     if (expected.info.bit_depth != actual.info.bit_depth) {
         result.verdict = Verdict::depth_differs;
@@ -140,10 +179,6 @@ Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
                                     actual.info.colours);
     }
     return result;
-}
-
-Likeness likeness_of(const Image& expected, const Image& actual) {
-    return {structural_similarity(expected, actual), flip_error(expected, actual)};
 }
 
 double structural_similarity(const Image& expected, const Image& actual) {

@@ -1,10 +1,12 @@
-// Compares two pictures. The verdict counts pixels, which distinguishes the rounding noise of a
-// processor from a defect; similarity measures serve only for ranking.
+// Compares two pictures. By default the verdict counts pixels, which distinguishes the rounding
+// noise of a processor from a defect; FLIP and SSIM decide only where a limit is set for them.
 #pragma once
 
 #include <cstdint>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "image/png.h"
 
@@ -19,8 +21,27 @@ struct CompareLimits {
     double differing_share = 0.001;  // share of all pixels that may differ at all
     int level = 2;  // levels of 0…255, in the channel with the largest difference
     double over_level_share = 2e-6;  // share of all pixels that may differ by more than level
+    std::optional<double> most_flip{}, least_ssim{};  // limits of the measures below
+    // Whether pixels may differ where anti-aliasing explains it: at edges, where each picture's
+    // pixel lies between the colours around the same place in the other picture.
+    bool antialiasing = false;
 
     static CompareLimits exact() { return {0, 0, 0}; }
+    // Any number of pixels may differ; the limits of the measures decide.
+    static CompareLimits any_pixels() { return {1, 255, 1}; }
+    bool limits_pixels() const { return differing_share < 1 || over_level_share < 1; }
+};
+
+// A rectangle of pixels; it may extend beyond the picture.
+struct PictureRegion {
+    int left = 0, top = 0, width = 0, height = 0;
+    bool operator==(const PictureRegion&) const = default;
+};
+
+// What a comparison does besides counting pixels.
+struct CompareExtras {
+    bool ssim = false, flip = false;       // measure these even if no limit needs them
+    std::vector<PictureRegion> ignored{};  // differences there do not count
 };
 
 enum class Verdict {
@@ -32,38 +53,34 @@ enum class Verdict {
     colours_differ,  // different colour spaces: equal samples would mean different colours
 };
 
-// How similar two pictures look, for ranking.
-struct Likeness {
-    double ssim = 1;  // 1: equal; see structural_similarity
-    double flip = 0;  // 0: equal; see flip_error
-};
-
 struct Comparison {
     Verdict verdict = Verdict::same;
     std::string reason;  // one line; empty when the pictures are equal
     int expected_width = 0, expected_height = 0;
     int actual_width = 0, actual_height = 0;
     // When the sizes differ, the following members keep these defaults.
-    std::int64_t n_pixels = 0;
-    std::int64_t n_differing = 0;   // differ in any channel, including alpha
-    std::int64_t n_over_level = 0;  // by more than the limits' level
-    double largest_difference = 0;  // in 8-bit levels; 16-bit samples give fractions
-    double mean_difference = 0;     // levels, over all channels
-    // SSIM and FLIP, if the caller computes them: they take a hundred times as long as the counts.
-    std::optional<Likeness> likeness;
+    std::int64_t n_pixels = 0;             // without the ignored ones
+    std::int64_t n_differing = 0;          // differ in any channel, including alpha
+    std::int64_t n_over_level = 0;         // by more than the limits' level
+    std::int64_t n_antialiased = 0;        // differ as well, but anti-aliasing explains it
+    std::int64_t n_ignored = 0;            // in ignored regions
+    std::int64_t n_ignored_differing = 0;  // of these, those that differ
+    double largest_difference = 0;         // in 8-bit levels; 16-bit samples give fractions
+    double mean_difference = 0;            // levels, over all channels
+    // If they were asked for and the pictures differ: they take a hundred times as long as the
+    // counts. Over the pixels that are not ignored.
+    std::optional<double> ssim, flip;
 
     bool passes() const { return verdict == Verdict::same || verdict == Verdict::within_limits; }
 };
 
-Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits = {});
+Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits = {},
+                   const CompareExtras& extras = {});
 
 // Compares every stored bit and the colour space. If depths or colour spaces differ, the pictures
 // are not equal whatever the limits, and the 8-bit samples are counted.
 Comparison compare(const StoredPicture& expected, const StoredPicture& actual,
-                   const CompareLimits& limits = {});
-
-// SSIM and FLIP of two pictures of equal size, about 2 s of one core at 1920×1080.
-Likeness likeness_of(const Image& expected, const Image& actual);
+                   const CompareLimits& limits = {}, const CompareExtras& extras = {});
 
 // Mean structural similarity of the luma of two pictures of equal size, drawn on white. Source:
 // Wang, Bovik, Sheikh & Simoncelli, IEEE Trans. Image Processing 13 (2004) 600: 11×11 Gaussian
@@ -84,5 +101,11 @@ Image difference_picture(const Image& expected, const Image& actual);
 // The same for stored pictures. With 16 bits in both, the differences are in 16-bit levels, so that
 // the smallest is visible.
 Image difference_picture(const StoredPicture& expected, const StoredPicture& actual);
+
+// The differences as a layer over either picture: transparent where the pictures are equal; from
+// amber (one level) to red (16 levels and more) where they differ; blue where anti-aliasing
+// explains the difference; grey in ignored regions; red where only one of them has pixels.
+Image difference_layer(const StoredPicture& expected, const StoredPicture& actual,
+                       const CompareLimits& limits, std::span<const PictureRegion> ignored);
 
 }  // namespace poinsot

@@ -8,6 +8,7 @@
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
+#include "output/film_metadata.h"
 #include "production/provenance/record.h"
 #include "production/provenance/verify.h"
 #include "report/baselines.h"
@@ -63,8 +64,9 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
     if (request.all) {
         if (!request.names.empty())
             throw InputError("poinsot approve: give names or --all, not both");
-        for (const ComparedPicture& picture : compare_folders(request.baselines, request.results,
-                                                              {.limits = CompareLimits::exact()}))
+        const CompareRequest exactly{.limits = CompareLimits::exact(), .only_pictures = true};
+        for (const ComparedPicture& picture :
+             compare_folders(request.baselines, request.results, exactly))
             if (!picture.actual.empty() && picture.outcome != Outcome::same)
                 names.push_back(picture.name);
         return names;
@@ -81,6 +83,22 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
 Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
                         const ApprovalTelling& progress) {
     Candidate candidate{name, file_of_picture(request.results, name), {}};
+    const StoredPicture picture = read_stored_png(candidate.file);
+    if (!picture.info.texts.contains(metadata_name)) {
+        if (!request.foreign)
+            throw InputError(fmt::format(
+                "{}: has no record of how it was made: another program drew it or removed the "
+                "record; draw it with poinsot, or give --foreign to approve pictures of other "
+                "programs",
+                printable(candidate.file.string())));
+        candidate.baseline = {.pixels = pixels_sha256(picture),
+                              .scene = "",
+                              .renderer = std::string(foreign_renderer),
+                              .mesa = "",
+                              .version = "",
+                              .why = request.why};
+        return candidate;
+    }
     const Record record = read_record(candidate.file);
     if (!record.portable && !request.any_renderer)
         throw InputError(
@@ -97,12 +115,8 @@ Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
     if (verification.verified == Verified::cannot_be)
         progress.note(
             fmt::format("{}: {}", printable(candidate.file.string()), verification.sentence));
-    candidate.baseline = {pixels_sha256(read_stored_png(candidate.file)),
-                          record.scene_hash,
-                          record.renderer,
-                          record.mesa,
-                          record.version,
-                          request.why};
+    candidate.baseline = {pixels_sha256(picture), record.scene_hash, record.renderer, record.mesa,
+                          record.version,         request.why};
     return candidate;
 }
 
@@ -110,9 +124,10 @@ Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
 // between renderers instead of pictures.
 void check_renderer(const Candidate& candidate, const BaselineManifest& manifest,
                     const ApprovalRequest& request) {
-    if (request.any_renderer) return;
+    if (request.any_renderer || is_foreign(candidate.baseline)) return;
     for (const auto& [name, baseline] : manifest) {
         const Baseline& now = candidate.baseline;
+        if (is_foreign(baseline)) continue;
         if (baseline.renderer == now.renderer && baseline.mesa == now.mesa) continue;
         throw InputError(fmt::format(
             "{}: drawn by {}, Mesa {}, but the baseline {} by {}, Mesa {}; to change the renderer, "

@@ -15,6 +15,7 @@ struct ApprovalRequest {
     bool all = false;                          // instead: all new or changed pictures
     std::string why;                           // the reason, kept in the manifest
     bool any_renderer = false;                 // accepts pictures of any renderer
+    bool foreign = false;                      // accepts pictures by other programs
 };
 
 // Progress callbacks.

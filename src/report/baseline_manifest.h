@@ -13,13 +13,17 @@ namespace poinsot {
 struct Baseline {
     std::string pixels;    // hash of size and pixels; see pixels_sha256
     std::string scene;     // SHA-256 of the complete scene
-    std::string renderer;  // GL_RENDERER
+    std::string renderer;  // GL_RENDERER; foreign_renderer for a picture by another program
     std::string mesa;      // version
     std::string version;   // of poinsot
     std::string why;       // the reason given
 
     bool operator==(const Baseline&) const = default;
 };
+
+// The renderer of a picture that has no record; its scene, mesa and version are empty.
+inline constexpr std::string_view foreign_renderer = "another program";
+inline bool is_foreign(const Baseline& baseline) { return baseline.renderer == foreign_renderer; }
 
 using BaselineManifest = std::map<std::string, Baseline>;
 

@@ -1,17 +1,24 @@
 #include "report/compared_picture.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
 #include <mutex>
 #include <tuple>
+#include <utility>
 
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
+#include "output/film_metadata.h"
+#include "output/frame_name.h"
+#include "production/jobs/picture_regions.h"
 #include "production/provenance/record.h"
+#include "production/provenance/record_difference.h"
+#include "report/rendered_page.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/in_parallel.h"
@@ -41,8 +48,10 @@ Outcome outcome_of(Verdict verdict) {
     return Outcome::pixels;
 }
 
-// The pictures of a folder by name.
-std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
+bool is_picture_name(const fs::path& file) { return suffix_of(file) == ".png"; }
+
+// The files of a folder that can be compared, by name.
+std::map<std::string, fs::path> pictures_in(const fs::path& folder, bool only_pictures) {
     std::map<std::string, fs::path> found;
     std::error_code error;
     fs::recursive_directory_iterator at(folder, error);
@@ -53,8 +62,12 @@ std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
         std::error_code ignored;
         if (at->is_directory(ignored)) {
             if (hidden) at.disable_recursion_pending();
-        } else if (!hidden && suffix_of(path) == ".png") {
+        } else if (!hidden && (only_pictures ? is_picture_name(path) : is_comparable(path))) {
             const fs::path name = path.lexically_relative(folder);
+            if (!is_picture_name(path)) {
+                found.emplace(name.generic_string(), path);
+                continue;
+            }
             // turn.png and turn.PNG are two pictures.
             if (!found.emplace(fs::path(name).replace_extension().generic_string(), path).second)
                 found.emplace(name.generic_string(), path);
@@ -66,9 +79,9 @@ std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
     return found;
 }
 
-std::optional<Record> record_of(const fs::path& picture) {
+std::optional<Record> record_of(const fs::path& file) {
     try {
-        return read_record(picture);
+        return read_record(file);
     } catch (const InputError&) {
         return std::nullopt;  // rendered by another program
     }
@@ -77,7 +90,7 @@ std::optional<Record> record_of(const fs::path& picture) {
 // Whether it has so many pixels that one pair of such pictures at a time is held in memory.
 bool is_large(const fs::path& picture) {
     constexpr double many_pixels = 1 << 24;
-    if (kind_of_file(picture) != FileKind::regular) return false;
+    if (!is_picture_name(picture) || kind_of_file(picture) != FileKind::regular) return false;
     try {
         const PngInfo info = read_png_info(picture);
         return 1.0 * info.width_px * info.height_px > many_pixels;
@@ -96,17 +109,224 @@ bool have_same_bytes(const fs::path& a, const fs::path& b) {
     return read_bytes(a) == read_bytes(b);
 }
 
+// The records of a pair; none for files by other programs.
+struct Records {
+    std::optional<Record> expected, actual;
+};
+
+// The regions to ignore in a pair: rectangles, and what the records say of names.
+class IgnoredRegions {
+ public:
+    // Throws InputError where neither record can say where a name is.
+    IgnoredRegions(std::vector<IgnoredRegion> regions, const Records& records)
+        : regions_(std::move(regions)) {
+        for (const IgnoredRegion& region : regions_)
+            if (!region.rectangle) names_.push_back(region.text);
+        if (names_.empty()) return;
+        for (const auto* record : {&records.expected, &records.actual}) {
+            if (!*record) continue;
+            pictures_.emplace_back(**record);
+            first_frames_.push_back(
+                (*record)->frames ? (*record)->frame.value_or((*record)->frames->first) : 0);
+        }
+        if (pictures_.empty())
+            throw InputError(fmt::format(
+                "neither picture has a record that says where to find {}; ignore a rectangle "
+                "instead, as --ignore 0,0,100%,10%",
+                fmt::join(names_, ", ")));
+    }
+
+    // `frame`: of a film, from its first.
+    std::vector<PictureRegion> in(int width, int height, std::int64_t frame = 0) {
+        std::vector<PictureRegion> all;
+        for (const IgnoredRegion& region : regions_)
+            if (region.rectangle) all.push_back(region.in(width, height));
+        for (std::size_t i = 0; i < pictures_.size(); ++i) {
+            const std::vector<PictureRegion> named =
+                pictures_[i].regions_of(names_, width, first_frames_[i] + frame, found_);
+            all.insert(all.end(), named.begin(), named.end());
+        }
+        return all;
+    }
+    const std::set<std::string>& found() const { return found_; }
+
+ private:
+    std::vector<IgnoredRegion> regions_;
+    std::vector<std::string> names_;
+    std::vector<PictureRegions> pictures_;  // as the records describe them
+    std::vector<std::int64_t> first_frames_;
+    std::set<std::string> found_;
+};
+
+constexpr std::string_view nothing_left =
+    "the ignored regions cover the whole picture, so nothing is compared; ignore less";
+
+// Says how many pixels were ignored, and why.
+void tell_ignored(ComparedPicture& result) {
+    const std::int64_t n = result.measured.n_ignored;
+    if (n == 0 || result.reason.empty()) return;
+    result.reason += fmt::format("; {} {} ignored ({})", n, n == 1 ? "pixel" : "pixels",
+                                 printable(fmt::format("{}", fmt::join(result.ignored, "; "))));
+}
+
+// Compares two pictures in memory. Throws InputError.
+void compare_pictures(const StoredPicture& expected, const StoredPicture& actual,
+                      const Records& records, const CompareRequest& request, const Gates& gates,
+                      ComparedPicture& result) {
+    CompareExtras extras{.ssim = request.ssim, .flip = request.flip};
+    const bool same_size = expected.image.width() == actual.image.width() &&
+                           expected.image.height() == actual.image.height();
+    const bool same_pixels =
+        same_size && expected.image == actual.image && expected.deep == actual.deep;
+    if (same_size && !same_pixels && !gates.ignore.empty()) {
+        try {
+            IgnoredRegions regions(gates.ignore, records);
+            extras.ignored = regions.in(expected.image.width(), expected.image.height());
+            result.found_regions = regions.found();
+        } catch (const InputError& error) {
+            result.outcome = Outcome::region;
+            result.reason = error.what();
+            return;
+        }
+    }
+    result.measured = compare(expected, actual, result.limits, extras);
+    result.outcome = outcome_of(result.measured.verdict);
+    result.reason = result.measured.reason;
+    tell_ignored(result);
+    if (same_size && !same_pixels && result.measured.n_pixels == 0) {
+        result.outcome = Outcome::region;
+        result.reason = nothing_left;
+    }
+    if (result.outcome != Outcome::same && request.seen)
+        request.seen(result, {expected, actual, result.limits, extras.ignored, {}});
+}
+
+// A record in the metadata of a picture that was read.
+std::optional<Record> record_in(const StoredPicture& picture, const fs::path& file) {
+    const auto text = picture.info.texts.find(metadata_name);
+    if (text == picture.info.texts.end()) return std::nullopt;
+    try {
+        return parse_record(text->second, file.string());
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+// Says what the records of two files that differ say.
+void tell_changes(const Records& records, ComparedPicture& result) {
+    if (result.outcome == Outcome::same || !records.expected || !records.actual) return;
+    try {
+        result.changes = differences_in_words(*records.expected, *records.actual);
+    } catch (const InputError&) {
+        // The scene of an old record is no TOML for this program.
+    }
+}
+
+void compare_pages(const CompareRequest& request, const Gates& gates, ComparedPicture& result) {
+    if (have_same_bytes(result.expected, result.actual)) return;
+    RenderedPages pages;
+    const StoredPicture expected = request.read(pages.picture_of(result.expected));
+    const StoredPicture actual = request.read(pages.picture_of(result.actual));
+    const Records records{record_of(result.expected), record_of(result.actual)};
+    compare_pictures(expected, actual, records, request, gates, result);
+    tell_changes(records, result);
+}
+
+void compare_two_films(const CompareRequest& request, const Gates& gates, ComparedPicture& result) {
+    FrameStream expected(result.expected), actual(result.actual);
+    if (have_same_bytes(result.expected, result.actual)) return;
+    const Records records{record_of(expected.file()), record_of(actual.file())};
+    const auto rate_a = expected.rate(), rate_b = actual.rate();
+    if (rate_a && rate_b &&
+        rate_a->numerator * rate_b->denominator != rate_b->numerator * rate_a->denominator) {
+        result.outcome = Outcome::rate;
+        result.reason = fmt::format("expected {:.6g} frames a second, found {:.6g}",
+                                    rate_a->per_second(), rate_b->per_second());
+        tell_changes(records, result);
+        return;
+    }
+    std::optional<IgnoredRegions> regions;
+    try {
+        regions.emplace(gates.ignore, records);
+    } catch (const InputError& error) {
+        result.outcome = Outcome::region;
+        result.reason = error.what();
+        return;
+    }
+    std::vector<PictureRegion> ignored;
+    FilmDifferences film = compare_films(
+        expected, actual, result.limits,
+        [&](std::int64_t frame, int width, int height) {
+            return CompareExtras{request.ssim, request.flip, regions->in(width, height, frame)};
+        },
+        request.n_threads);
+    result.measured = film.measured;
+    result.found_regions = regions->found();
+    result.outcome = outcome_of(film.measured.verdict);
+    if (film.measured.n_differing + film.measured.n_antialiased > 0 && film.measured.n_pixels == 0)
+        result.outcome = Outcome::region;
+    if (result.outcome == Outcome::size) {
+        result.reason = film.measured.reason;
+    } else {
+        if (film.n_expected != film.n_actual) result.outcome = Outcome::length;
+        result.reason = in_words(film);
+        if (!film.measured.reason.empty())
+            result.reason += fmt::format("; there {}", film.measured.reason);
+        tell_ignored(result);
+    }
+    tell_changes(records, result);
+    if (request.seen && !film.strip.empty()) {
+        const KeptFrames& worst =
+            *std::find_if(film.strip.begin(), film.strip.end(),
+                          [&](const KeptFrames& kept) { return kept.frame == film.worst; });
+        ignored =
+            regions->in(worst.expected.image.width(), worst.expected.image.height(), worst.frame);
+        request.seen(result, {worst.expected, worst.actual, result.limits, ignored, film.strip});
+    }
+    for (KeptFrames& kept : film.strip) kept.expected = {}, kept.actual = {};
+    result.film = std::move(film);
+}
+
+// The kinds of files, as far as one is compared with its like.
+enum class Kind { picture, page, film };
+Kind kind_of_name(const fs::path& file) {
+    if (is_film_name(file) || is_sequence_name(file)) return Kind::film;
+    return is_page_name(file) ? Kind::page : Kind::picture;
+}
+
+FileKind kind_of_compared(const fs::path& file) {
+    if (!is_sequence_name(file)) return kind_of_file(file);
+    return frames_there(file).empty() ? FileKind::missing : FileKind::regular;
+}
+
 }  // namespace
 
+bool is_comparable(const fs::path& file) {
+    return is_picture_name(file) || is_page_name(file) || is_film_name(file);
+}
+
+std::string ComparedPicture::line() const {
+    constexpr std::size_t most_changes = 5;
+    std::string text;
+    if (changes && changes->empty() && outcome == Outcome::pixels)
+        text = "scene, settings and versions are the same; ";
+    for (std::size_t i = 0; changes && i < std::min(changes->size(), most_changes); ++i)
+        text += (*changes)[i] + "; ";
+    if (changes && changes->size() > most_changes)
+        text += fmt::format("and {} more changes; ", changes->size() - most_changes);
+    return text + reason;
+}
+
 std::string_view name_of(Outcome outcome) {
-    constexpr std::array<std::string_view, 11> names{
-        "unreadable", "missing", "baseline",   "renderer",      "size", "depth",
-        "colours",    "pixels",  "unexpected", "within limits", "same"};
+    constexpr std::array<std::string_view, 14> names{
+        "unreadable", "missing", "baseline", "renderer", "size",       "rate",          "length",
+        "depth",      "colours", "region",   "pixels",   "unexpected", "within limits", "same"};
     return names.at(static_cast<std::size_t>(outcome));
 }
 
 std::optional<CompareLimits> limits_between(const Baseline& approved, std::string_view renderer,
                                             std::string_view mesa) {
+    if (is_foreign(approved)) return CompareLimits::exact();
     if (approved.renderer == renderer && approved.mesa == mesa) return CompareLimits::exact();
     const auto is_llvmpipe = [](std::string_view name) { return name.starts_with("llvmpipe"); };
     if (!is_llvmpipe(approved.renderer) || !is_llvmpipe(renderer)) return std::nullopt;
@@ -118,8 +338,8 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
                               const Baselines* baselines, const std::string& baseline_name) {
     ComparedPicture result;
     result.name = name;
-    if (kind_of_file(expected) != FileKind::missing) result.expected = expected;
-    if (kind_of_file(actual) != FileKind::missing) result.actual = actual;
+    if (kind_of_compared(expected) != FileKind::missing) result.expected = expected;
+    if (kind_of_compared(actual) != FileKind::missing) result.actual = actual;
     const bool is_listed = baselines != nullptr && baselines->manifest().contains(baseline_name);
     if (result.expected.empty() && is_listed) {
         result.outcome = Outcome::baseline;
@@ -138,12 +358,15 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
         result.reason = "this picture has no baseline; approve it if it is right";
         return result;
     }
-    std::optional<CompareLimits> allowed = request.limits ? request.limits : CompareLimits::exact();
-    if (!request.limits && is_listed) {
+    const Gates gates = request.gates.over(request.file ? request.file->gates_of(name) : Gates{});
+    for (const IgnoredRegion& region : gates.ignore) result.ignored.push_back(region.text);
+    std::optional<CompareLimits> by_renderer = CompareLimits::exact();
+    const bool decides = gates.limits_pixels() || gates.max_flip || gates.min_ssim;
+    if (!request.limits && !decides && is_listed) {
         const Baseline& approved = baselines->manifest().at(baseline_name);
         if (const auto now = record_of(actual))
-            allowed = limits_between(approved, now->renderer, now->mesa);
-        if (!allowed) {
+            by_renderer = limits_between(approved, now->renderer, now->mesa);
+        if (!by_renderer) {
             result.outcome = Outcome::renderer;
             result.reason = fmt::format(
                 "drawn by another renderer than the baseline ({}, Mesa {}); draw it with the same "
@@ -152,19 +375,32 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
             return result;
         }
     }
+    result.limits = limits_of(gates, request.limits, *by_renderer);
     try {
+        const Kind kind = kind_of_name(expected);
+        if (kind != kind_of_name(actual))
+            throw InputError(fmt::format(
+                "{} and {}: different kinds of files; give two pictures, two films, or two vector "
+                "figures",
+                printable(expected.string()), printable(actual.string())));
+        if (kind == Kind::page) {
+            compare_pages(request, gates, result);
+            return result;
+        }
+        if (kind == Kind::film) {
+            compare_two_films(request, gates, result);
+            return result;
+        }
         // Of two files of the same bytes one is read, to see that it is a whole PNG.
         const StoredPicture picture = request.read(expected);
         if (have_same_bytes(expected, actual)) {
-            result.measured = compare(picture, picture, *allowed);
+            result.measured = compare(picture, picture, CompareLimits::exact());
         } else {
             const StoredPicture other = request.read(actual);
-            result.measured = compare(picture, other, *allowed);
-            if (request.likeness && result.measured.n_differing > 0)
-                result.measured.likeness = request.likeness(picture.image, other.image);
+            const Records records{record_in(picture, expected), record_in(other, actual)};
+            compare_pictures(picture, other, records, request, gates, result);
+            tell_changes(records, result);
         }
-        result.outcome = outcome_of(result.measured.verdict);
-        result.reason = result.measured.reason;
         if (baselines == nullptr || !baselines->has_manifest()) return result;
         if (std::string fault = baselines->fault(baseline_name, pixels_sha256(picture));
             !fault.empty()) {
@@ -180,25 +416,43 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
 
 std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs::path& actual,
                                              const CompareRequest& request) {
-    const auto expected_files = pictures_in(expected);
-    const auto actual_files = pictures_in(actual);
+    const auto expected_files = pictures_in(expected, request.only_pictures);
+    const auto actual_files = pictures_in(actual, request.only_pictures);
     std::map<std::string, std::pair<fs::path, fs::path>> names;
     for (const auto& [name, path] : expected_files) names[name].first = path;
     for (const auto& [name, path] : actual_files) names[name].second = path;
     const Baselines baselines(expected);
     for (const auto& [name, line] : baselines.manifest()) names[name];
     if (names.empty())
-        throw InputError(fmt::format("{} and {}: neither contains a .png; nothing to compare",
-                                     printable(expected.string()), printable(actual.string())));
+        throw InputError(
+            fmt::format("{} and {}: neither contains a picture, a film or a figure (.png, .mp4, "
+                        ".webm, .gif, .pdf, .svg); nothing to compare",
+                        printable(expected.string()), printable(actual.string())));
     const std::vector<std::pair<std::string, std::pair<fs::path, fs::path>>> pairs(names.begin(),
                                                                                    names.end());
+    if (request.file) {
+        std::vector<std::string> all;
+        all.reserve(pairs.size());
+        for (const auto& [name, paths] : pairs) all.push_back(name);
+        request.file->check_used(all);
+    }
     std::vector<ComparedPicture> results(pairs.size());
     std::mutex large_pictures;
     in_parallel(pairs.size(), request.n_threads, [&](std::size_t i) {
         const auto& [name, paths] = pairs[i];
         std::unique_lock alone(large_pictures, std::defer_lock);
         if (is_large(paths.first) || is_large(paths.second)) alone.lock();
-        results[i] = compare_files(name, paths.first, paths.second, request, &baselines, name);
+        try {
+            results[i] = compare_files(name, paths.first, paths.second, request, &baselines, name);
+        } catch (const EnvironmentError& error) {
+            if (!is_page_name(paths.first)) throw;
+            // Without the program that renders pages, the other files are still compared.
+            results[i] = {.name = name,
+                          .expected = paths.first,
+                          .actual = paths.second,
+                          .outcome = Outcome::unreadable,
+                          .reason = error.what()};
+        }
     });
     return results;
 }
@@ -206,7 +460,7 @@ std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs:
 void sort_by_severity(std::vector<ComparedPicture>& pictures) {
     const auto rank = [](const ComparedPicture& p) {
         const Comparison& m = p.measured;
-        const double difference = m.likeness ? m.likeness->flip : m.mean_difference;
+        const double difference = m.flip.value_or(m.mean_difference);
         return std::make_tuple(p.outcome, -difference, std::string_view(p.name));
     };
     std::stable_sort(pictures.begin(), pictures.end(),

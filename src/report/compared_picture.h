@@ -1,31 +1,39 @@
-// Compares two pictures, or two folders of pictures, in one pass; reports, test results and exit
-// codes follow from the outcomes.
+// Compares two pictures, films or vector figures, or two folders of them, in one pass; reports,
+// test results and exit codes follow from the outcomes.
 #pragma once
 
 #include <filesystem>
 #include <functional>
 #include <optional>
+#include <set>
 #include <span>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "image/compare.h"
+#include "image/files/png_files.h"
 #include "image/png.h"
 #include "report/baselines.h"
+#include "report/compare_file.h"
+#include "report/film_comparison.h"
+#include "report/gates.h"
 #include "system/files/processor.h"
 
 namespace poinsot {
 
 // In order of severity.
 enum class Outcome {
-    unreadable,  // one of the two is not a complete PNG
+    unreadable,  // one of the two is not a complete picture or film
     missing,     // expected, but does not exist
     baseline,    // the baseline is not the approved picture
     renderer,    // rendered by another kind of renderer than the baseline
     size,        // exists, in another size
+    rate,        // a film with another number of frames per second
+    length,      // a film with another number of frames
     depth,       // with another number of bits per component
     colours,     // with samples in another colour space
+    region,      // a region to be ignored is unknown, or leaves nothing to compare
     pixels,      // more pixels differ than allowed
     unexpected,  // exists, but has no baseline
     within_limits,
@@ -35,42 +43,75 @@ enum class Outcome {
 // "missing", "within limits".
 std::string_view name_of(Outcome outcome);
 
+// The pictures of a pair that the report shows, as addresses in its page; empty: none.
+struct ShownPictures {
+    std::string expected, actual, difference;
+    std::string strip;  // of films: rows of expected | difference × 16 | actual
+};
+
 struct ComparedPicture {
-    std::string name;                        // path within the folder, without ".png"
-    std::filesystem::path expected, actual;  // files; empty if missing
+    std::string name{};  // path within the folder, without ".png"; with the suffix of other files
+    std::filesystem::path expected{}, actual{};  // files; empty if missing
     Outcome outcome = Outcome::same;
-    std::string reason;   // one line; empty if the pictures are equal
-    Comparison measured;  // of pictures that could both be read
+    std::string reason{};  // one line; empty if the pictures are equal
+    // What the records of both say that differs; none if one has no record, or if the pictures are
+    // equal.
+    std::optional<std::vector<std::string>> changes{};
+    Comparison measured{};   // of pictures that could both be read; of films, their worst frames
+    CompareLimits limits{};  // that were applied
+    std::vector<std::string> ignored{};     // regions, as given
+    std::set<std::string> found_regions{};  // of those with names, the ones that it shows
+    std::optional<FilmDifferences> film{};  // without the pictures of its strip
+    ShownPictures shown{};
 
     bool passes() const { return outcome == Outcome::same || outcome == Outcome::within_limits; }
+    // The changes and the reason in one line: "theme: light → dark; 7 of 100 pixels differ …". At
+    // most five changes are named.
+    std::string line() const;
+};
+
+// Two pictures in memory that are not the same.
+struct PicturePair {
+    const StoredPicture& expected;
+    const StoredPicture& actual;
+    const CompareLimits& limits;
+    std::span<const PictureRegion> ignored;
+    std::span<const KeptFrames> strip;  // of films
 };
 
 // Returns the default limits between a baseline and a picture by this renderer (GL_RENDERER) and
 // version of Mesa: no pixel may differ with the same renderer and version; between two versions of
 // llvmpipe 0.1 % of the pixels may differ by a level, because Mesa 22 and 26 round differently in
-// fewer; none are known for other pairs.
+// fewer; none may differ from a picture of another program; no limits are known for other pairs.
 std::optional<CompareLimits> limits_between(const Baseline& approved, std::string_view renderer,
                                             std::string_view mesa);
 
 // What is compared, and how much of it.
 struct CompareRequest {
-    // None: what drew the baseline decides, else no pixel may differ.
+    // Of a profile. None: what drew the baseline decides, else no pixel may differ.
     std::optional<CompareLimits> limits{};
-    // Measures pairs whose pixels differ; none: they are not measured.
-    std::function<Likeness(const Image&, const Image&)> likeness{};
+    Gates gates{};                      // of the command line
+    std::optional<CompareFile> file{};  // of the baselines
+    bool ssim = false, flip = false;    // measure these, whether or not they decide
     std::function<StoredPicture(const std::filesystem::path&)> read = read_stored_png;
-    int n_threads = n_processors();  // of a folder; likeness and read are called by all of them
+    // Receives each pair that is not the same while it is in memory, on the thread that compares.
+    std::function<void(ComparedPicture&, const PicturePair&)> seen{};
+    bool only_pictures = false;      // of a folder: no films, no vector figures
+    int n_threads = n_processors();  // of a folder; the functions are called by all of them
 };
 
-// Compares two files. A file that does not exist is "missing" or "unexpected". If baselines are
-// given, their manifest names the expected picture and, if no limits are given, determines the
-// limits from the renderer; otherwise no pixel may differ.
+// Compares two files, or two sequences. A file that does not exist is "missing" or "unexpected". If
+// baselines are given, their manifest names the expected picture and, if no limits are given,
+// determines the limits from the renderer; otherwise no pixel may differ.
 ComparedPicture compare_files(const std::string& name, const std::filesystem::path& expected,
                               const std::filesystem::path& actual, const CompareRequest& request,
                               const Baselines* baselines = nullptr,
                               const std::string& baseline_name = "");
 
-// Compares every .png in the two folders and their subfolders, except hidden ones, and every
+// Whether a name is that of a file that can be compared: a PNG, a film, a PDF or an SVG.
+bool is_comparable(const std::filesystem::path& file);
+
+// Compares every such file in the two folders and their subfolders, except hidden ones, and every
 // picture that the manifest of the first folder names. The result is in the order of the names, for
 // any number of threads. Throws InputError for a folder or a manifest that cannot be read, and if
 // there are no pictures.

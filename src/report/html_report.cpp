@@ -1,65 +1,91 @@
 #include "report/html_report.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <array>
 #include <filesystem>
+#include <string_view>
 #include <vector>
 
+#include "error/error.h"
 #include "image/files/png_files.h"
+#include "output/film_metadata.h"
 #include "report/report_page.h"
-#include "system/files/file_contents.h"
-#include "system/files/processor.h"
-#include "system/in_parallel.h"
+#include "system/run_program.h"
+#include "system/suffix.h"
 #include "text/markup.h"
 
 namespace poinsot {
 
 namespace {
 
-std::string data_uri(std::span<const std::uint8_t> png) {
-    return "data:image/png;base64," + base64(png);
-}
-
-// The middle part of the picture "expected | difference × 16 | actual".
-Image difference_alone(const StoredPicture& expected, const StoredPicture& actual) {
-    const Image sheet = difference_picture(expected, actual);
-    Image middle(sheet.width() / 3, sheet.height());
-    for (int y = 0; y < middle.height(); ++y)
-        for (int x = 0; x < middle.width(); ++x) middle.set(x, y, sheet.at(middle.width() + x, y));
-    return middle;
-}
-
 std::string numbers_in_words(const ComparedPicture& picture) {
     const Comparison& m = picture.measured;
     if (m.n_pixels == 0 || picture.outcome == Outcome::same) return "";
     std::string words = fmt::format("{} of {} pixels, at most {:.3g} levels", m.n_differing,
                                     m.n_pixels, m.largest_difference);
-    if (m.likeness)
-        words += fmt::format("; FLIP {:.3g}, SSIM {:.5f}", m.likeness->flip, m.likeness->ssim);
+    if (m.flip) words += fmt::format("; FLIP {:.3g}", *m.flip);
+    if (m.ssim) words += fmt::format("; SSIM {:.5f}", *m.ssim);
     return words;
 }
 
-// One picture as an object in the page's data.
-std::string object_of(const ComparedPicture& picture) {
-    std::string object =
-        fmt::format(R"({{"name":{},"outcome":{},"reason":{},"numbers":{})",
-                    script_string(picture.name), script_string(name_of(picture.outcome)),
-                    script_string(picture.reason), script_string(numbers_in_words(picture)));
-    const auto add_file = [&object](const char* key, const std::filesystem::path& path) {
-        if (!path.empty()) object += fmt::format(R"(,"{}":"{}")", key, data_uri(read_bytes(path)));
-    };
-    if (picture.outcome != Outcome::same) {
-        add_file("expected", picture.expected);
-        add_file("actual", picture.actual);
+// What pictures of one group have in common, in words.
+std::string group_of(const ComparedPicture& picture) {
+    if (!picture.changes) return "";
+    if (picture.changes->empty())
+        return picture.outcome == Outcome::pixels ? "scene, settings and versions are the same"
+                                                  : "";
+    constexpr std::size_t most = 400;
+    std::string words = fmt::format("{}", fmt::join(*picture.changes, "; "));
+    if (words.size() > most) {
+        // Not within a character.
+        std::size_t end = most;
+        while (end > 0 && (static_cast<unsigned char>(words[end]) & 0xC0) == 0x80) --end;
+        words = words.substr(0, end) + "…";
     }
-    constexpr std::array measured{Outcome::size, Outcome::depth, Outcome::colours, Outcome::pixels,
-                                  Outcome::within_limits};
-    if (std::find(measured.begin(), measured.end(), picture.outcome) != measured.end()) {
-        const Image difference =
-            difference_alone(read_stored_png(picture.expected), read_stored_png(picture.actual));
-        object += fmt::format(R"(,"difference":"{}")", data_uri(encode_png(difference)));
+    return words;
+}
+
+bool has_record(const std::filesystem::path& file) {
+    try {
+        return read_png_info(file).texts.contains(metadata_name);
+    } catch (const Error&) {
+        return true;
+    }
+}
+
+// Whether `approve` takes the picture.
+bool is_approvable(const ComparedPicture& picture) {
+    constexpr std::array unfit{Outcome::unreadable, Outcome::same};
+    return !picture.actual.empty() && suffix_of(picture.actual) == ".png" &&
+           std::find(unfit.begin(), unfit.end(), picture.outcome) == unfit.end();
+}
+
+// One picture as an object in the page's data.
+std::string object_of(const ComparedPicture& picture, bool approves) {
+    std::string object =
+        fmt::format(R"({{"name":{},"outcome":{},"reason":{},"numbers":{},"group":{})",
+                    script_string(picture.name), script_string(name_of(picture.outcome)),
+                    script_string(picture.reason), script_string(numbers_in_words(picture)),
+                    script_string(group_of(picture)));
+    const auto add = [&object](const char* key, const std::string& text) {
+        if (!text.empty()) object += fmt::format(R"(,"{}":{})", key, script_string(text));
+    };
+    add("expected", picture.shown.expected);
+    add("actual", picture.shown.actual);
+    add("difference", picture.shown.difference);
+    add("strip", picture.shown.strip);
+    if (picture.film && !picture.shown.strip.empty()) {
+        std::vector<std::string> frames;
+        for (const KeptFrames& kept : picture.film->strip)
+            frames.push_back(picture.film->in_words(kept.frame));
+        add("frames", fmt::format("{}", fmt::join(frames, ", ")));
+    }
+    if (approves && is_approvable(picture)) {
+        add("approve", shell_word(picture.name));
+        if (!has_record(picture.actual)) object += R"(,"foreign":true)";
     }
     return object + "}";
 }
@@ -79,16 +105,20 @@ std::string filled(std::string_view page, std::string_view title, std::string_vi
 
 }  // namespace
 
-std::string html_report(const std::string& title, std::span<const ComparedPicture> pictures) {
-    std::vector<std::string> objects(pictures.size());
-    in_parallel(pictures.size(), n_processors(),
-                [&](std::size_t i) { objects[i] = object_of(pictures[i]); });
-    std::string data = "[";
-    for (const std::string& object : objects) {
-        data += data.size() == 1 ? "\n" : ",\n";
-        data += object;
+std::string html_report(const std::string& title, std::span<ComparedPicture> pictures,
+                        ReportPictures& shown, const std::optional<ComparedFolders>& folders) {
+    std::string list;
+    for (ComparedPicture& picture : pictures) {
+        if (picture.outcome != Outcome::same) shown.add_alone(picture);
+        list += fmt::format("{}{}", list.empty() ? "\n" : ",\n",
+                            object_of(picture, folders.has_value()));
     }
-    data += "\n]";
+    const std::string approve =
+        folders ? fmt::format("--results {} --baselines {}", shell_word(folders->results),
+                              shell_word(folders->baselines))
+                : "";
+    const std::string data =
+        fmt::format("{{\"approve\":{},\"pictures\":[{}\n]}}", script_string(approve), list);
     return filled(report_pages().front().text, escaped_markup(title), data);
 }
 

@@ -4,36 +4,71 @@
 
 namespace poinsot {
 
+namespace {
+
+std::string json_or_null(const std::optional<double>& value) {
+    return value ? json_number(*value) : "null";
+}
+
+std::string json_of(const CompareLimits& limits) {
+    return JsonObject()
+        .add("differing_share", limits.differing_share)
+        .add("level", limits.level)
+        .add("over_level_share", limits.over_level_share)
+        .json("max_flip", json_or_null(limits.most_flip))
+        .json("min_ssim", json_or_null(limits.least_ssim))
+        .add("antialiasing", limits.antialiasing)
+        .line();
+}
+
+std::string json_strings(const std::vector<std::string>& texts) {
+    std::vector<std::string> values;
+    values.reserve(texts.size());
+    for (const std::string& text : texts) values.push_back(json_string(text));
+    return json_list(values);
+}
+
+std::string json_of(const FilmDifferences& film) {
+    const auto frame = [&film](std::int64_t number) {
+        return film.n_differing > 0 ? std::to_string(number) : std::string("null");
+    };
+    return JsonObject()
+        .add("frames_expected", film.n_expected)
+        .add("frames_actual", film.n_actual)
+        .add("frames_differing", film.n_differing)
+        .add("frames_failing", film.n_failing)
+        .json("first", frame(film.first))
+        .json("worst", frame(film.worst))
+        .json("frames_per_second", film.rate ? json_number(film.rate->per_second()) : "null")
+        .line();
+}
+
+}  // namespace
+
 std::string json_report(std::span<const ComparedPicture> pictures,
-                        const std::optional<CompareLimits>& limits, bool measured) {
+                        const std::optional<CompareLimits>& limits) {
     std::vector<std::string> rows;
     for (const ComparedPicture& p : pictures) {
         const Comparison& m = p.measured;
         JsonObject row;
         row.add("name", p.name).add("outcome", name_of(p.outcome));
         row.add("passes", p.passes()).add("reason", p.reason);
+        row.json("changes", p.changes ? json_strings(*p.changes) : "null");
         row.json("expected_size", json_numbers(m.expected_width, m.expected_height));
         row.json("actual_size", json_numbers(m.actual_width, m.actual_height));
         row.add("n_pixels", m.n_pixels).add("n_differing", m.n_differing);
-        row.add("n_over_level", m.n_over_level);
+        row.add("n_over_level", m.n_over_level).add("n_antialiased", m.n_antialiased);
+        row.add("n_ignored", m.n_ignored);
         row.add("largest_difference", m.largest_difference);
         row.add("mean_difference", m.mean_difference);
-        // Equal pictures need no measuring.
-        const bool equal = measured && m.n_pixels > 0 && m.n_differing == 0;
-        const std::optional<Likeness> likeness = equal ? Likeness{} : m.likeness;
-        row.json("ssim", likeness ? json_number(likeness->ssim) : "null");
-        row.json("flip", likeness ? json_number(likeness->flip) : "null");
+        row.json("ssim", json_or_null(m.ssim)).json("flip", json_or_null(m.flip));
+        row.json("limits", json_of(p.limits)).json("ignored", json_strings(p.ignored));
+        if (p.film) row.json("film", json_of(*p.film));
         rows.push_back(row.line());
     }
-    const std::string allowed = limits ? JsonObject()
-                                             .add("differing_share", limits->differing_share)
-                                             .add("level", limits->level)
-                                             .add("over_level_share", limits->over_level_share)
-                                             .line()
-                                       : "null";
     return JsonObject()
         .add("passes", all_pass(pictures))
-        .json("limits", allowed)
+        .json("limits", limits ? json_of(*limits) : "null")
         .json("pictures", json_lines(rows, 2))
         .lines();
 }

@@ -9,9 +9,10 @@
 
 namespace poinsot {
 
-// A JSON object: whether all pictures pass, the limits, and for each picture the counts, SSIM and
-// FLIP; the last two are null unless likeness was `measured`.
+// A JSON object: whether all pictures pass, the limits of the command line (null: each picture's
+// own), and for each picture its outcome, what its record says that changed (null: unknown), its
+// limits, counts, SSIM and FLIP (null: not measured), and of films the frames that differ.
 std::string json_report(std::span<const ComparedPicture> pictures,
-                        const std::optional<CompareLimits>& limits, bool measured);
+                        const std::optional<CompareLimits>& limits);
 
 }  // namespace poinsot

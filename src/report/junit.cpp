@@ -29,7 +29,7 @@ std::string junit_xml(const std::string& suite, std::span<const ComparedPicture>
         }
         const char* const element = picture.outcome == Outcome::unreadable ? "error" : "failure";
         xml += fmt::format("><{} type=\"{}\" message=\"{}\"/></testcase>\n", element,
-                           name_of(picture.outcome), escaped_markup(picture.reason));
+                           name_of(picture.outcome), escaped_markup(picture.line()));
     }
     return xml + "</testsuite>\n</testsuites>\n";
 }

@@ -1,12 +1,14 @@
 // approve: portable results become baselines, with a line in the manifest and a reason.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <string>
 
 #include "cli/program_run.h"
 #include "cli/recorded_pictures.h"
 #include "cli/small_scene.h"
+#include "image/files/png_bands.h"
 #include "image/files/png_files.h"
 
 namespace poinsot::testing {
@@ -47,6 +49,39 @@ TEST_F(ApprovedPictures, AreListedWithHashesRendererAndReason) {
     EXPECT_EQ(approve("a --why 'later'").code, 0);
     EXPECT_TRUE(contains(text_of(folder_.path() / "ref/manifest.toml"), "why = \"later\""));
     EXPECT_EQ(run("compare ref new").code, 0);
+}
+
+// Pictures of other programs, of 8 and 16 bits, beside our own; the manifest says whose they are.
+TEST_F(ApprovedPictures, MayBeByOtherPrograms) {
+    draw("drawn.png", "--portable --time 0.1 --depth 16");
+    draw("new/ours.png", "--portable --time 0.1");
+    const StoredPicture drawn = read_stored_png(folder_.path() / "drawn.png");
+    write_png(folder_.path() / "new/eight.png", read_png(folder_.path() / "new/ours.png"));
+    {
+        PngBandWriter writer(folder_.path() / "new/sixteen.png", drawn.deep.width(),
+                             drawn.deep.height(), true, {}, 16);
+        writer.write(drawn.deep);
+        writer.finish();
+    }
+    const ProgramRun refused = approve("--all");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_line(refused.err) && contains(refused.err, "--foreign")) << refused.err;
+    EXPECT_FALSE(fs::exists(folder_.path() / "ref/manifest.toml"));
+    ASSERT_EQ(approve("--all --foreign").code, 0);
+    const std::string manifest = text_of(folder_.path() / "ref/manifest.toml");
+    EXPECT_EQ(std::count(manifest.begin(), manifest.end(), '\n'), 4);
+    EXPECT_TRUE(contains(manifest, "renderer = \"another program\"")) << manifest;
+    EXPECT_EQ(run("compare ref new").code, 0);
+    // Our own picture may be compared with theirs, and the next of ours is approved as before.
+    fs::copy(folder_.path() / "new/ours.png", folder_.path() / "new/eight.png",
+             fs::copy_options::overwrite_existing);
+    EXPECT_EQ(run("compare ref new").code, 0);
+    draw("new/more.png", "--portable --time 0.2");
+    EXPECT_EQ(approve("more").code, 0);
+    // Another size is said.
+    write_png(folder_.path() / "new/sixteen.png", Image(20, 10));
+    EXPECT_TRUE(
+        contains(run("compare ref new").out, "size: sixteen: expected 128×72 pixels, found 20×10"));
 }
 
 TEST_F(ApprovedPictures, OfAnotherRendererNeedAnOption) {
@@ -128,7 +163,8 @@ TEST_F(ApproveMessages, APictureWithoutARecordIsNamedSo) {
     fs::create_directories(folder_.path() / "results");
     write_png(folder_.path() / "results/other.png", Image(4, 4));
     refuses("approve other --any-renderer --results results --baselines base", 2,
-            {"results/other.png: has no record of how it was made", "draw it with poinsot"});
+            {"results/other.png: has no record of how it was made", "draw it with poinsot",
+             "--foreign"});
     refuses("explain results/other.png", 2, {"has no record of how it was made"});
 }
 

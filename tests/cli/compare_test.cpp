@@ -1,6 +1,7 @@
 // compare: two pictures or two folders, exactly or within limits.
 #include <gtest/gtest.h>
 
+#include <array>
 #include <filesystem>
 #include <string>
 
@@ -32,6 +33,8 @@ TEST_F(ComparedPictures, ReportTheirDifferences) {
     const ProgramRun size = run("compare a.png c.png");
     EXPECT_EQ(size.code, 1);
     EXPECT_TRUE(contains(size.out, "size: c: ")) << size.out;
+    // What the records say comes first.
+    EXPECT_TRUE(contains(pixels.out, "pixels: b: time in s: 0.1 → 0.11; ")) << pixels.out;
     const ProgramRun missing = run("compare a.png none.png");
     EXPECT_EQ(missing.code, 1);
     EXPECT_TRUE(contains(missing.out, "missing: none: ")) << missing.out;
@@ -146,14 +149,171 @@ TEST_F(ComparedPictures, OfSixteenBitsAreComparedExactly) {
     draw("new/a.png", "--portable --time 0.1");
     const ProgramRun shallow = run("compare ref new --profile native");
     EXPECT_EQ(shallow.code, 1);
-    EXPECT_TRUE(contains(shallow.out, "depth: a: expected 16 bits per component, found 8"))
+    EXPECT_TRUE(contains(shallow.out, "depth: a: ") &&
+                contains(shallow.out, "expected 16 bits per component, found 8"))
         << shallow.out;
+}
+
+// Ignoring what changed makes pictures pass; ignoring something else does not.
+TEST_F(ComparedPictures, PassWhereWhatChangedIsIgnored) {
+    draw("a.png", "--portable --time 0.1 --set caption=first --size 640x360");
+    draw("caption.png", "--portable --time 0.1 --set caption=other --size 640x360");
+    draw("polhode.png",
+         "--portable --time 0.1 --set caption=first --set style.polhode='\"#1060ff\"' --size "
+         "640x360");
+    draw("labels.png",
+         "--portable --time 0.1 --set caption=first --set labels=false --size 640x360");
+    for (const auto& [picture, region, other] :
+         {std::array{"caption", "caption", "title"}, std::array{"polhode", "polhode", "clock"},
+          std::array{"labels", "labels", "caption"}}) {
+        const std::string pair = std::string("compare a.png ") + picture + ".png ";
+        EXPECT_EQ(run(pair).code, 1) << picture;
+        const ProgramRun passes = run(pair + "--ignore " + region);
+        EXPECT_EQ(passes.code, 0) << passes.out << passes.err;
+        EXPECT_EQ(run(pair + "--ignore " + other).code, 1) << picture;
+        // A region is a part of the picture.
+        const ProgramRun json = run(pair + "--json --ignore " + region);
+        const std::string n_ignored = json.out.substr(json.out.find("\"n_ignored\": ") + 13);
+        EXPECT_GT(std::stoi(n_ignored), 0);
+        EXPECT_LT(std::stoi(n_ignored), 640 * 360 / 4) << region;
+    }
+    const ProgramRun style = run("compare a.png polhode.png");
+    EXPECT_TRUE(contains(style.out, "pixels: polhode: style.polhode: default → #1060ff; "))
+        << style.out;
+    const ProgramRun unused = run("compare a.png caption.png --ignore cones");
+    EXPECT_TRUE(
+        contains(unused.err, "note: \"cones\" is ignored, but none of the pictures that differ"))
+        << unused.err;
+}
+
+TEST_F(ComparedPictures, PassByTheLimitsOfMeasures) {
+    draw("a.png", "--portable --time 0.1");
+    draw("b.png", "--portable --time 0.11");
+    EXPECT_EQ(run("compare a.png b.png --max-flip 0.9 --min-ssim 0.1").code, 0);
+    const ProgramRun flip = run("compare a.png b.png --max-flip 1e-9");
+    EXPECT_EQ(flip.code, 1);
+    EXPECT_TRUE(contains(flip.out, "FLIP") && !contains(flip.out, "SSIM")) << flip.out;
+    EXPECT_EQ(run("compare a.png b.png --min-ssim 1").code, 1);
+    folder_.write("compare.toml", "[[pictures]]\nname = \"b\"\nmax_flip = 0.9\n");
+    EXPECT_EQ(run("compare a.png b.png").code, 0);
+    // In two files, an entry may be for another picture; the command line is above the file.
+    EXPECT_EQ(run("compare a.png b.png --max-flip 0").code, 1);
+    folder_.write("compare.toml", "[[pictures]]\nname = \"c\"\nmax_flip = 0.9\n");
+    EXPECT_EQ(run("compare a.png b.png").code, 1);
+}
+
+TEST_F(ComparedPictures, HaveReportsWithTheirPicturesBesideThem) {
+    draw("ref/a.png", "--portable --time 0.1");
+    draw("new/a.png", "--portable --time 0.3");
+    EXPECT_EQ(run("compare ref new --report report.html").code, 1);
+    EXPECT_TRUE(fs::exists(folder_.path() / "report_pictures/a-difference.png"));
+    const std::string page = text_of(folder_.path() / "report.html");
+    EXPECT_TRUE(contains(page, "--results new --baselines ref")) << page;
+    fs::remove_all(folder_.path() / "report_pictures");
+    EXPECT_EQ(run("compare ref new --report report.html --single-file").code, 1);
+    EXPECT_FALSE(fs::exists(folder_.path() / "report_pictures"));
+    for (const char* line :
+         {"compare ref new --report new/report.html", "compare ref new --single-file"}) {
+        const ProgramRun refused = run(line);
+        EXPECT_EQ(refused.code, 2) << line;
+        EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
+    }
+}
+
+TEST_F(ComparedPictures, GiveGitHubAJobSummary) {
+    draw("ref/a.png", "--portable --time 0.1");
+    draw("new/a.png", "--portable --time 0.3");
+    const ProgramRun github =
+        run_program_in(folder_, "compare ref new --github", "GITHUB_STEP_SUMMARY=summary.md");
+    EXPECT_EQ(github.code, 1);
+    EXPECT_TRUE(contains(github.out, "\n::error file=ref/a.png,title=pixels%3A a::")) << github.out;
+    EXPECT_TRUE(contains(text_of(folder_.path() / "summary.md"), "| pixels | a | time in s: 0.1"));
+    EXPECT_EQ(run("compare ref new --github").code, 1);
+}
+
+// A film against itself, against one that differs from some instant on, against a shorter one and
+// against other formats.
+TEST_F(ComparedPictures, MayBeFilms) {
+    const auto film = [this](const std::string& file, const std::string& options) {
+        const ProgramRun made = run("render scene.toml -q --portable -o " + file + " " + options);
+        ASSERT_EQ(made.code, 0) << made.err;
+    };
+    film("a.mp4", "");
+    film("b.mp4", "--theme dark");
+    film("short.mp4", "--frames 0-9");
+    film("slow.mp4", "--fps 15");
+    film("wide.mp4", "--size 130x72");
+    film("a_####.png", "");
+    film("a.gif", "--fps 20");
+    EXPECT_EQ(run("compare a.mp4 a.mp4").code, 0);
+    EXPECT_EQ(run("compare 'a_####.png' 'a_####.png'").code, 0);
+    const ProgramRun dark = run("compare a.mp4 b.mp4 --diff strip.png --report report.html");
+    EXPECT_EQ(dark.code, 1);
+    EXPECT_EQ(
+        dark.out.find("pixels: b.mp4: theme: light → dark; 15 of 15 frames exceed the limits; "
+                      "first frame 0 (0 s), worst frame "),
+        0u)
+        << dark.out;
+    EXPECT_EQ(read_png(folder_.path() / "strip.png").width(), 3 * 128);
+    EXPECT_TRUE(fs::exists(folder_.path() / "report_pictures/b.mp4-strip.png"));
+    const ProgramRun shorter = run("compare a.mp4 short.mp4 --max-flip 1");
+    EXPECT_EQ(shorter.code, 1);
+    EXPECT_TRUE(contains(shorter.out, "length: short.mp4: ") &&
+                contains(shorter.out, "expected 15 frames, found 10; of the first 10, "))
+        << shorter.out;
+    EXPECT_TRUE(
+        contains(run("compare a.mp4 slow.mp4").out, "expected 30 frames a second, found 15"));
+    EXPECT_TRUE(
+        contains(run("compare a.mp4 wide.mp4").out, "expected 128×72 pixels, found 130×72"));
+    // Lossy encoding is within a limit of what is seen.
+    EXPECT_EQ(run("compare 'a_####.png' a.mp4").code, 1);
+    const ProgramRun lossy = run("compare 'a_####.png' a.mp4 --max-flip 0.1");
+    EXPECT_EQ(lossy.code, 0) << lossy.out;
+    EXPECT_EQ(run("compare a.gif a.gif").code, 0);
+    fs::remove(folder_.path() / "a_0007.png");
+    const ProgramRun gap = run("compare a.mp4 'a_####.png'");
+    EXPECT_EQ(gap.code, 2);
+    EXPECT_TRUE(contains(gap.err, "a_0007.png: this picture of the sequence is missing"))
+        << gap.err;
+    folder_.write("broken.mp4", text_of(folder_.path() / "a.mp4").substr(0, 700));
+    const ProgramRun broken = run("compare a.mp4 broken.mp4");
+    EXPECT_EQ(broken.code, 2);
+    EXPECT_TRUE(is_one_line(broken.err)) << broken.err;
+    EXPECT_TRUE(contains(run("compare a.mp4 a_0001.png").err, "different kinds of files"));
+}
+
+// A folder with films and figures: each is compared with its like, by its full name.
+TEST_F(ComparedPictures, MayBeInFoldersWithFilmsAndFigures) {
+    for (const char* folder : {"ref", "new"}) {
+        const std::string options = std::string(folder) == "ref" ? "" : " --theme dark";
+        draw(folder + std::string("/a.png"), "--portable --time 0.1");
+        draw(folder + std::string("/a.pdf"), "--time 0.1 --width-mm 120 --height-mm 90" + options);
+        ASSERT_EQ(run(std::string("render scene.toml -q --portable -o ") + folder +
+                      "/a.mp4 --frames 0-3" + options)
+                      .code,
+                  0);
+    }
+    const ProgramRun compared = run("compare ref new");
+    EXPECT_EQ(compared.code, 1);
+    EXPECT_TRUE(contains(compared.out, ": a.mp4: theme: light → dark; ")) << compared.out;
+    EXPECT_TRUE(contains(compared.out, ": a.pdf: theme: light → dark; ")) << compared.out;
+    EXPECT_TRUE(contains(compared.out, "3 compared, 2 failed, 1 the same")) << compared.out;
+    // approve takes pictures alone.
+    EXPECT_EQ(run("approve --all --results new --baselines fresh").out, "a: new\n");
 }
 
 TEST_F(CompareMessages, CompareSaysWhatItNeeds) {
     refuses("compare a.png", 2,
             {"needs two pictures or two folders; one is given", "see poinsot compare --help"});
     refuses("compare", 2, {"needs two pictures or two folders; none is given"});
+    refuses("compare a.png a.png --max-flip 2", 2, {"--max-flip 2: not a FLIP value"});
+    refuses("compare a.png a.png --min-ssim two", 2, {"--min-ssim"});
+    refuses("compare a.png a.png --max-differing 101%", 2,
+            {"--max-differing 101%: not a share of the pixels"});
+    refuses("compare a.png a.png --ignore clok", 2,
+            {"--ignore unknown region \"clok\"; did you mean \"clock\"?"});
+    refuses("compare a.png a.png --ignore 1,2,3", 2, {"--ignore 1,2,3: not a rectangle"});
+    refuses("compare 'none_##.png' a.png", 2, {"none_##.png: no picture has such a name"});
     refuses("compare a b c", 2, {"needs two pictures or two folders; 3 are given"});
 }
 

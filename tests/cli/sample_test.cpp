@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstring>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
 #include <vector>
@@ -198,6 +199,42 @@ TEST(SampleFiles, AllFormatsContainTheSameNumbers) {
             EXPECT_EQ(stored[i * names.size() + k], rows[i][k]);
 }
 
+// Keyframes that three.js reads: the same attitudes, x, y, z, w, never far from the one before.
+TEST(SampleFiles, KeyframesAreTheAttitudesWithoutJumps) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", tilted);
+    const std::string run = "sample scene.toml --times 0:60:0.05";
+    const auto rows = rows_of(run_program_in(folder, run).out);
+    ASSERT_EQ(run_program_in(folder, run + " -o motion.json").code, 0);
+    const auto clip = nlohmann::json::parse(text_of(folder.path() / "motion.json"));
+    const auto& track = clip.at("tracks").at(0);
+    EXPECT_EQ(clip.at("duration"), 60.0);
+    EXPECT_EQ(track.at("name"), ".quaternion");
+    EXPECT_EQ(track.at("type"), "quaternion");
+    const auto times = track.at("times").get<std::vector<double>>();
+    const auto values = track.at("values").get<std::vector<double>>();
+    ASSERT_EQ(times.size(), rows.size());
+    ASSERT_EQ(values.size(), 4 * rows.size());
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        EXPECT_EQ(times[i], rows[i][0]);
+        const Eigen::Vector4d key(values[4 * i], values[4 * i + 1], values[4 * i + 2],
+                                  values[4 * i + 3]);
+        const Eigen::Vector4d attitude(rows[i][5], rows[i][6], rows[i][7], rows[i][4]);
+        EXPECT_EQ(key, attitude) << i;
+        if (i > 0) {
+            const Eigen::Vector4d before(values[4 * i - 4], values[4 * i - 3], values[4 * i - 2],
+                                         values[4 * i - 1]);
+            EXPECT_LT((key - before).norm(), 0.05) << i;
+        }
+    }
+    const ProgramRun columns = run_program_in(folder, run + " --columns time,T -o a.json");
+    EXPECT_EQ(columns.code, 2);
+    EXPECT_NE(columns.err.find("keyframes, which need q_x"), std::string::npos) << columns.err;
+    const ProgramRun unsorted = run_program_in(folder, "sample scene.toml --times 1,0 -o a.json");
+    EXPECT_EQ(unsorted.code, 2);
+    EXPECT_NE(unsorted.err.find("in order of time"), std::string::npos) << unsorted.err;
+}
+
 // tests/production computes the construction in the pixels from these numbers.
 TEST(SampleFiles, OmegaAndAttitudeAreExactlyThoseOfTheMotion) {
     const ScratchFolder folder;
@@ -227,7 +264,7 @@ TEST(SampleFiles, AnotherSuffixOrAnErrorLeavesNoFile) {
     folder.write("scene.toml", racket);
     const ProgramRun suffix = run_program_in(folder, "sample scene.toml --times 0 -o a.xlsx");
     EXPECT_EQ(suffix.code, 2);
-    EXPECT_NE(suffix.err.find(".csv, .jsonl, .npy"), std::string::npos) << suffix.err;
+    EXPECT_NE(suffix.err.find(".csv, .jsonl, .json, .npy"), std::string::npos) << suffix.err;
     EXPECT_EQ(run_program_in(folder, "sample scene.toml --times 0,1e308 -o a.csv").code, 2);
     EXPECT_EQ(run_program_in(folder, "sample scene.toml --times 0 -o no/a.csv").code, 3);
     EXPECT_EQ(run_program_in(folder, "sample scene.toml --times 0:1:1e-9 -o a.csv").code, 2);

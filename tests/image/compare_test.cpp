@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "image/synthetic.h"
+#include "image/thumbnail.h"
 
 namespace poinsot {
 namespace {
@@ -36,7 +37,7 @@ TEST(Compare, EqualPicturesAreTheSame) {
     EXPECT_EQ(result.reason, "");
     EXPECT_EQ(result.n_differing, 0);
     EXPECT_EQ(result.n_pixels, 64 * 48);
-    EXPECT_FALSE(result.likeness);
+    EXPECT_FALSE(result.flip || result.ssim);
 }
 
 TEST(Compare, CountsChangedPixels) {
@@ -137,6 +138,157 @@ TEST(Compare, DifferentDepthsAndColourSpacesAreReported) {
     EXPECT_EQ(colours.verdict, Verdict::colours_differ);
     EXPECT_EQ(colours.reason, "expected the colour space sRGB, found gamma 1");
     EXPECT_FALSE(colours.passes());
+}
+
+// Measures are taken only if they are asked for or limited, and only of pictures that differ.
+TEST(Compare, MeasuresOnlyWhatIsNeeded) {
+    const Image a = synthetic_frame(64, 48, 0), b = synthetic_frame(64, 48, 9);
+    EXPECT_FALSE(compare(a, b).flip || compare(a, b).ssim);
+    CompareLimits limits = CompareLimits::any_pixels();
+    limits.most_flip = 1;
+    EXPECT_TRUE(compare(a, b, limits).flip && !compare(a, b, limits).ssim);
+    EXPECT_FALSE(compare(a, a, limits).flip);
+    EXPECT_TRUE(compare(a, b, {}, {.ssim = true}).ssim && !compare(a, b, {}, {.ssim = true}).flip);
+}
+
+// FLIP and SSIM decide at their values: at exactly the value a picture passes, below it fails.
+TEST(Compare, MeasuresDecideAtTheirLimits) {
+    const Image a = synthetic_frame(64, 48, 0), b = synthetic_frame(64, 48, 9);
+    const double flip = flip_error(a, b), ssim = structural_similarity(a, b);
+    const auto verdict = [&](std::optional<double> most_flip, std::optional<double> least_ssim) {
+        CompareLimits limits = CompareLimits::any_pixels();
+        limits.most_flip = most_flip;
+        limits.least_ssim = least_ssim;
+        return compare(a, b, limits).verdict;
+    };
+    EXPECT_EQ(verdict(flip, {}), Verdict::within_limits);
+    EXPECT_EQ(verdict(flip - 1e-6, {}), Verdict::pixels_differ);
+    EXPECT_EQ(verdict({}, ssim), Verdict::within_limits);
+    EXPECT_EQ(verdict({}, ssim + 1e-6), Verdict::pixels_differ);
+    EXPECT_EQ(verdict(flip, ssim + 1e-6), Verdict::pixels_differ);
+    // Pixels decide as well where they are limited.
+    CompareLimits exact = CompareLimits::exact();
+    exact.most_flip = 1;
+    EXPECT_EQ(compare(a, b, exact).verdict, Verdict::pixels_differ);
+}
+
+TEST(Compare, SaysEachLimitOnce) {
+    const Image before = filled(100, 100, {10, 20, 30, 255});
+    CompareLimits limits = CompareLimits::any_pixels();
+    limits.most_flip = 1e-9;
+    limits.least_ssim = 0.5;
+    const std::string reason = compare(before, changed(before, 7, 9), limits).reason;
+    EXPECT_EQ(reason.find("7 of 10000 pixels differ (0.07 %); the largest difference is 9 levels; "
+                          "FLIP "),
+              0u)
+        << reason;
+    EXPECT_NE(reason.find(" (1e-09 allowed); SSIM 0."), std::string::npos) << reason;
+    EXPECT_NE(reason.find(" (at least 0.5 required)"), std::string::npos) << reason;
+}
+
+// Differences in an ignored region count neither as pixels nor in the measures; others do.
+TEST(Compare, LeavesOutIgnoredRegions) {
+    const Image before = synthetic_frame(64, 48, 0);
+    Image after = before;
+    for (int y = 10; y < 14; ++y)
+        for (int x = 20; x < 30; ++x) after.set(x, y, {255, 0, 0, 255});
+    const CompareExtras extras{.ssim = true, .flip = true, .ignored = {{20, 10, 10, 4}}};
+    const Comparison all = compare(before, after, CompareLimits::exact(), extras);
+    EXPECT_EQ(all.verdict, Verdict::within_limits);
+    EXPECT_EQ(all.n_differing, 0);
+    EXPECT_EQ(all.n_ignored, 40);
+    EXPECT_EQ(all.n_ignored_differing, 40);
+    EXPECT_FALSE(all.flip);
+    EXPECT_EQ(compare(before, before, CompareLimits::exact(), extras).verdict, Verdict::same);
+    EXPECT_EQ(all.n_pixels, 64 * 48 - 40);
+    // One pixel narrower: a column of four counts.
+    const CompareExtras less{.ssim = true, .flip = true, .ignored = {{20, 10, 9, 4}}};
+    const Comparison column = compare(before, after, CompareLimits::exact(), less);
+    EXPECT_EQ(column.n_differing, 4);
+    Image only_column = before;
+    for (int y = 10; y < 14; ++y) only_column.set(29, y, {255, 0, 0, 255});
+    const double rest = 64.0 * 48 / (64 * 48 - 36);
+    EXPECT_NEAR(*column.flip, flip_error(before, only_column) * rest, 1e-12);
+    EXPECT_NEAR(*column.ssim, 1 - (1 - structural_similarity(before, only_column)) * rest, 1e-12);
+}
+
+// Regions may overlap and extend beyond the picture; each pixel is ignored once.
+TEST(Compare, ClipsIgnoredRegions) {
+    const Image before = filled(10, 8, {10, 20, 30, 255}), after = filled(10, 8, {11, 20, 30, 255});
+    const auto n_differing = [&](std::vector<PictureRegion> ignored) {
+        return compare(before, after, CompareLimits::exact(), {.ignored = std::move(ignored)})
+            .n_differing;
+    };
+    EXPECT_EQ(n_differing({{-5, -5, 7, 7}}), 80 - 4);
+    EXPECT_EQ(n_differing({{8, 6, 2000000000, 2000000000}}), 80 - 4);
+    EXPECT_EQ(n_differing({{2, 2, 3, 3}, {3, 3, 3, 3}}), 80 - 9 - 9 + 4);
+    EXPECT_EQ(n_differing({{20, 20, 3, 3}, {3, 3, 0, 5}, {3, 3, -2, 5}}), 80);
+    EXPECT_EQ(n_differing({{0, 0, 10, 8}}), 0);
+}
+
+// The edge of a half plane, whose distance from the left is a fraction of a pixel: one column has
+// the mean of both colours.
+Image half_plane(double edge_px) {
+    Image image(40, 20);
+    for (int y = 0; y < 20; ++y)
+        for (int x = 0; x < 40; ++x) {
+            const double share = std::clamp(edge_px - x, 0.0, 1.0);
+            const auto level = static_cast<std::uint8_t>(std::lround(220 - 180 * share));
+            image.set(x, y, {level, level, level, 255});
+        }
+    return image;
+}
+
+// Anti-aliasing explains an edge that moves by less than a pixel, not one that moves farther, a
+// line that is missing, or another shade.
+TEST(Compare, AllowsWhatAntiAliasingExplains) {
+    CompareLimits limits = CompareLimits::exact();
+    limits.antialiasing = true;
+    const Comparison moved = compare(half_plane(17.1), half_plane(17.9), limits);
+    EXPECT_EQ(moved.verdict, Verdict::within_limits);
+    EXPECT_EQ(moved.n_antialiased, 20);
+    EXPECT_EQ(moved.n_differing, 0);
+    EXPECT_EQ(moved.reason,
+              "0 of 800 pixels differ (0 %, none allowed), and 20 more at edges by anti-aliasing, "
+              "which is allowed");
+    EXPECT_EQ(compare(half_plane(17.1), half_plane(19.3), limits).verdict, Verdict::pixels_differ);
+    Image line = half_plane(10), none = line;
+    for (int y = 0; y < 20; ++y) line.set(30, y, {40, 40, 40, 255});
+    EXPECT_EQ(compare(line, none, limits).n_differing, 20);
+    EXPECT_EQ(compare(none, line, limits).n_differing, 20);
+    const Comparison shade = compare(none, changed(none, 800, 3), limits);
+    EXPECT_EQ(shade.n_antialiased, 0);
+    EXPECT_EQ(compare(half_plane(17.1), half_plane(17.9), CompareLimits::exact()).n_antialiased, 0);
+}
+
+TEST(DifferenceLayer, ShowsEachPixelForItsReason) {
+    const auto stored = [](const Image& image) {
+        StoredPicture picture;
+        picture.image = image;
+        return picture;
+    };
+    Image after = half_plane(17.9);
+    after.set(30, 3, {219, 220, 220, 255});
+    after.set(35, 3, {0, 0, 0, 255});
+    CompareLimits limits = CompareLimits::exact();
+    limits.antialiasing = true;
+    const PictureRegion ignored{0, 0, 5, 5};
+    const Image layer =
+        difference_layer(stored(half_plane(17.1)), stored(after), limits, {&ignored, 1});
+    EXPECT_EQ(layer.at(25, 10), (Rgba8{0, 0, 0, 0}));
+    EXPECT_EQ(layer.at(30, 3), (Rgba8{255, 176, 0, 255}));
+    EXPECT_EQ(layer.at(35, 3), (Rgba8{217, 0, 54, 255}));
+    EXPECT_EQ(layer.at(17, 10), (Rgba8{30, 110, 255, 255}));
+    EXPECT_EQ(layer.at(4, 4).a, 110);
+    // A pixel of the thumbnail shows the strongest difference that it stands for.
+    const Image small = layer_thumbnail(layer, 10);
+    EXPECT_EQ(small.width(), 10);
+    EXPECT_EQ(small.at(35 / 4, 0), (Rgba8{217, 0, 54, 255}));
+    // Of pictures of different sizes, what only one of them has is red.
+    const Image sizes = difference_layer(stored(filled(4, 3, {1, 1, 1, 255})),
+                                         stored(filled(3, 3, {1, 1, 1, 255})), limits, {});
+    EXPECT_EQ(sizes.at(3, 1), (Rgba8{217, 0, 54, 255}));
+    EXPECT_EQ(sizes.at(2, 1), (Rgba8{0, 0, 0, 0}));
 }
 
 // Flat pictures have no variance: SSIM is (2ab + C1)/(a² + b² + C1).

@@ -9,9 +9,11 @@
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/synthetic.h"
+#include "report/github_report.h"
 #include "report/html_report.h"
 #include "report/json_report.h"
 #include "report/junit.h"
+#include "report/report_pictures.h"
 #include "system/faults.h"
 #include "system/in_parallel.h"
 
@@ -110,37 +112,29 @@ TEST_F(Folders, PassWithinLimits) {
         }
 }
 
-// Counts what is decoded and measured: likeness only on request and for pictures that differ; of
-// two byte-identical files only one.
+// Counts what is decoded and measured: measures only on request and for pictures that differ; of
+// two byte-identical files only one is decoded.
 TEST_F(Folders, MeasureNoMoreThanIsAskedFor) {
-    const auto names_read = [this](const std::string& name, bool measures, int* n_measured) {
+    const auto names_read = [this](const std::string& name, bool measures) {
         std::vector<std::string> read;
-        CompareRequest request{.limits = CompareLimits::exact()};
-        if (measures)
-            request.likeness = [n_measured](const Image& a, const Image& b) {
-                ++*n_measured;
-                return likeness_of(a, b);
-            };
+        CompareRequest request{
+            .limits = CompareLimits::exact(), .ssim = measures, .flip = measures};
         request.read = [&read](const fs::path& path) {
             read.push_back(path.filename().string());
             return read_stored_png(path);
         };
         const ComparedPicture picture = compare_files(name, folder_ / ("ref/" + name + ".png"),
                                                       folder_ / ("new/" + name + ".png"), request);
-        EXPECT_EQ(picture.measured.likeness.has_value(), measures && name != "same");
+        EXPECT_EQ(picture.measured.flip.has_value(), measures && name != "same");
+        EXPECT_EQ(picture.measured.ssim.has_value(), measures && name != "same");
         return read.size();
     };
-    int n_measured = 0;
-    EXPECT_EQ(names_read("same", true, &n_measured), 1u);
-    EXPECT_EQ(n_measured, 0);
-    EXPECT_EQ(names_read("a_lot", false, &n_measured), 2u);
-    EXPECT_EQ(n_measured, 0);
-    EXPECT_EQ(names_read("a_lot", true, &n_measured), 2u);
-    EXPECT_EQ(n_measured, 1);
+    EXPECT_EQ(names_read("same", true), 1u);
+    EXPECT_EQ(names_read("a_lot", false), 2u);
+    EXPECT_EQ(names_read("a_lot", true), 2u);
     // The same pixels in files of other bytes are decoded, and not measured either.
     write_png(folder_ / "new/same.png", synthetic_frame(64, 36, 0), {.texts = {{"a", "b"}}});
-    EXPECT_EQ(names_read("same", true, &n_measured), 2u);
-    EXPECT_EQ(n_measured, 1);
+    EXPECT_EQ(names_read("same", true), 2u);
     const ComparedPicture broken =
         compare_files("broken", folder_ / "new/broken.png", folder_ / "new/broken.png", {});
     EXPECT_EQ(broken.outcome, Outcome::unreadable);
@@ -154,10 +148,10 @@ TEST_F(Folders, AreComparedAlikeByAnyNumberOfThreads) {
     const auto json = [this](int n_threads) {
         auto pictures = compare_folders(
             folder_ / "ref", folder_ / "new",
-            {.limits = CompareLimits::exact(), .likeness = likeness_of, .n_threads = n_threads});
-        std::string text = json_report(pictures, CompareLimits::exact(), true);
+            {.limits = CompareLimits::exact(), .ssim = true, .flip = true, .n_threads = n_threads});
+        std::string text = json_report(pictures, CompareLimits::exact());
         sort_by_severity(pictures);
-        return text + json_report(pictures, CompareLimits::exact(), true);
+        return text + json_report(pictures, CompareLimits::exact());
     };
     const std::string alone = json(1);
     EXPECT_EQ(json(2), alone);
@@ -207,9 +201,15 @@ TEST_F(Folders, NamesOfAnyKindAreEscaped) {
     ASSERT_EQ(picture.outcome, Outcome::pixels);
     picture.reason += hostile_name;
     const std::string xml = junit_xml(hostile_name, {&picture, 1});
-    const std::string page = html_report(hostile_name, {&picture, 1});
-    const std::string bare = html_report("title", {&picture, 0});
-    for (const std::string* text : {&xml, &page}) {
+    ReportPictures shown(folder_ / "report.html", true);
+    picture.changes = {hostile_name};
+    const ComparedFolders folders{hostile_name, hostile_name};
+    const std::string page = html_report(hostile_name, {&picture, 1}, shown, folders);
+    const std::string bare = html_report("title", {&picture, 0}, shown);
+    const std::string github = github_summary(hostile_name, {&picture, 1});
+    const std::string annotation = github_annotations({&picture, 1});
+    EXPECT_EQ(std::count(annotation.begin(), annotation.end(), '\n'), 1);
+    for (const std::string* text : {&xml, &page, &github}) {
         EXPECT_EQ(text->find("<b>"), std::string::npos);
         EXPECT_EQ(text->find('\x1b'), std::string::npos);
     }
@@ -223,21 +223,114 @@ TEST_F(Folders, NamesOfAnyKindAreEscaped) {
         EXPECT_EQ(count(page, tag), count(bare, tag)) << tag;
 }
 
-// The page loads nothing from a network: it embeds the displayed pictures, and no others.
-TEST_F(Folders, GiveASelfContainedPage) {
+// The page loads nothing from a network. By default its pictures are files in a folder beside it;
+// with a single file it embeds small ones.
+TEST_F(Folders, GiveAPageThatLoadsNothingFromANetwork) {
+    for (const bool single_file : {false, true}) {
+        ReportPictures shown(folder_ / "report.html", single_file);
+        CompareRequest request{.limits = CompareLimits::exact()};
+        request.seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
+            shown.add(picture, pair);
+        };
+        auto pictures = compare_folders(folder_ / "ref", folder_ / "new", request);
+        const std::string page = html_report("title", pictures, shown);
+        const auto count = [&page](const std::string& part) {
+            int n = 0;
+            for (std::size_t at = 0; (at = page.find(part, at)) != std::string::npos; ++at) ++n;
+            return n;
+        };
+        // Expected and actual of a_little, a_lot and wide, and their differences; gone, extra, and
+        // the expected one of broken. A picture that cannot be read is not embedded.
+        const int n_pictures = 3 * 3 + 1 + 1 + 1;
+        if (single_file) {
+            EXPECT_EQ(count("\":\"data:image/png;base64,"), n_pictures);
+            EXPECT_EQ(count("report_pictures"), 0);
+        } else {
+            EXPECT_EQ(count("\":\"report_pictures/"), n_pictures + 1);
+            EXPECT_EQ(count("data:image/png"), 0);
+            EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "report_pictures").size(), 13u);
+        }
+        for (const char* fetches : {"http://", "https://", "src=\"/", "url(", "@import", "fetch("})
+            EXPECT_EQ(page.find(fetches), std::string::npos) << fetches;
+    }
+}
+
+// A report leaves no picture of an earlier one in its folder, and nobody else's file is touched.
+TEST_F(Folders, GiveAReportWithoutOldPictures) {
+    fs::create_directories(folder_ / "report_pictures");
+    for (const char* name : {"old-expected.png", "old-difference.png", "mine.png", "notes.txt"})
+        std::ofstream(folder_ / "report_pictures" / name) << "text";
+    const ReportPictures shown(folder_ / "report.html", false);
+    EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "report_pictures"),
+              (std::vector<std::string>{"mine.png", "notes.txt"}));
+}
+
+// Regions that are rectangles need no record; a name needs one.
+TEST_F(Folders, IgnoreRegions) {
+    const auto outcome = [this](const char* region) {
+        const ComparedPicture picture =
+            compare_files("a_lot", folder_ / "ref/a_lot.png", folder_ / "new/a_lot.png",
+                          {.gates = {.ignore = {parse_region(region)}}});
+        return std::pair(picture.outcome, picture.reason);
+    };
+    EXPECT_EQ(outcome("0,0,5,5").first, Outcome::pixels);
+    EXPECT_NE(outcome("0,0,5,5").second.find("; 25 pixels ignored (0,0,5,5)"), std::string::npos)
+        << outcome("0,0,5,5").second;
+    EXPECT_EQ(outcome("0%,0%,100%,100%").first, Outcome::region);
+    EXPECT_NE(outcome("0%,0%,100%,100%").second.find("nothing is compared"), std::string::npos);
+    EXPECT_EQ(outcome("clock").first, Outcome::region);
+    EXPECT_NE(outcome("clock").second.find("neither picture has a record"), std::string::npos);
+}
+
+// A measure decides alone unless pixels are limited, too.
+TEST_F(Folders, PassByTheirOwnLimits) {
+    const auto outcome = [this](const Gates& gates) {
+        return compare_files("a_lot", folder_ / "ref/a_lot.png", folder_ / "new/a_lot.png",
+                             {.gates = gates})
+            .outcome;
+    };
+    EXPECT_EQ(outcome({}), Outcome::pixels);
+    EXPECT_EQ(outcome({.max_flip = 0.9}), Outcome::within_limits);
+    EXPECT_EQ(outcome({.max_flip = 1e-6}), Outcome::pixels);
+    EXPECT_EQ(outcome({.max_flip = 0.9, .min_ssim = 0.99999}), Outcome::pixels);
+    EXPECT_EQ(outcome({.max_differing = 0.0, .max_flip = 0.9}), Outcome::pixels);
+    const CompareFile file =
+        parse_compare_file("[[pictures]]\nname = \"a_*\"\nmax_flip = 0.9\n", "f");
+    EXPECT_EQ(
+        compare_files("a_lot", folder_ / "ref/a_lot.png", folder_ / "new/a_lot.png", {.file = file})
+            .outcome,
+        Outcome::within_limits);
+}
+
+// An entry for which there is no picture is a typing error.
+TEST_F(Folders, RefuseACompareFileForOtherPictures) {
+    const CompareFile file =
+        parse_compare_file("[[pictures]]\nname = \"a_litle\"\nmax_flip = 0.9\n", "compare.toml");
+    try {
+        compare_folders(folder_ / "ref", folder_ / "new", {.file = file});
+        ADD_FAILURE();
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "compare.toml:2:8: \"a_litle\" matches none of the 7 pictures; did you mean "
+                  "\"a_little\"?");
+    }
+}
+
+TEST_F(Folders, GiveGitHubAnnotations) {
     auto pictures = compared();
-    const std::string page = html_report("title", pictures);
-    // Expected and actual of a_little, a_lot and wide, and their differences; gone, extra, and
-    // broken's two.
-    int n_embedded = 0;
-    for (std::size_t at = 0; (at = page.find("data:image/png;base64,", at)) != std::string::npos;
-         ++at)
-        ++n_embedded;
-    EXPECT_EQ(n_embedded, 3 * 3 + 1 + 1 + 2);
-    for (const char* fetches : {"http://", "https://", "src=\"/", "url(", "@import", "fetch("})
-        EXPECT_EQ(page.find(fetches), std::string::npos) << fetches;
-    fs::remove(folder_ / "ref/a_lot.png");
-    EXPECT_THROW(html_report("title", pictures), Error);
+    sort_by_severity(pictures);
+    const std::string lines = github_annotations(pictures);
+    EXPECT_EQ(lines.find("::error file="), 0u) << lines;
+    EXPECT_NE(lines.find("title=pixels%3A a_lot::"), std::string::npos) << lines;
+    EXPECT_EQ(std::count(lines.begin(), lines.end(), '\n'), 6);
+    const std::string summary = github_summary("title", pictures);
+    EXPECT_NE(summary.find("7 compared, 6 failed, 1 the same"), std::string::npos) << summary;
+    EXPECT_EQ(summary.find("| same |"), std::string::npos);
+    // GitHub shows ten annotations of a step: the last counts the others.
+    std::vector<ComparedPicture> many(40, pictures.front());
+    const std::string of_many = github_annotations(many);
+    EXPECT_EQ(std::count(of_many.begin(), of_many.end(), '\n'), 10);
+    EXPECT_NE(of_many.find("31 more pictures failed"), std::string::npos);
 }
 
 }  // namespace

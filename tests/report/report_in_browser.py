@@ -25,7 +25,7 @@ const failures = [];
 window.addEventListener("error", event => failures.push(event.message));
 const press = key => document.dispatchEvent(new KeyboardEvent("keydown", { key, bubbles: true, cancelable: true }));
 const names = () => [...document.querySelectorAll("#list .name")].map(item => item.textContent);
-const outcomes = () => [...document.querySelectorAll("#list li")].map(item => item.dataset.outcome);
+const outcomes = () => [...document.querySelectorAll('#list li[role="option"]')].map(item => item.dataset.outcome);
 const chosen = () => document.querySelector('#list li[aria-selected="true"] .name').textContent;
 const cut = () => document.getElementById("above").style.clipPath;
 const wait = ms => new Promise(done => setTimeout(done, ms));
@@ -33,31 +33,34 @@ const pictures = () => Promise.all([...document.images].map(image => image.decod
 
 async function drive() {
     claim("what differs is listed, worst first",
-          outcomes().join() === "missing,size,pixels,unexpected");
+          outcomes().join() === "missing,size,pixels,pixels,unexpected");
     press("a");
-    claim("a shows the same ones, too", outcomes().length === 5 && outcomes()[4] === "same");
+    claim("a shows the same ones, too", outcomes().length === 6 && outcomes()[5] === "same");
     press("a");
-    claim("a hides them again", outcomes().length === 4);
+    claim("a hides them again", outcomes().length === 5);
     claim("the first is chosen", chosen() === names()[0]);
     press("j"); press("j");
     claim("j goes on", chosen() === names()[2] && document.getElementById("name").textContent === names()[2]);
     press("k"); press("ArrowDown");
     claim("k goes back", chosen() === names()[2]);
     for (let i = 0; i < 9; ++i) press("j");
-    claim("j stops at the last", chosen() === names()[3]);
-    document.querySelectorAll("#list li")[2].click();
+    claim("j stops at the last", chosen() === names()[4]);
+    document.querySelectorAll('#list li[role="option"]')[2].click();
     claim("a click chooses", chosen() === names()[2]);
 
     await pictures();
-    claim("side by side shows three pictures",
-          document.images.length === 3 && [...document.images].every(image => image.naturalWidth > 0));
+    claim("side by side shows expected, the difference over actual, actual",
+          document.images.length === 4 && [...document.images].every(image => image.naturalWidth > 0));
     const captions = [...document.querySelectorAll("figcaption")].map(caption => caption.textContent);
-    claim("they are named", captions.join() === "expected,difference × 16,actual");
+    claim("the picture is seen below the difference",
+          getComputedStyle(document.querySelectorAll("#stage .pair img")[1]).backgroundImage === "none");
+    claim("they are named", captions.join() === "expected,difference,actual");
     const width = parseFloat(document.images[0].style.width);
     press("+");
     await pictures();
-    await wait(50);
-    claim("+ doubles the size", parseFloat(document.images[0].style.width) === 2 * width);
+    const is_doubled = () => parseFloat(document.images[0].style.width) === 2 * width;
+    for (let i = 0; i < 200 && !is_doubled(); ++i) await wait(25);
+    claim("+ doubles the size", is_doubled());
     press("-");
 
     press("2");
@@ -92,18 +95,32 @@ async function drive() {
     press("5");
     await pictures();
     claim("5 shows the difference alone", document.images.length === 1 && slider.hidden);
+    press("6");
+    await pictures();
+    claim("6 lays the difference over the picture",
+          document.images.length === 2 && document.querySelector(".pair.laid") && !document.getElementById("above"));
     press("1");
     document.dispatchEvent(new KeyboardEvent("keydown", { key: "5", ctrlKey: true }));
     claim("keys of the browser are left alone", document.body.dataset.mode === "side by side");
 
     press("k");
-    claim("sizes that differ are shown side by side", names()[1] === chosen() && document.images.length === 3);
+    claim("sizes that differ are shown side by side", names()[1] === chosen() && document.images.length === 4);
     press("k"); press("2");
     claim("a missing picture has one to show", document.images.length === 1);
+    claim("what cannot be approved has no command", getComputedStyle(document.getElementById("approve")).display === "none");
+
+    press("j"); press("j"); press("j"); press("1");
+    const changes = [...document.querySelectorAll("#changes li")].map(item => item.textContent);
+    claim("what changed is said first: " + changes.join(), changes.some(line => line.includes("→")));
+    const approve = document.querySelector("#approve code").textContent;
+    claim("the command that approves is quoted: " + approve,
+          approve.startsWith("poinsot approve 'turned<b>' --results ") && approve.includes(" --baselines "));
+    claim("like changes are one group",
+          [...document.querySelectorAll("#list .group")].map(item => item.firstChild.textContent).join() === GROUPS);
 
     claim("a name is text, not a part of the page", !document.querySelector("main b, nav b"));
     claim("nothing is fetched",
-          performance.getEntriesByType("resource").every(entry => entry.name.startsWith("data:")));
+          performance.getEntriesByType("resource").every(entry => /^(data|file):/.test(entry.name)));
     claim("nothing went wrong: " + failures.join(), failures.length === 0);
 }
 drive().catch(error => claim("the driver ran to its end: " + error, false)).finally(() => {
@@ -124,6 +141,8 @@ def make_pictures(program, expected, actual):
     shutil.copy(expected / "same.png", expected / "gone.png")
     shutil.copy(expected / "same.png", expected / "turned<b>.png")
     draw(actual / "turned<b>.png", *small, "--time", "0.7")
+    shutil.copy(expected / "same.png", expected / "also turned.png")
+    shutil.copy(actual / "turned<b>.png", actual / "also turned.png")
     shutil.copy(expected / "same.png", expected / "wide.png")
     draw(actual / "wide.png", "--size", "160x72")
     shutil.copy(expected / "same.png", actual / "new.png")
@@ -142,22 +161,31 @@ def main():
         (folder / "actual").mkdir()
         make_pictures(program, folder / "expected", folder / "actual")
         page = folder / "report.html"
-        compared = subprocess.run([program, "compare", str(folder / "expected"), str(folder / "actual"),
-                                   "--report", str(page)], capture_output=True)
-        if compared.returncode != 1:
-            print(f"compare: exit {compared.returncode}, not 1: {compared.stderr.decode()}")
-            return 1
-        page.write_text(page.read_text().replace("</body>", DRIVER + "</body>"))
-        found = None
-        for start in range(3):
-            shown = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu",
-                                    "--virtual-time-budget=20000", f"--user-data-dir={folder / f'profile{start}'}",
-                                    "--dump-dom", page.as_uri()], capture_output=True, timeout=120).stdout.decode()
-            found = re.search(r'<pre id="claims">(.+?)</pre>', shown, re.DOTALL)
-            if found:
-                break
-            # A browser that does not start is no test of the page.
-            print(f"start {start + 1}: the browser did not run the page to its end")
+        for options in ([], ["--single-file"]):
+            compared = subprocess.run([program, "compare", str(folder / "expected"), str(folder / "actual"),
+                                       "--report", str(page), *options], capture_output=True)
+            if compared.returncode != 1:
+                print(f"compare: exit {compared.returncode}, not 1: {compared.stderr.decode()}")
+                return 1
+            driver = DRIVER.replace("GROUPS", '"2 pictures: pixels"')
+            page.write_text(page.read_text().replace("</body>", driver + "</body>"))
+            if show(browser, folder, page) != 0:
+                return 1
+    return 0
+
+
+def show(browser, folder, page):
+    """Runs the page with the driver, prints its claims; 0 if all hold."""
+    found = None
+    for start in range(3):
+        shown = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu",
+                                "--virtual-time-budget=20000", f"--user-data-dir={folder / f'profile{start}'}",
+                                "--dump-dom", page.as_uri()], capture_output=True, timeout=120).stdout.decode()
+        found = re.search(r'<pre id="claims">(.+?)</pre>', shown, re.DOTALL)
+        if found:
+            break
+        # A browser that does not start is no test of the page.
+        print(f"start {start + 1}: the browser did not run the page to its end")
     claims = json.loads(html.unescape(found.group(1))) if found else []
     for name, holds in claims:
         print("holds" if holds else "FAILS", name)

@@ -33,7 +33,7 @@ TEST(Latex, ConvertsLabelsToLatexCommands) {
     EXPECT_EQ(label("\\dot\\theta"), "$\\displaystyle \\dot{\\theta }$");
     EXPECT_EQ(label("\\left(x\\right)"), "$\\displaystyle \\left( x\\right) $");
     EXPECT_EQ(label("\\begin{pmatrix} 1 & -2 \\\\ x & 0 \\\\ \\end{pmatrix}"),
-              "$\\displaystyle \\left( \\begin{array}{cc}1 & -2\\\\ x & 0\\end{array}\\right) $");
+              "$\\displaystyle \\left( \\begin{array}{cc}1 & -2\\\\{} x & 0\\end{array}\\right) $");
 }
 
 TEST(Latex, UnicodeAndCommandsAreEquivalent) {

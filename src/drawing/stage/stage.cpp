@@ -204,12 +204,8 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
             view.background.alpha = 0.0;
         }
         rules.halo_px = 4.0 * panel.px;
-        for (const LeftOutLabel& label : place_labels(builder.requests, rules, view)) {
-            if (label.is_covered && is_on_paper(context))
-                throw InputError(
-                    "the picture is too small for its labels: they would overlap; make it larger, "
-                    "or show fewer elements");
-            if (const std::string_view of = name_of_label(label.name); !of.empty())
+        for (const ShapeName& label : place_labels(builder.requests, rules, view)) {
+            if (const std::string_view of = name_of_label(label); !of.empty())
                 drawing.unnamed.push_back(of);
         }
         for (const std::string_view name :

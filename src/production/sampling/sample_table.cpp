@@ -88,9 +88,64 @@ void write_npy(const SampleTable& table, const WriteBytes& write) {
     write({reinterpret_cast<const char*>(bytes.data()), bytes.size()});
 }
 
-constexpr std::array<TableFormat, 3> formats{{
+// The column of a heading; throws InputError if the table has none.
+std::size_t column_for_keyframes(const SampleTable& table, std::string_view heading) {
+    const auto found = std::find(table.headings.begin(), table.headings.end(), heading);
+    if (found == table.headings.end())
+        throw InputError(fmt::format(
+            "a .json file holds keyframes, which need {}; leave out --columns, or add time and "
+            "space_from_body",
+            heading));
+    return static_cast<std::size_t>(found - table.headings.begin());
+}
+
+// The attitude as keyframes in the JSON that three.js's AnimationClip.parse reads: a track of
+// quaternions x, y, z, w. The motion's quaternions do not change their sign between instants, so
+// that programs that interpolate the components take the short way.
+void write_keyframes(const SampleTable& table, const WriteBytes& write) {
+    const std::size_t width = table.headings.size();
+    const std::size_t time = column_for_keyframes(table, "time_s");
+    std::array<std::size_t, 4> q{};
+    constexpr std::array<std::string_view, 4> names{"q_x", "q_y", "q_z", "q_w"};
+    for (std::size_t k = 0; k < 4; ++k) q[k] = column_for_keyframes(table, names[k]);
+    const auto value = [&](std::size_t row, std::size_t column) {
+        return table.values[row * width + column];
+    };
+    for (std::size_t row = 1; row < table.n_rows(); ++row)
+        if (!(value(row, time) > value(row - 1, time)))
+            throw InputError(fmt::format(
+                "keyframes stand in order of time, but {:g} s comes after {:g} s; sort --times",
+                value(row, time), value(row - 1, time)));
+    std::string text = "{\"name\": \"motion\", \"duration\": ";
+    append_number(text, table.n_rows() > 0 ? value(table.n_rows() - 1, time) : 0.0);
+    text += ", \"tracks\": [{\"name\": \".quaternion\", \"type\": \"quaternion\", \"times\": [";
+    const auto flush = [&](std::size_t least) {
+        if (text.size() < least) return;
+        write(text);
+        text.clear();
+    };
+    for (std::size_t row = 0; row < table.n_rows(); ++row) {
+        if (row > 0) text += ",";
+        append_number(text, value(row, time));
+        flush(block_bytes);
+    }
+    text += "], \"values\": [";
+    for (std::size_t row = 0; row < table.n_rows(); ++row) {
+        for (std::size_t k = 0; k < 4; ++k) {
+            if (row + k > 0) text += ",";
+            append_number(text, value(row, q[k]));
+        }
+        flush(block_bytes);
+    }
+    text += "]}]}\n";
+    flush(0);
+}
+
+constexpr std::array<TableFormat, 4> formats{{
     {"csv", ".csv", "one line per instant, numbers separated by commas", write_csv},
     {"jsonl", ".jsonl", "one JSON object per line", write_json_lines},
+    {"json", ".json", "the attitude as keyframes, which three.js and Blender read",
+     write_keyframes},
     {"npy", ".npy", "a NumPy array whose fields are the columns", write_npy},
 }};
 

@@ -56,7 +56,7 @@ class CachedCurvePass {
         CurveLayer* layer;
         SeenSegment last;  // the segment that is not cached
         StrokeEnds ends;   // the same segment for the shader
-        DashPattern dashes;
+        StrokeDashes dashes;
     };
     CurveLayer& layer_of(const TraceKey& key);
     void grow(const Shown& shown, int end_segment, CurveStore& store);

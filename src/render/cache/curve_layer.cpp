@@ -32,7 +32,7 @@ void KeptTextures::bind() const {
     glActiveTexture(GL_TEXTURE0);
 }
 
-TraceKey::TraceKey(const ViewScene& scene, const Curve& curve, const DashPattern& shown_dashes)
+TraceKey::TraceKey(const ViewScene& scene, const Curve& curve, const StrokeDashes& shown_dashes)
     : geometry(curve.geometry->id),
       camera(scene.view->camera),
       view(box_of(scene.projection)),

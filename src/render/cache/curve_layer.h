@@ -20,11 +20,11 @@ struct TraceKey {
                                                         // curve lies
     Eigen::Vector3d surface_centre = Eigen::Vector3d::Zero();
     double stroke_px = 0.0;
-    DashPattern dashes;
+    StrokeDashes dashes;
     double first = 0.0;  // first point drawn
 
     TraceKey() = default;
-    TraceKey(const ViewScene& scene, const Curve& curve, const DashPattern& shown_dashes);
+    TraceKey(const ViewScene& scene, const Curve& curve, const StrokeDashes& shown_dashes);
     bool operator==(const TraceKey& other) const;
 };
 

@@ -57,7 +57,8 @@ ArrowShape shape_of(const Projection& p, const Camera& camera, const Arrow& arro
 }
 
 // Rectangles along the arrow's axis, in pixels from the tail. The shaft's rectangle ends where the
-// head's begins, so that no pixel is in both.
+// head's begins; the head's has the ends of their common edge among its corners, so that no pixel
+// is in both, however corners are rounded.
 struct ArrowFrame {
     Eigen::Vector2d origin, along, across;
     double start, head_start, end;
@@ -77,25 +78,32 @@ struct ArrowFrame {
         head_start = neck - shape.open * head - margin;
         end = std::max(run.norm(), neck + shape.open * head) + margin;
     }
-    PixelPolygon rectangle(double from, double to, double reach) const {
-        PixelPolygon polygon;
-        if (from >= to) return polygon;
-        polygon.add(origin + from * along - reach * across);
-        polygon.add(origin + to * along - reach * across);
-        polygon.add(origin + to * along + reach * across);
-        polygon.add(origin + from * along + reach * across);
-        return polygon;
+    Eigen::Vector2d corner(double at, double aside) const {
+        return origin + at * along + aside * across;
     }
 };
 
 PixelPolygon shaft_polygon(const ArrowShape& shape) {
     const ArrowFrame frame(shape);
-    return frame.rectangle(frame.start, frame.head_start, frame.shaft_reach);
+    PixelPolygon polygon;
+    if (frame.start >= frame.head_start) return polygon;
+    polygon.add(frame.corner(frame.start, -frame.shaft_reach));
+    polygon.add(frame.corner(frame.head_start, -frame.shaft_reach));
+    polygon.add(frame.corner(frame.head_start, frame.shaft_reach));
+    polygon.add(frame.corner(frame.start, frame.shaft_reach));
+    return polygon;
 }
 
 PixelPolygon head_polygon(const ArrowShape& shape) {
     const ArrowFrame frame(shape);
-    return frame.rectangle(frame.head_start, frame.end, frame.head_reach);
+    PixelPolygon polygon;
+    if (frame.head_start >= frame.end) return polygon;
+    polygon.add(frame.corner(frame.end, -frame.head_reach));
+    polygon.add(frame.corner(frame.end, frame.head_reach));
+    for (const double aside :
+         {frame.head_reach, frame.shaft_reach, -frame.shaft_reach, -frame.head_reach})
+        polygon.add(frame.corner(frame.head_start, aside));
+    return polygon;
 }
 
 Eigen::Vector4f ends(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {

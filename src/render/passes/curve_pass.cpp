@@ -22,7 +22,7 @@ const CurvePass::Stroke& CurvePass::program_for(const ViewScene& scene, const Cu
 }
 
 Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve,
-                                  const DashPattern& dashes, const CurveLayer* layer) {
+                                  const StrokeDashes& dashes, const CurveLayer* layer) {
     const Quadric* surface = surface_of(scene, curve);
     Constants constants;
     scene.add_view(constants);
@@ -53,7 +53,7 @@ Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve,
 
 void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& store) {
     if (!shows(curve)) return;
-    const DashPattern dashes = dashes_of(scene, curve, store.of(*curve.geometry).length);
+    const StrokeDashes dashes = dashes_of(scene, curve, store.of(*curve.geometry).length);
     const Constants constants = constants_of(scene, curve, dashes, nullptr);
     none_.bind();
     glEnable(GL_DEPTH_TEST);
@@ -62,7 +62,7 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& sto
     glDisable(GL_DEPTH_TEST);
 }
 
-void CurvePass::draw_kept(const ViewScene& scene, const Curve& curve, const DashPattern& dashes,
+void CurvePass::draw_kept(const ViewScene& scene, const Curve& curve, const StrokeDashes& dashes,
                           const StrokeEnds& ends, const CurveLayer& layer,
                           const std::vector<PixelRect>& rects, CurveStore& store) {
     const Constants constants = constants_of(scene, curve, dashes, &layer);

@@ -12,7 +12,7 @@ class CurvePass {
  public:
     void draw(const ViewScene& scene, const Curve& curve, CurveStore& store);
     // Draws the end of a curve, and its cached part from a layer, on these rectangles.
-    void draw_kept(const ViewScene& scene, const Curve& curve, const DashPattern& dashes,
+    void draw_kept(const ViewScene& scene, const Curve& curve, const StrokeDashes& dashes,
                    const StrokeEnds& ends, const CurveLayer& layer,
                    const std::vector<PixelRect>& rects, CurveStore& store);
     // Marks the tiles that the curve may touch.
@@ -25,7 +25,7 @@ class CurvePass {
     };
     const Stroke& program_for(const ViewScene& scene, const Curve& curve);
     // layer: the cached part of the curve, or null.
-    Constants constants_of(const ViewScene& scene, const Curve& curve, const DashPattern& dashes,
+    Constants constants_of(const ViewScene& scene, const Curve& curve, const StrokeDashes& dashes,
                            const CurveLayer* layer);
 
     BySolids<Stroke> strokes_;

@@ -30,7 +30,7 @@ bool shows(const Curve& curve) {
            !range_of(curve).empty();
 }
 
-DashPattern dashes_of(const ViewScene& scene, const Curve& curve, double length) {
+StrokeDashes dashes_of(const ViewScene& scene, const Curve& curve, double length) {
     // Lengths apply at the depth of the camera's target; a closed curve has a whole number of
     // dashes.
     const Projection& p = scene.projection;

@@ -24,12 +24,12 @@ bool shows(const Curve& curve);
 
 // Dashes as in shaders/stroke.glsl: period in lengths of the curve (0: solid; below 0: dashed only
 // where hidden), and the drawn share of the period.
-struct DashPattern {
+struct StrokeDashes {
     double period = 0.0, share = 1.0;
-    bool operator==(const DashPattern&) const = default;
+    bool operator==(const StrokeDashes&) const = default;
 };
 // length: of the whole curve.
-DashPattern dashes_of(const ViewScene& scene, const Curve& curve, double length);
+StrokeDashes dashes_of(const ViewScene& scene, const Curve& curve, double length);
 
 // The ellipsoid on which the curve lies, if it hides other objects; else null.
 const Quadric* surface_of(const ViewScene& scene, const Curve& curve);

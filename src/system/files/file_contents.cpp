@@ -91,6 +91,19 @@ std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path) {
     return contents_of<std::vector<std::uint8_t>>(path, to_the_end);
 }
 
+void read_pieces(const std::filesystem::path& path,
+                 const std::function<void(std::string_view piece)>& take) {
+    const InputFile file(path);
+    std::string piece(1 << 20, '\0');
+    while (true) {
+        const ssize_t n = ::read(file.descriptor(), piece.data(), piece.size());
+        if (n < 0 && errno == EINTR) continue;
+        if (n < 0) throw_read_error(path, errno);
+        if (n == 0) return;
+        take(std::string_view(piece).substr(0, static_cast<std::size_t>(n)));
+    }
+}
+
 std::string read_beginning(const std::filesystem::path& path, std::size_t n_bytes) {
     return contents_of<std::string>(path, n_bytes);
 }

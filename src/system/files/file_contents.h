@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +31,11 @@ class InputFile {
 // The whole file. Throw as InputFile does, and EnvironmentError where reading fails.
 std::string read_text(const std::filesystem::path& path);
 std::vector<std::uint8_t> read_bytes(const std::filesystem::path& path);
+
+// The whole file in pieces, in order, so that a file of any size takes little memory. Throws as
+// read_text does.
+void read_pieces(const std::filesystem::path& path,
+                 const std::function<void(std::string_view piece)>& take);
 
 // Its first bytes, all of them where it has fewer. Throws as read_text does.
 std::string read_beginning(const std::filesystem::path& path, std::size_t n_bytes);

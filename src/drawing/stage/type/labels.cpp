@@ -245,9 +245,9 @@ void add_leader_of(const LabelRequest& request, const Label& label, double befor
 
 }  // namespace
 
-std::vector<LeftOutLabel> place_labels(const std::vector<LabelRequest>& requests,
-                                       const LabelRules& rules, View& view) {
-    std::vector<LeftOutLabel> left_out;
+std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
+                                    const LabelRules& rules, View& view) {
+    std::vector<ShapeName> left_out;
     const std::vector<Shaft> shafts = shafts_of(view);
     // What labels are moved off: text that is placed already.
     std::vector<LabelBox> fixed = rules.overlays;
@@ -328,13 +328,11 @@ std::vector<LeftOutLabel> place_labels(const std::vector<LabelRequest>& requests
                 placed.distance(core) / (0.3 * shaft.head.half_px.y()) + (is_own ? 1.0 : 0.0);
             label.opacity *= 1.0 - shaft.opacity * (1.0 - smooth_step(clearance));
         }
-        bool is_covered = false;
         for (const LabelBox& other : fixed) {
             label.opacity *= 1.0 - other.opacity * smooth_step(-placed.distance(other) /
                                                                (0.2 * boxes[i].half_px.y()));
-            is_covered = is_covered || (other.opacity > 0.5 && placed.shared_with(other) > 0.5);
         }
-        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back({requests[i].name, is_covered});
+        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back(requests[i].name);
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
         fixed.push_back(label_box(label));

@@ -143,18 +143,12 @@ struct LabelRules {
     const CurveGeometry* segment = nullptr;
     std::vector<LabelBox> overlays{};
 };
-// A label that fades out, because there is no room for it beside arrowheads and other labels.
-struct LeftOutLabel {
-    ShapeName name;
-    bool is_covered = false;  // more than half of it or of another label would be covered
-};
-
 // Adds the requested labels to the view: each is placed, moved off the shafts of arrows that it
 // does not name, moved apart from labels that it overlaps and off the text in `overlays` and in the
 // view, and kept inside the view. Labels that end up away from their requested position get
 // leaders: lines along `segment` (from the origin to x; null: no leaders). Returns the
-// labels that fade out.
-std::vector<LeftOutLabel> place_labels(const std::vector<LabelRequest>& requests,
-                                       const LabelRules& rules, View& view);
+// names of those that fade out because there is no room beside arrowheads and other labels.
+std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
+                                    const LabelRules& rules, View& view);
 
 }  // namespace poinsot

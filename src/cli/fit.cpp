@@ -1,0 +1,149 @@
+// poinsot fit DATA.csv: the body and the motion behind a measured ω(t).
+#include "measured/fit.h"
+
+#include <fmt/format.h>
+
+#include <filesystem>
+
+#include "cli/command.h"
+#include "cli/options.h"
+#include "error/error.h"
+#include "measured/files/measured_file.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_kind.h"
+#include "text/json_text.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+struct FitChoices {
+    std::vector<std::string> files;
+    std::string output;
+    bool json = false;
+};
+
+std::string with_sd(double value, double sd) { return fmt::format("{:.4g} ± {:.2g}", value, sd); }
+
+// Whether moments of a body can be so: none is larger than the sum of the others.
+bool is_possible(const FittedMotion& fit) {
+    return fit.moments[1] + fit.moments[2] >= fit.moments[0];
+}
+
+std::string json_of(const FittedMotion& fit) {
+    const auto list = [](const Eigen::Vector3d& v) { return json_numbers(v[0], v[1], v[2]); };
+    const auto axis = [&fit, &list](int k) { return list(fit.instrument_from_principal.col(k)); };
+    JsonObject answer;
+    answer.add("rows", fit.n_rows).add("first_time_s", fit.first_time_s);
+    answer.json("moments", list(fit.moments)).json("moments_sd", list(fit.moments_sd));
+    answer.json("axes", json_list(std::vector<std::string>{axis(0), axis(1), axis(2)}));
+    answer.json("axes_sd_rad", list(fit.axes_sd_rad));
+    answer.json("omega_rad_s", list(fit.omega_rad_s))
+        .json("omega_sd_rad_s", list(fit.omega_sd_rad_s));
+    answer.add("damping_1_s", fit.damping_1_s).add("damping_sd_1_s", fit.damping_sd_1_s);
+    answer.add("residual_rad_s", fit.residual_rad_s);
+    return answer.lines();
+}
+
+// What was found, a line each: for the console, and as comments of the scene.
+std::vector<std::string> words_of(const FittedMotion& fit) {
+    const auto& m = fit.moments;
+    std::vector<std::string> lines{fmt::format("I2/I1 = {}, I3/I1 = {} (standard deviations)",
+                                               with_sd(m[1], fit.moments_sd[1]),
+                                               with_sd(m[2], fit.moments_sd[2]))};
+    for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d e = fit.instrument_from_principal.col(k);
+        lines.push_back(fmt::format("e{} = ({:.4f}, {:.4f}, {:.4f}) in the instrument's axes",
+                                    k + 1, e[0], e[1], e[2]));
+    }
+    lines.push_back(fmt::format("axes uncertain by {:.2g}, {:.2g}, {:.2g} rad about e1, e2, e3",
+                                fit.axes_sd_rad[0], fit.axes_sd_rad[1], fit.axes_sd_rad[2]));
+    lines.push_back(fmt::format("ω at {:g} s = ({}, {}, {}) rad/s", fit.first_time_s,
+                                with_sd(fit.omega_rad_s[0], fit.omega_sd_rad_s[0]),
+                                with_sd(fit.omega_rad_s[1], fit.omega_sd_rad_s[1]),
+                                with_sd(fit.omega_rad_s[2], fit.omega_sd_rad_s[2])));
+    lines.push_back(
+        fmt::format("damping of L: {} 1/s", with_sd(fit.damping_1_s, fit.damping_sd_1_s)));
+    lines.push_back(
+        fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
+    if (!is_possible(fit))
+        lines.push_back(
+            fmt::format("note: I1 > I2 + I3 by {:.2g}, which no rigid body has: look at the noise, "
+                        "the units and the time that was cut out",
+                        1.0 - m[1] - m[2]));
+    return lines;
+}
+
+// A scene of the fitted motion. ω(t) tells moments up to a common factor only: I1 = 1 kg m².
+std::string scene_of(const FittedMotion& fit, const std::filesystem::path& file, double span_s) {
+    std::string text = fmt::format("# Fitted to {}.\n", file.filename().string());
+    for (const std::string& line : words_of(fit)) text += fmt::format("# {}\n", line);
+    const Eigen::Matrix3d tensor = fit.tensor();
+    const auto symmetric = [&tensor](int i, int j) {
+        return tensor(std::min(i, j), std::max(i, j));
+    };
+    text += "\n[body]\ntensor_kg_m2 = [";
+    for (int i = 0; i < 3; ++i)
+        text += fmt::format("{}[{:.17g}, {:.17g}, {:.17g}]", i > 0 ? ", " : "", symmetric(i, 0),
+                            symmetric(i, 1), symmetric(i, 2));
+    text += fmt::format(
+        "]  # I1 = 1: a common factor cannot be measured so\n{}\n[start]\n"
+        "omega_rad_s = [{:.17g}, {:.17g}, {:.17g}]  # at {:g} s of the table\n\n[film]\nduration_s "
+        "= {:.6g}\n",
+        is_possible(fit) ? "" : "allow_unphysical = true\n", fit.omega_rad_s[0], fit.omega_rad_s[1],
+        fit.omega_rad_s[2], fit.first_time_s, span_s);
+    return text;
+}
+
+int run(const FitChoices& choices) {
+    const std::filesystem::path file = choices.files.at(0);
+    if (!choices.output.empty() && suffix_of(choices.output) != ".toml")
+        throw InputError(fmt::format("-o {}: the output is a scene; end its name in .toml",
+                                     printable(choices.output)));
+    const MeasuredMotion measured = load_measured(file);
+    if (!measured.has_omega)
+        throw InputError(
+            fmt::format("{}: the table has no ω; name columns omega_x, omega_y, omega_z",
+                        printable(file.string())));
+    FittedMotion fit;
+    try {
+        fit = fit_motion(measured.rows);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("{}: {}", printable(file.string()), error.what()));
+    }
+    if (!choices.output.empty())
+        write_whole(
+            choices.output,
+            scene_of(fit, file, measured.rows.back().time_s - measured.rows.front().time_s));
+    if (choices.json) {
+        fmt::print("{}", json_of(fit));
+        return 0;
+    }
+    for (const std::string& line : words_of(fit)) fmt::print("{}\n", line);
+    if (!choices.output.empty()) fmt::print("{}\n", printable(choices.output));
+    return 0;
+}
+
+CommandLine fit_line(std::any& storage) {
+    auto& c = storage.emplace<FitChoices>();
+    return {&c.files,
+            {output_option(c.output, "FILE.toml: write a scene of the fitted body and motion"),
+             json_option(c.json)},
+            [&c] { return run(c); }};
+}
+
+}  // namespace
+
+extern const Command fit_command{
+    "fit",
+    "DATA.csv",
+    1,
+    1,
+    "find the body behind a measured ω(t): ratios of moments, principal axes, start and damping",
+    fit_line,
+    {{{"poinsot fit gyro.csv",
+       "prints what a gyroscope's table says about the body, with uncertainties"},
+      {"poinsot fit gyro.csv -o thrown.toml", "also writes a scene of that body and its motion"}}}};
+
+}  // namespace poinsot

@@ -1,0 +1,420 @@
+#include "measured/fit.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Dense>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <utility>
+#include <vector>
+
+#include "error/error.h"
+#include "mechanics/free/free_rotation.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr std::size_t most_rows = 20'000;
+constexpr std::size_t least_rows = 30;
+
+// What is fitted: five components of the logarithm of the tensor, which has no trace, so that every
+// value is a positive tensor of determinant 1; ω at the first instant; the damping.
+constexpr int n_parameters = 9;
+using Parameters = Eigen::Matrix<double, n_parameters, 1>;
+
+using Tensor = Eigen::Matrix3d;
+const std::array<Tensor, 5>& shapes() {
+    static const std::array<Tensor, 5> all = [] {
+        std::array<Tensor, 5> made;
+        const double half = std::sqrt(0.5);
+        made[0] = Eigen::Vector3d(half, -half, 0.0).asDiagonal();
+        made[1] = Eigen::Vector3d(1.0, 1.0, -2.0).asDiagonal();
+        made[1] /= std::sqrt(6.0);
+        for (int k = 0; k < 3; ++k) {
+            Tensor& off = made[2U + static_cast<std::size_t>(k)];
+            off.setZero();
+            off((k + 1) % 3, (k + 2) % 3) = off((k + 2) % 3, (k + 1) % 3) = half;
+        }
+        return made;
+    }();
+    return all;
+}
+
+// f of the eigenvalues of a symmetric tensor.
+template <typename Function>
+Tensor mapped(const Tensor& tensor, Function f) {
+    const Eigen::SelfAdjointEigenSolver<Tensor> eigen(tensor);
+    const Tensor made = eigen.eigenvectors() * eigen.eigenvalues().unaryExpr(f).asDiagonal() *
+                        eigen.eigenvectors().transpose();
+    return 0.5 * (made + made.transpose());  // symmetric to the last bit
+}
+
+Tensor tensor_of(const Parameters& p) {
+    Tensor logarithm = Tensor::Zero();
+    for (int k = 0; k < 5; ++k) logarithm += p[k] * shapes()[static_cast<std::size_t>(k)];
+    return mapped(logarithm, [](double x) { return std::exp(x); });
+}
+
+Parameters parameters_of(const Tensor& tensor, const Eigen::Vector3d& omega, double damping) {
+    const Tensor logarithm = mapped(tensor, [](double x) { return std::log(x); });
+    Parameters p;
+    for (int k = 0; k < 5; ++k)
+        p[k] = logarithm.cwiseProduct(shapes()[static_cast<std::size_t>(k)]).sum();
+    p.segment<3>(5) = omega;
+    p[8] = damping;
+    return p;
+}
+
+// The time that a free motion takes for what the damped one does in t, over it: (1 − e^(−γt))/(γt).
+double slowed(double damping, double t) {
+    const double x = damping * t;
+    return std::abs(x) < 1e-12 ? 1.0 : -std::expm1(-x) / x;
+}
+
+// The damped motion of some parameters.
+class Model {
+ public:
+    explicit Model(const Parameters& p)
+        : free_(InertiaTensor::from_matrix(tensor_of(p), Physicality::waived),
+                RotationState{0.0, Eigen::Quaterniond::Identity(), p.segment<3>(5)}),
+          damping_(p[8]) {}
+
+    // `t`: since the first row.
+    Eigen::Vector3d omega(double t) const {
+        const Quantities omega_alone{.attitude = false};
+        return std::exp(-damping_ * t) *
+               free_.sample(t * slowed(damping_, t), omega_alone).state.omega_body;
+    }
+
+ private:
+    FreeRotation free_;
+    double damping_;
+};
+
+// Model less measurement, three components a row.
+struct Residuals {
+    std::span<const MeasuredRow> rows;
+
+    Eigen::Index n_values() const { return static_cast<Eigen::Index>(3 * rows.size()); }
+
+    Eigen::VectorXd at(const Parameters& p) const {
+        Eigen::VectorXd out(n_values());
+        const Model model(p);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            out.segment<3>(static_cast<Eigen::Index>(3 * i)) =
+                model.omega(rows[i].time_s - rows.front().time_s) - rows[i].omega_body;
+        return out;
+    }
+    // Central differences: the model is smooth, and exact to rounding.
+    Eigen::MatrixXd jacobian_at(const Parameters& p) const {
+        Eigen::MatrixXd jacobian(n_values(), n_parameters);
+        const double rate = p.segment<3>(5).norm();
+        for (int k = 0; k < n_parameters; ++k) {
+            const double step = 1e-6 * (k < 5 ? 1.0 : k < 8 ? rate : 1.0 / span_s());
+            Parameters above = p, below = p;
+            above[k] += step;
+            below[k] -= step;
+            jacobian.col(k) = (at(above) - at(below)) / (2.0 * step);
+        }
+        return jacobian;
+    }
+    double span_s() const { return rows.back().time_s - rows.front().time_s; }
+};
+
+double rate_of(std::span<const MeasuredRow> rows) {
+    double sum = 0.0;
+    for (const MeasuredRow& row : rows) sum += row.omega_body.squaredNorm();
+    return std::sqrt(sum / static_cast<double>(rows.size()));
+}
+
+// A first tensor from Euler's equations, integrated over windows of this angle: J(ω_b − ω_a) +
+// ∫ ω × Jω dt = 0 is linear in J, so that J is the smallest singular vector. With damping, the same
+// holds for e^(γt) ω in the time (1 − e^(−γt))/γ. Returns the share of the rest, too.
+std::pair<Tensor, double> first_tensor(std::span<const MeasuredRow> rows, double damping,
+                                       double window_rad) {
+    using Row = Eigen::Matrix<double, 3, 6>;
+    constexpr std::array<std::array<int, 2>, 6> places{
+        {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
+    std::array<Tensor, 6> basis;
+    for (std::size_t k = 0; k < 6; ++k) {
+        basis[k].setZero();
+        basis[k](places[k][0], places[k][1]) = basis[k](places[k][1], places[k][0]) = 1.0;
+    }
+    const double start = rows.front().time_s;
+    std::vector<Row> sums(rows.size(), Row::Zero()), ends(rows.size());
+    std::vector<double> times(rows.size());
+    Row before = Row::Zero();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double t = rows[i].time_s - start;
+        times[i] = t * slowed(damping, t);
+        const Eigen::Vector3d omega = std::exp(damping * t) * rows[i].omega_body;
+        Row turning;
+        for (int k = 0; k < 6; ++k) {
+            const Eigen::Vector3d momentum = basis[static_cast<std::size_t>(k)] * omega;
+            ends[i].col(k) = momentum;
+            turning.col(k) = omega.cross(momentum);
+        }
+        if (i > 0) sums[i] = sums[i - 1] + 0.5 * (times[i] - times[i - 1]) * (turning + before);
+        before = turning;
+    }
+    const double window = window_rad / rate_of(rows);
+    Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
+    std::size_t b = 0;
+    for (std::size_t a = 0; a < rows.size(); ++a) {
+        while (b < rows.size() && times[b] - times[a] < window) ++b;
+        if (b == rows.size()) break;
+        const Row row = ends[b] - ends[a] + sums[b] - sums[a];
+        normal += row.transpose() * row;
+    }
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(normal);
+    Tensor tensor = Tensor::Zero();
+    for (int k = 0; k < 6; ++k)
+        tensor += eigen.eigenvectors()(k, 0) * basis[static_cast<std::size_t>(k)];
+    if (tensor.trace() < 0.0) tensor = -tensor;
+    const double largest = Eigen::SelfAdjointEigenSolver<Tensor>(tensor).eigenvalues().maxCoeff();
+    // Noise may make a moment negative.
+    tensor = mapped(tensor / largest, [](double x) { return std::max(x, 0.05); });
+    return {tensor, eigen.eigenvalues()[0] / std::max(normal.trace(), 1e-300)};
+}
+
+// As Eigen's Levenberg–Marquardt method, which is MINPACK's, wants them.
+struct LeastSquares {
+    using Scalar = double;
+    enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+    using InputType = Eigen::VectorXd;
+    using ValueType = Eigen::VectorXd;
+    using JacobianType = Eigen::MatrixXd;
+
+    Residuals residuals;
+
+    int inputs() const { return n_parameters; }
+    int values() const { return static_cast<int>(residuals.n_values()); }
+    int operator()(const Eigen::VectorXd& p, Eigen::VectorXd& out) const {
+        // Far from any tensor the exponential overflows.
+        constexpr double far_off = 1e9, most_logarithm = 20.0;
+        if (p.allFinite() && p.head<5>().cwiseAbs().maxCoeff() < most_logarithm)
+            out = residuals.at(p);
+        else
+            out.setConstant(far_off);
+        return 0;
+    }
+    int df(const Eigen::VectorXd& p, Eigen::MatrixXd& jacobian) const {
+        jacobian = residuals.jacobian_at(p);
+        return 0;
+    }
+};
+
+// Least squares over the first rows, then over twice as many, and so on: each fit is near enough
+// for the next to keep count of the periods.
+Parameters fitted(std::span<const MeasuredRow> rows, Parameters start, double first_span_s) {
+    const auto n_within = [rows](double span_s) {
+        const auto end =
+            std::upper_bound(rows.begin(), rows.end(), rows.front().time_s + span_s,
+                             [](double t, const MeasuredRow& row) { return t < row.time_s; });
+        return std::max<std::size_t>(least_rows, static_cast<std::size_t>(end - rows.begin()));
+    };
+    for (double span_s = first_span_s;; span_s *= 2.0) {
+        const std::size_t n = std::min(rows.size(), n_within(span_s));
+        LeastSquares problem{Residuals{rows.first(n)}};
+        Eigen::LevenbergMarquardt<LeastSquares> method(problem);
+        Eigen::VectorXd p = start;
+        method.minimize(p);
+        start = p;
+        if (n == rows.size()) return start;
+    }
+}
+
+// The noise of a component, from sixth differences, to which a smooth motion adds little: the
+// squares of their coefficients, 1, 6, 15, 20 and so on, sum up to 924. Between uneven instants it
+// is too large.
+double noise_of(std::span<const MeasuredRow> rows) {
+    double sum = 0.0;
+    for (std::size_t i = 3; i + 3 < rows.size(); ++i) {
+        const auto pair = [&](std::size_t k) -> Eigen::Vector3d {
+            return rows[i - k].omega_body + rows[i + k].omega_body;
+        };
+        sum += (pair(3) - 6.0 * pair(2) + 15.0 * pair(1) - 20.0 * rows[i].omega_body).squaredNorm();
+    }
+    return std::sqrt(sum / 924.0 / static_cast<double>(3 * (rows.size() - 6)));
+}
+
+[[noreturn]] void throw_no_motion(double off_rad_s, double rate_rad_s) {
+    throw InputError(fmt::format(
+        "no free motion of a rigid body comes near these rows: the best is off by {:.3g} rad/s of "
+        "{:.3g}; cut the table to the time in which the body is free, and check units and axes",
+        off_rad_s, rate_rad_s));
+}
+constexpr double most_residual_share = 0.3;
+
+// Refuses rows that are noise, and a turn about one axis, which says nothing about the moments:
+// whatever ω is besides is noise.
+void check_wandering(std::span<const MeasuredRow> rows) {
+    const double noise = noise_of(rows), rate = rate_of(rows);
+    if (noise > most_residual_share * rate) throw_no_motion(noise, rate);
+    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+    for (const MeasuredRow& row : rows) squares += row.omega_body * row.omega_body.transpose();
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
+    const double beside = std::sqrt((eigen.eigenvalues()[0] + eigen.eigenvalues()[1]) / 2.0 /
+                                    static_cast<double>(rows.size()));
+    constexpr double least_share = 1e-6, least_noises = 3.0;
+    if (beside < least_noises * noise || beside < least_share * rate)
+        throw InputError(
+            "the rows do not determine the moments: but for noise the body turns about one axis; "
+            "measure a motion whose axis of rotation wanders through the body");
+}
+
+// From a first tensor or a first span that is far off, another minimum may be found: starts are
+// tried until one leaves no more than noise, or the least of all counts.
+Parameters best_parameters(std::span<const MeasuredRow> rows) {
+    const double span_s = rows.back().time_s - rows.front().time_s;
+    const double noise = 1.2 * noise_of(rows);
+    const auto n_values = static_cast<double>(3 * rows.size() - n_parameters);
+    Parameters best;
+    double least = std::numeric_limits<double>::infinity();
+    for (const double first_span_rad : {12.0, 5.0, 30.0})
+        for (const double window_rad : {1.0, 0.5, 2.0, 4.0}) {
+            // The damping that Euler's equations hold best with.
+            Parameters start;
+            double least_rest = std::numeric_limits<double>::infinity();
+            for (const double loss : {0.0, 0.1, 0.3, 1.0, 2.0, 4.0}) {
+                const auto [tensor, rest] = first_tensor(rows, loss / span_s, window_rad);
+                if (!(rest < least_rest)) continue;
+                least_rest = rest;
+                start = parameters_of(tensor, rows.front().omega_body, loss / span_s);
+            }
+            const Parameters found = fitted(rows, start, first_span_rad / rate_of(rows));
+            const double square = Residuals{rows}.at(found).squaredNorm();
+            if (square < least) {
+                least = square;
+                best = found;
+            }
+            if (least < noise * noise * n_values) return best;
+        }
+    return best;
+}
+
+// Principal axes with I1 ≥ I2 ≥ I3 in units of I1.
+struct Principal {
+    Eigen::Vector3d moments;
+    Eigen::Matrix3d axes;
+};
+Principal principal(const Tensor& tensor, const Eigen::Matrix3d* near = nullptr) {
+    const Eigen::SelfAdjointEigenSolver<Tensor> eigen(tensor);
+    Principal found{eigen.eigenvalues().reverse() / eigen.eigenvalues()[2],
+                    eigen.eigenvectors().rowwise().reverse()};
+    for (int k = 0; k < 3; ++k) {
+        // Each axis points near that of `near`, or to the positive side of its largest component.
+        Eigen::Index largest = 0;
+        found.axes.col(k).cwiseAbs().maxCoeff(&largest);
+        const double side =
+            near != nullptr ? found.axes.col(k).dot(near->col(k)) : found.axes(largest, k);
+        if (side < 0.0) found.axes.col(k) *= -1.0;
+    }
+    if (found.axes.determinant() < 0.0) found.axes.col(2) *= -1.0;
+    return found;
+}
+
+std::vector<MeasuredRow> thinned(std::span<const MeasuredRow> rows) {
+    std::vector<MeasuredRow> some;
+    const std::size_t n = std::min(rows.size(), most_rows);
+    some.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) some.push_back(rows[i * rows.size() / n]);
+    return some;
+}
+
+void check(std::span<const MeasuredRow> rows) {
+    if (rows.size() < least_rows)
+        throw InputError(fmt::format("{} rows say too little about a motion; give {} or more",
+                                     rows.size(), least_rows));
+    const double rate = rate_of(rows);
+    if (!(rate > 0.0))
+        throw InputError("ω is zero in all rows: a body at rest says nothing about its moments");
+    if (!std::isfinite(rate)) throw InputError("ω is too large to be squared; give it in rad/s");
+    std::size_t n_far = 0;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        n_far += (rows[i].time_s - rows[i - 1].time_s) * rate > 0.5;
+    if (2 * n_far > rows.size())
+        throw InputError(
+            fmt::format("the body turns by more than half a radian from one row to the next; "
+                        "sample it at {:.3g} Hz or more",
+                        2.0 * rate));
+}
+
+}  // namespace
+
+Eigen::Vector3d FittedMotion::omega_at(double time_s) const {
+    return Model(parameters_of(tensor(), omega_rad_s, damping_1_s)).omega(time_s - first_time_s);
+}
+
+FittedMotion fit_motion(std::span<const MeasuredRow> all) {
+    check(all);
+    const std::vector<MeasuredRow> rows = thinned(all);
+    check(rows);
+    check_wandering(rows);
+    const Parameters p = best_parameters(rows);
+    const Residuals residuals{rows};
+    const Eigen::MatrixXd jacobian = residuals.jacobian_at(p);
+    const double variance =
+        residuals.at(p).squaredNorm() / static_cast<double>(residuals.n_values() - n_parameters);
+    const double rate = rate_of(rows);
+    if (!(std::sqrt(variance) < most_residual_share * rate))
+        throw_no_motion(std::sqrt(variance), rate);
+    const Eigen::Matrix<double, n_parameters, n_parameters> information =
+        jacobian.transpose() * jacobian;
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
+    const Eigen::MatrixXd covariance =
+        variance * (eigen.eigenvectors() *
+                    eigen.eigenvalues()
+                        .cwiseMax(1e-14 * eigen.eigenvalues().maxCoeff())
+                        .cwiseInverse()
+                        .asDiagonal() *
+                    eigen.eigenvectors().transpose());
+
+    const Principal found = principal(tensor_of(p));
+    // Moments and axes change with the tensor's five parameters.
+    Eigen::Matrix<double, 6, 5> change;
+    constexpr double step = 1e-6;
+    for (int k = 0; k < 5; ++k) {
+        const auto moved = [&](double by) {
+            Parameters q = p;
+            q[k] += by;
+            const Principal there = principal(tensor_of(q), &found.axes);
+            const Eigen::Matrix3d turn = found.axes.transpose() * there.axes;
+            Eigen::Matrix<double, 6, 1> values;
+            values << there.moments, turn(2, 1), turn(0, 2), turn(1, 0);
+            return values;
+        };
+        change.col(k) = (moved(step) - moved(-step)) / (2.0 * step);
+    }
+    const Eigen::Matrix<double, 6, 6> spread =
+        change * covariance.topLeftCorner<5, 5>() * change.transpose();
+    const auto sd = [](double square) { return std::sqrt(std::max(square, 0.0)); };
+
+    FittedMotion fit;
+    fit.first_time_s = rows.front().time_s;
+    fit.omega_rad_s = p.segment<3>(5);
+    fit.moments = found.moments;
+    fit.instrument_from_principal = found.axes;
+    for (int k = 0; k < 3; ++k) {
+        fit.moments_sd[k] = sd(spread(k, k));
+        fit.axes_sd_rad[k] = sd(spread(3 + k, 3 + k));
+        fit.omega_sd_rad_s[k] = sd(covariance(5 + k, 5 + k));
+    }
+    fit.damping_1_s = p[8];
+    fit.damping_sd_1_s = sd(covariance(8, 8));
+    fit.residual_rad_s = std::sqrt(variance);
+    fit.n_rows = rows.size();
+    if (constexpr double most = 0.25; fit.moments_sd.maxCoeff() > most)
+        throw InputError(
+            fmt::format("the rows do not determine the moments: I2/I1 = {:.2g} ± {:.2g}, I3/I1 = "
+                        "{:.2g} ± {:.2g}; measure a motion whose axis "
+                        "of rotation wanders through the body, or for longer",
+                        fit.moments[1], fit.moments_sd[1], fit.moments[2], fit.moments_sd[2]));
+    return fit;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,43 @@
+// The body behind a measured ω(t): the ratios of its moments, its principal axes in the
+// instrument's axes, the start and the damping, by least squares on the exact motion.
+#pragma once
+
+#include <Eigen/Core>
+#include <cstddef>
+#include <span>
+
+#include "measured/measured_motion.h"
+
+namespace poinsot {
+
+// A free motion, damped by a torque N = −γL: this keeps the polhode, and
+// ω(t) = e^(−γt) ω_free((1 − e^(−γt))/γ), so that the damped motion is exact at any instant, too.
+// Uncertainties are standard deviations that the scatter of the residuals implies.
+struct FittedMotion {
+    double first_time_s = 0.0;    // of the first row
+    Eigen::Vector3d omega_rad_s;  // then, instrument axes
+    Eigen::Vector3d omega_sd_rad_s;
+    Eigen::Vector3d moments;     // I1 ≥ I2 ≥ I3 in units of I1: ω(t) says no more
+    Eigen::Vector3d moments_sd;  // the first is 0
+    Eigen::Matrix3d instrument_from_principal;  // a proper rotation, columns e1, e2, e3
+    Eigen::Vector3d axes_sd_rad;                // of turns about e1, e2, e3
+    double damping_1_s = 0.0, damping_sd_1_s = 0.0;
+    double residual_rad_s = 0.0;  // root mean square of a component of ω
+    std::size_t n_rows = 0;       // that were used
+
+    // The tensor in instrument axes, in units of I1.
+    Eigen::Matrix3d tensor() const {
+        return instrument_from_principal * moments.asDiagonal() *
+               instrument_from_principal.transpose();
+    }
+    // ω at an instant, rad/s, instrument axes.
+    Eigen::Vector3d omega_at(double time_s) const;
+};
+
+// Fits rows with ω, in order of time. Of more than 20,000 rows it takes 20,000, evenly. Throws
+// InputError for fewer than 30 rows, a body at rest, samples too far apart to follow the turning, a
+// turn about one axis, which says nothing about the other moments, and motions that no rigid body
+// makes.
+FittedMotion fit_motion(std::span<const MeasuredRow> rows);
+
+}  // namespace poinsot

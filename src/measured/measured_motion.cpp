@@ -1,0 +1,331 @@
+#include "measured/measured_motion.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <optional>
+#include <span>
+#include <utility>
+
+#include "error/error.h"
+#include "text/nearest.h"
+#include "text/numbers.h"
+#include "text/printable.h"
+#include "text/units.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr double rotation_tolerance = 1e-3;
+
+std::string_view trimmed(std::string_view text) {
+    const auto is_space = [](char c) { return c == ' ' || c == '\t' || c == '\r'; };
+    while (!text.empty() && is_space(text.front())) text.remove_prefix(1);
+    while (!text.empty() && is_space(text.back())) text.remove_suffix(1);
+    return text;
+}
+
+std::string_view unquoted(std::string_view cell) {
+    cell = trimmed(cell);
+    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
+        cell = cell.substr(1, cell.size() - 2);
+    return trimmed(cell);
+}
+
+void split(std::string_view line, char separator, std::vector<std::string_view>& cells) {
+    cells.clear();
+    std::size_t begin = 0;
+    bool is_quoted = false;
+    for (std::size_t i = 0; i <= line.size(); ++i) {
+        if (i < line.size() && line[i] == '"') is_quoted = !is_quoted;
+        if (i < line.size() && (is_quoted || line[i] != separator)) continue;
+        cells.push_back(line.substr(begin, i - begin));
+        begin = i + 1;
+    }
+}
+
+// A heading as name and unit: "Gyroscope x (rad/s)" is "gyroscope_x" and "rad/s".
+struct Heading {
+    std::string name, unit;
+};
+
+Heading heading_of(std::string_view cell) {
+    std::string_view text = unquoted(cell);
+    Heading heading;
+    if (!text.empty() && (text.back() == ')' || text.back() == ']')) {
+        const std::size_t open = text.rfind(text.back() == ')' ? '(' : '[');
+        if (open != std::string_view::npos) {
+            heading.unit = trimmed(text.substr(open + 1, text.size() - open - 2));
+            text = trimmed(text.substr(0, open));
+        }
+    }
+    for (const char c : text) {
+        const bool separates = c == ' ' || c == '.' || c == '-' || c == '_';
+        if (!separates)
+            heading.name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+        else if (!heading.name.empty() && heading.name.back() != '_')
+            heading.name += '_';
+    }
+    // The units at the end of a name, as this program's own tables have them.
+    constexpr std::array<std::pair<std::string_view, std::string_view>, 6> endings{
+        {{"_rad_s", "rad/s"},
+         {"_deg_s", "deg/s"},
+         {"_ms", "ms"},
+         {"_us", "us"},
+         {"_ns", "ns"},
+         {"_s", "s"}}};
+    for (const auto& [ending, unit] : endings)
+        if (heading.unit.empty() && heading.name.ends_with(ending)) {
+            heading.name.resize(heading.name.size() - ending.size());
+            heading.unit = unit;
+        }
+    return heading;
+}
+
+// The number of a component, if the name is one of these names with one of these components.
+std::optional<int> component_of(std::string_view name, std::span<const std::string_view> names,
+                                std::span<const std::string_view> components) {
+    for (std::size_t i = 0; i < components.size(); ++i) {
+        if (!name.ends_with(components[i])) continue;
+        std::string_view before = name.substr(0, name.size() - components[i].size());
+        if (before.ends_with('_')) before.remove_suffix(1);
+        if (std::find(names.begin(), names.end(), before) != names.end())
+            return static_cast<int>(i);
+    }
+    return std::nullopt;
+}
+
+constexpr std::array<std::string_view, 4> names_of_time{"t", "time", "timestamp", "time_stamp"};
+constexpr std::array<std::string_view, 9> names_of_omega{
+    "omega_body",      "omega",        "w", "gyroscope", "gyro", "gyr", "angular_velocity",
+    "angularvelocity", "rotation_rate"};
+constexpr std::array<std::string_view, 4> names_of_attitude{"q", "quat", "quaternion",
+                                                            "space_from_body"};
+constexpr std::array<std::string_view, 4> names_of_matrix{"r", "rotation", "matrix",
+                                                          "space_from_body"};
+constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
+constexpr std::array<std::string_view, 3> numbers{"1", "2", "3"};
+constexpr std::array<std::string_view, 4> of_quaternion{"w", "x", "y", "z"};
+constexpr std::array<std::string_view, 9> of_matrix{"11", "12", "13", "21", "22",
+                                                    "23", "31", "32", "33"};
+
+// SI units in one of this unit; nothing if it is none, or of another kind than `si`.
+std::optional<double> factor_of(std::string_view unit, std::string_view si) {
+    std::string name(unit);
+    if (const std::size_t degree = name.find("°"); degree != std::string::npos)
+        name.replace(degree, std::string_view("°").size(), "deg");
+    const std::optional<Unit> own = unit_named(name), wanted = unit_named(si);
+    if (!own || !wanted || own->dimension != wanted->dimension) return std::nullopt;
+    return nearest_double(own->factor) * std::pow(std::numbers::pi, own->power_of_pi);
+}
+
+}  // namespace
+
+MeasuredReader::MeasuredReader(std::string name, TakeRow take)
+    : name_(std::move(name)), take_(std::move(take)) {}
+
+void MeasuredReader::read(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const std::size_t end = bytes.find('\n');
+        if (end == std::string_view::npos) {
+            rest_ += bytes;
+            constexpr std::size_t longest_line = 1 << 20;
+            if (rest_.size() > longest_line) {
+                ++line_number_;
+                throw InputError(
+                    fmt::format("{}:{}:1: the line is longer than 1 MiB; give a table of text with "
+                                "a row a line",
+                                printable(name_), line_number_));
+            }
+            return;
+        }
+        if (rest_.empty()) {
+            take_line(bytes.substr(0, end));
+        } else {
+            rest_ += bytes.substr(0, end);
+            take_line(rest_);
+            rest_.clear();
+        }
+        bytes.remove_prefix(end + 1);
+    }
+}
+
+void MeasuredReader::finish() {
+    if (!rest_.empty()) {
+        const std::string last = std::exchange(rest_, {});
+        take_line(last);
+    }
+    if (n_columns_ == 0)
+        throw InputError(fmt::format(
+            "{}:1:1: the file is empty; give a table whose first line names its columns",
+            printable(name_)));
+    if (!has_rows_)
+        throw InputError(fmt::format("{}:{}:1: the table has no rows; give instants with values",
+                                     printable(name_), line_number_ + 1));
+}
+
+void MeasuredReader::refuse(std::size_t cell, const std::string& what) const {
+    // Cells point into the line. Columns count bytes, as in messages about scenes.
+    const std::size_t column =
+        cell < cells_.size() ? static_cast<std::size_t>(cells_[cell].data() - line_.data()) + 1
+                             : line_.size() + 1;
+    throw InputError(fmt::format("{}:{}:{}: {}", printable(name_), line_number_, column, what));
+}
+
+void MeasuredReader::take_line(std::string_view line) {
+    ++line_number_;
+    if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    if (trimmed(line).empty()) return;
+    line_ = line;
+    if (n_columns_ == 0)
+        take_header(line);
+    else
+        take_row(line);
+}
+
+void MeasuredReader::take_header(std::string_view line) {
+    const auto n_of = [line](char c) { return std::count(line.begin(), line.end(), c); };
+    separator_ = n_of('\t') > 0 ? '\t' : n_of(';') > 0 ? ';' : ',';
+    split(line, separator_, cells_);
+    n_columns_ = cells_.size();
+    factors_.assign(n_columns_, 1.0);
+    for (std::size_t i = 0; i < n_columns_; ++i) {
+        const Heading heading = heading_of(cells_[i]);
+        int* column = nullptr;
+        std::string_view si;
+        if (std::find(names_of_time.begin(), names_of_time.end(), heading.name) !=
+            names_of_time.end()) {
+            column = &column_of_time_;
+            si = "s";
+        } else if (auto axis = component_of(heading.name, names_of_omega, axes);
+                   axis || (axis = component_of(heading.name, names_of_omega, numbers))) {
+            column = &column_of_omega_[static_cast<std::size_t>(*axis)];
+            si = "rad/s";
+        } else if (const auto part = component_of(heading.name, names_of_attitude, of_quaternion)) {
+            column = &column_of_quaternion_[static_cast<std::size_t>(*part)];
+        } else if (const auto element = component_of(heading.name, names_of_matrix, of_matrix)) {
+            column = &column_of_matrix_[static_cast<std::size_t>(*element)];
+        }
+        if (column == nullptr) continue;
+        if (*column >= 0)
+            refuse(i, fmt::format("two columns say the same, \"{}\" and \"{}\"; take one out",
+                                  printable(unquoted(cells_[static_cast<std::size_t>(*column)])),
+                                  printable(unquoted(cells_[i]))));
+        *column = static_cast<int>(i);
+        if (heading.unit.empty() || si.empty()) continue;
+        const auto factor = factor_of(heading.unit, si);
+        if (!factor)
+            refuse(i, fmt::format("\"{}\" is no unit of {}; write it as in \"{} ({})\"",
+                                  printable(heading.unit), si == "s" ? "time" : "angular velocity",
+                                  printable(heading.name), si));
+        factors_[i] = *factor;
+    }
+    check_columns();
+}
+
+void MeasuredReader::check_columns() const {
+    const auto n_of = [](const auto& columns) {
+        return std::count_if(columns.begin(), columns.end(),
+                             [](int column) { return column >= 0; });
+    };
+    const auto refuse_missing = [this](std::string_view what) {
+        throw InputError(fmt::format("{}:{}:1: the first line names no column for {}",
+                                     printable(name_), line_number_, what));
+    };
+    if (column_of_time_ < 0) refuse_missing("the time; name one \"time\", or \"time (ms)\"");
+    if (const auto n = n_of(column_of_omega_); n > 0 && n < 3)
+        refuse_missing("each component of ω; name three, as omega_x, omega_y, omega_z");
+    if (const auto n = n_of(column_of_quaternion_); n > 0 && n < 4)
+        refuse_missing("each component of the quaternion; name four, as q_w, q_x, q_y, q_z");
+    if (const auto n = n_of(column_of_matrix_); n > 0 && n < 9)
+        refuse_missing("each element of the matrix; name nine, as r11, r12, … r33");
+    if (has_quaternion() && has_matrix())
+        throw InputError(
+            fmt::format("{}:{}:1: the table has quaternions and matrices; take one of them out",
+                        printable(name_), line_number_));
+    if (!has_omega() && !has_attitude())
+        refuse_missing(
+            "ω or the attitude; name three omega_x, omega_y, omega_z, or four q_w, q_x, q_y, q_z");
+}
+
+double MeasuredReader::number_in(int column) const {
+    const auto i = static_cast<std::size_t>(column);
+    const std::string_view cell = unquoted(cells_[i]);
+    const auto number = number_of<double>(without_plus(cell));
+    if (!number) {
+        if (cell.empty()) refuse(i, "the cell is empty; leave out rows without values");
+        if (std::count(cell.begin(), cell.end(), ',') == 1)
+            refuse(
+                i,
+                fmt::format(
+                    "\"{}\" has a decimal comma; write decimal points, as export in English does",
+                    printable(cell)));
+        refuse(i, fmt::format("\"{}\" is not a number", printable(cell)));
+    }
+    if (!std::isfinite(*number * factors_[i]))
+        refuse(i, fmt::format("\"{}\" is not a finite number", printable(cell)));
+    return *number * factors_[i];
+}
+
+void MeasuredReader::take_row(std::string_view line) {
+    split(line, separator_, cells_);
+    if (cells_.size() != n_columns_)
+        refuse(
+            std::min(cells_.size(), n_columns_),
+            fmt::format("the row has {} cells and the first line {}{}", cells_.size(), n_columns_,
+                        separator_ == ',' && cells_.size() > n_columns_
+                            ? "; where numbers have decimal commas, write decimal points"
+                            : ""));
+    MeasuredRow row;
+    row.time_s = number_in(column_of_time_);
+    if (has_rows_ && !(row.time_s > last_time_s_))
+        refuse(static_cast<std::size_t>(column_of_time_),
+               fmt::format("the time {:.17g} s does not come after {:.17g} s; sort the rows, each "
+                           "instant once",
+                           row.time_s, last_time_s_));
+    if (has_omega())
+        for (int k = 0; k < 3; ++k)
+            row.omega_body[k] = number_in(column_of_omega_[static_cast<std::size_t>(k)]);
+    if (has_quaternion()) {
+        Eigen::Vector4d q;
+        for (int k = 0; k < 4; ++k)
+            q[k] = number_in(column_of_quaternion_[static_cast<std::size_t>(k)]);
+        if (!(std::abs(q.norm() - 1.0) <= rotation_tolerance))
+            refuse(static_cast<std::size_t>(column_of_quaternion_[0]),
+                   fmt::format("the quaternion has length {:.6g}; attitudes are unit quaternions",
+                               q.norm()));
+        row.space_from_body = Eigen::Quaterniond(q[0], q[1], q[2], q[3]).normalized();
+    } else if (has_matrix()) {
+        Eigen::Matrix3d r;
+        for (int k = 0; k < 9; ++k)
+            r(k / 3, k % 3) = number_in(column_of_matrix_[static_cast<std::size_t>(k)]);
+        const double fault =
+            (r * r.transpose() - Eigen::Matrix3d::Identity()).cwiseAbs().maxCoeff();
+        if (!(fault <= rotation_tolerance) || r.determinant() < 0.0)
+            refuse(static_cast<std::size_t>(column_of_matrix_[0]),
+                   r.determinant() < 0.0
+                       ? "the matrix is a reflection; attitudes are rotations"
+                       : fmt::format(
+                             "the matrix is not orthogonal, by {:.2g}; attitudes are rotations",
+                             fault));
+        row.space_from_body = Eigen::Quaterniond(r).normalized();
+    }
+    last_time_s_ = row.time_s;
+    has_rows_ = true;
+    take_(row);
+}
+
+MeasuredMotion parse_measured(std::string_view text, const std::string& name) {
+    MeasuredMotion motion;
+    MeasuredReader reader(name, [&motion](const MeasuredRow& row) { motion.rows.push_back(row); });
+    reader.read(text);
+    reader.finish();
+    motion.has_omega = reader.has_omega();
+    motion.has_attitude = reader.has_attitude();
+    return motion;
+}
+
+}  // namespace poinsot

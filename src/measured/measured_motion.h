@@ -1,0 +1,81 @@
+// A motion that an instrument or another program recorded: rows of instants with the angular
+// velocity, the attitude, or both, from a table of text (CSV).
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <array>
+#include <cstddef>
+#include <functional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace poinsot {
+
+// One row. What the table does not have is zero, and the identity.
+struct MeasuredRow {
+    double time_s = 0.0;
+    Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  // rad/s, body (or instrument) axes
+    Eigen::Quaterniond space_from_body = Eigen::Quaterniond::Identity();  // unit
+};
+
+// Reads a table piece by piece, so that a table of any length takes no more memory than a line.
+//
+// The first line names the columns; columns of other names are ignored. Time: "time", "t" or
+// "timestamp". ω: "omega_body", "omega", "w", "gyroscope", "gyro" or "angular velocity" with x, y,
+// z or 1, 2, 3. Attitude, space from body: "q" or "quaternion" with w, x, y, z, or a matrix "r11" …
+// "r33". Units stand in parentheses or brackets, "Gyroscope x (rad/s)", or at the end, "time_ms";
+// without them they are s and rad/s. Columns are separated by commas, semicolons or tabs.
+class MeasuredReader {
+ public:
+    using TakeRow = std::function<void(const MeasuredRow& row)>;
+
+    // `name` is the table's, for messages.
+    MeasuredReader(std::string name, TakeRow take);
+
+    // Takes the next bytes of the table, cut anywhere. Throws InputError `NAME:LINE:COLUMN: …` for
+    // a column that is missing or named twice, a unit of another kind, a cell that is no finite
+    // decimal number, instants that do not increase, and attitudes that are no rotation to 1e-3.
+    void read(std::string_view bytes);
+    // Ends the table. Throws as read does, and for a table without rows.
+    void finish();
+
+    bool has_omega() const { return column_of_omega_[0] >= 0; }
+    bool has_attitude() const { return has_quaternion() || has_matrix(); }
+
+ private:
+    bool has_quaternion() const { return column_of_quaternion_[0] >= 0; }
+    bool has_matrix() const { return column_of_matrix_[0] >= 0; }
+    void take_line(std::string_view line);
+    void take_header(std::string_view line);
+    void take_row(std::string_view line);
+    void check_columns() const;
+    double number_in(int column) const;
+    [[noreturn]] void refuse(std::size_t cell, const std::string& what) const;
+
+    std::string name_;
+    TakeRow take_;
+    std::string rest_;  // of a line whose end has not come yet
+    std::size_t line_number_ = 0;
+    char separator_ = ',';
+    std::size_t n_columns_ = 0;
+    int column_of_time_ = -1;
+    std::array<int, 3> column_of_omega_{-1, -1, -1};
+    std::array<int, 4> column_of_quaternion_{-1, -1, -1, -1};
+    std::array<int, 9> column_of_matrix_{-1, -1, -1, -1, -1, -1, -1, -1, -1};
+    std::vector<double> factors_;  // SI units in one unit of each column
+    std::vector<std::string_view> cells_;
+    std::string_view line_;
+    bool has_rows_ = false;
+    double last_time_s_ = 0.0;
+};
+
+// A table as a whole.
+struct MeasuredMotion {
+    std::vector<MeasuredRow> rows;
+    bool has_omega = false, has_attitude = false;
+};
+MeasuredMotion parse_measured(std::string_view text, const std::string& name);
+
+}  // namespace poinsot

@@ -1,0 +1,194 @@
+#include "report/compare_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+#include "error/error.h"
+#include "scene/scene_error.h"
+#include "scene/toml_document.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
+#include "text/nearest.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+using Type = TomlValue::Type;
+
+[[noreturn]] void refuse_type(const TomlEntry& entry, std::string_view wanted) {
+    throw SceneError(entry.value.where, fmt::format("{} is {}; it must be {}", entry.key,
+                                                    name_of(entry.value.type), wanted));
+}
+
+double number_in(const TomlEntry& entry, std::string_view wanted) {
+    if (entry.value.type != Type::integer && entry.value.type != Type::number)
+        refuse_type(entry, wanted);
+    return entry.value.number;
+}
+
+// A number, or a text with a percent sign.
+double share_in(const TomlEntry& entry) {
+    if (entry.value.type == Type::text) return parse_share(entry.value.text);
+    const double share = number_in(entry, "a share of the pixels, as 0.001 or \"0.1%\"");
+    return parse_share(fmt::format("{}", share));
+}
+
+std::vector<IgnoredRegion> regions_in(const TomlEntry& entry) {
+    constexpr std::string_view wanted = "a list of regions, as [\"clock\", \"0%,90%,100%,10%\"]";
+    if (entry.value.type != Type::array) refuse_type(entry, wanted);
+    std::vector<IgnoredRegion> regions;
+    for (const TomlValue& item : entry.value.items) {
+        if (item.type != Type::text) refuse_type(entry, wanted);
+        try {
+            regions.push_back(parse_region(item.text));
+        } catch (const InputError& error) {
+            throw SceneError(item.where, error.what());
+        }
+    }
+    return regions;
+}
+
+// A key of the limits and how its value is read.
+struct GateKey {
+    std::string_view name;
+    void (*read)(const TomlEntry& entry, Gates& gates);
+};
+constexpr std::array<GateKey, 7> gate_keys{
+    {{"max_differing", [](const TomlEntry& entry, Gates& g) { g.max_differing = share_in(entry); }},
+     {"max_over", [](const TomlEntry& entry, Gates& g) { g.max_over = share_in(entry); }},
+     {"over_levels",
+      [](const TomlEntry& entry, Gates& g) {
+          g.over_levels = checked_level(number_in(entry, "a level from 0 to 255"));
+      }},
+     {"max_flip",
+      [](const TomlEntry& entry, Gates& g) {
+          g.max_flip = checked_flip(number_in(entry, "a number from 0 to 1"));
+      }},
+     {"min_ssim",
+      [](const TomlEntry& entry, Gates& g) {
+          g.min_ssim = checked_ssim(number_in(entry, "a number of at most 1"));
+      }},
+     {"antialiasing",
+      [](const TomlEntry& entry, Gates& g) {
+          if (entry.value.type != Type::boolean) refuse_type(entry, "true or false");
+          g.antialiasing = entry.value.boolean;
+      }},
+     {"ignore", [](const TomlEntry& entry, Gates& g) { g.ignore = regions_in(entry); }}}};
+
+void read_key(const TomlEntry& entry, std::string_view besides, Gates& gates) {
+    const auto* const key = find_row(gate_keys, entry.key);
+    if (key == nullptr) {
+        std::vector<std::string_view> names = names_of(gate_keys);
+        names.push_back(besides);
+        throw SceneError(entry.where, unknown("key", entry.key, names));
+    }
+    try {
+        key->read(entry, gates);
+    } catch (const SceneError&) {
+        throw;
+    } catch (const InputError& error) {
+        throw SceneError(entry.value.where, fmt::format("{}: {}", entry.key, error.what()));
+    }
+}
+
+CompareFile::Entry entry_of(const TomlValue& table) {
+    CompareFile::Entry entry;
+    for (const TomlEntry& key : table.entries) {
+        if (key.key != "name") {
+            read_key(key, "name", entry.gates);
+            continue;
+        }
+        if (key.value.type != Type::text || key.value.text.empty())
+            throw SceneError(key.value.where,
+                             "name must be the name of a picture, as \"generic\", or a pattern, "
+                             "as \"generic_*\"");
+        entry.glob = key.value.text;
+        entry.where = key.value.where;
+    }
+    if (entry.glob.empty())
+        throw SceneError(table.where,
+                         "this entry has no name; say which pictures it is for, as name = "
+                         "\"generic_*\"");
+    if (entry.gates == Gates{})
+        throw SceneError(entry.where, "this entry sets no limit; set one or remove the entry");
+    return entry;
+}
+
+}  // namespace
+
+bool matches_glob(std::string_view name, std::string_view glob) {
+    // The last * and the place in the name where it stopped: there the match continues after a
+    // failure.
+    std::size_t at = 0, in_glob = 0, star = std::string_view::npos, after_star = 0;
+    while (at < name.size()) {
+        if (in_glob < glob.size() && (glob[in_glob] == '?' || glob[in_glob] == name[at]) &&
+            glob[in_glob] != '*') {
+            ++at, ++in_glob;
+        } else if (in_glob < glob.size() && glob[in_glob] == '*') {
+            star = in_glob++;
+            after_star = at;
+        } else if (star != std::string_view::npos) {
+            in_glob = star + 1;
+            at = ++after_star;
+        } else {
+            return false;
+        }
+    }
+    return glob.find_first_not_of('*', in_glob) == std::string_view::npos;
+}
+
+Gates CompareFile::gates_of(std::string_view picture) const {
+    Gates gates = all;
+    for (const Entry& entry : entries)
+        if (matches_glob(picture, entry.glob)) gates = entry.gates.over(gates);
+    return gates;
+}
+
+void CompareFile::check_used(const std::vector<std::string>& pictures) const {
+    const std::vector<std::string_view> names(pictures.begin(), pictures.end());
+    for (const Entry& entry : entries) {
+        const bool is_used = std::any_of(names.begin(), names.end(), [&](std::string_view name) {
+            return matches_glob(name, entry.glob);
+        });
+        if (is_used) continue;
+        throw SceneError(entry.where, fmt::format("\"{}\" matches none of the {} pictures{}",
+                                                  printable(entry.glob), names.size(),
+                                                  did_you_mean(entry.glob, names)));
+    }
+}
+
+CompareFile parse_compare_file(std::string_view text, const std::string& name) {
+    CompareFile file;
+    file.name = name;
+    for (const TomlEntry& entry : parse_toml(text, name).entries) {
+        if (entry.key != "pictures") {
+            read_key(entry, "pictures", file.all);
+            continue;
+        }
+        if (entry.value.type != Type::array)
+            throw SceneError(entry.where,
+                             "pictures must be a list of tables; write [[pictures]] above each");
+        for (const TomlValue& item : entry.value.items) {
+            if (item.type != Type::table)
+                throw SceneError(item.where,
+                                 "an entry of pictures must be a table; write [[pictures]]");
+            file.entries.push_back(entry_of(item));
+        }
+    }
+    return file;
+}
+
+std::optional<CompareFile> read_compare_file(const std::filesystem::path& folder) {
+    const std::filesystem::path path = folder / compare_file_name;
+    const FileKind kind = kind_of_file(path);
+    if (kind == FileKind::missing) return std::nullopt;
+    if (kind != FileKind::regular)
+        throw InputError(fmt::format("{}: {}", printable(path.string()), in_words(kind)));
+    return parse_compare_file(read_text(path), path.string());
+}
+
+}  // namespace poinsot

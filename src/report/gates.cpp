@@ -1,0 +1,139 @@
+#include "report/gates.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "error/error.h"
+#include "production/jobs/picture_regions.h"
+#include "text/nearest.h"
+#include "text/numbers.h"
+#include "text/printable.h"
+#include "text/rational.h"
+
+namespace poinsot {
+
+namespace {
+
+// "40" or "10%".
+std::optional<IgnoredRegion::Length> parse_length(std::string_view text) {
+    while (text.starts_with(' ')) text.remove_prefix(1);
+    while (text.ends_with(' ')) text.remove_suffix(1);
+    IgnoredRegion::Length length;
+    length.is_percent = text.ends_with('%');
+    if (length.is_percent) text.remove_suffix(1);
+    if (text.ends_with("px")) text.remove_suffix(2);
+    const auto value = number_of<double>(text);
+    if (!value || !std::isfinite(*value) || std::abs(*value) > 1e6) return std::nullopt;
+    length.value = *value;
+    return length;
+}
+
+}  // namespace
+
+PictureRegion IgnoredRegion::in(int width, int height) const {
+    const auto px = [&](std::size_t i, int side) {
+        const Length& length = (*rectangle)[i];
+        return length.is_percent ? length.value * side / 100 : length.value;
+    };
+    const double left = px(0, width), top = px(1, height);
+    const int first_x = static_cast<int>(std::floor(left));
+    const int first_y = static_cast<int>(std::floor(top));
+    return {first_x, first_y, static_cast<int>(std::ceil(left + px(2, width))) - first_x,
+            static_cast<int>(std::ceil(top + px(3, height))) - first_y};
+}
+
+IgnoredRegion parse_region(std::string_view text) {
+    IgnoredRegion region{std::string(text), {}};
+    if (text.find(',') == std::string_view::npos) {
+        const std::vector<std::string_view> names = region_names();
+        if (std::find(names.begin(), names.end(), text) == names.end())
+            throw InputError(fmt::format(
+                "{}; a region is a name or a rectangle, as 10,20,300,40 or 0%,90%,100%,10%",
+                unknown("region", text, names)));
+        return region;
+    }
+    std::array<IgnoredRegion::Length, 4> lengths;
+    std::string_view rest = text;
+    bool is_valid = std::count(text.begin(), text.end(), ',') == 3;
+    for (std::size_t i = 0; is_valid && i < 4; ++i) {
+        const std::size_t end = std::min(rest.find(','), rest.size());
+        const auto length = parse_length(rest.substr(0, end));
+        is_valid = length.has_value() && (i < 2 || length->value > 0);
+        if (is_valid) lengths[i] = *length;
+        rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (!is_valid)
+        throw InputError(
+            fmt::format("{}: not a rectangle; give left, top, width and height in pixels or %, as "
+                        "10,20,300,40 or 0%,90%,100%,10%",
+                        printable(text)));
+    region.rectangle = lengths;
+    return region;
+}
+
+double parse_share(std::string_view text) {
+    const bool percent = text.ends_with('%');
+    const std::string_view digits = text.substr(0, text.size() - (percent ? 1 : 0));
+    const auto value = rational_of(digits);
+    const double share = value ? nearest_double(*value / (percent ? 100 : 1)) : -1.0;
+    if (!(share >= 0 && share <= 1))
+        throw InputError(fmt::format(
+            "{}: not a share of the pixels; give a share from 0 to 1, or from 0% to 100%",
+            printable(text)));
+    return share;
+}
+
+double checked_flip(double value) {
+    if (value >= 0 && value <= 1) return value;
+    throw InputError(
+        fmt::format("{:g}: not a FLIP value; give 0 (equal) to 1, such as 0.01", value));
+}
+
+double checked_ssim(double value) {
+    if (value >= -1 && value <= 1) return value;
+    throw InputError(
+        fmt::format("{:g}: not an SSIM value; give at most 1 (equal), such as 0.99", value));
+}
+
+int checked_level(double value) {
+    if (value >= 0 && value <= 255 && value == std::floor(value)) return static_cast<int>(value);
+    throw InputError(fmt::format("{:g}: not a level; give a level from 0 to 255", value));
+}
+
+Gates Gates::over(const Gates& below) const {
+    Gates both = *this;
+    const auto fill = [](auto& value, const auto& from) {
+        if (!value) value = from;
+    };
+    fill(both.max_differing, below.max_differing);
+    fill(both.max_over, below.max_over);
+    fill(both.over_levels, below.over_levels);
+    fill(both.max_flip, below.max_flip);
+    fill(both.min_ssim, below.min_ssim);
+    fill(both.antialiasing, below.antialiasing);
+    for (const IgnoredRegion& region : below.ignore)
+        if (std::find(both.ignore.begin(), both.ignore.end(), region) == both.ignore.end())
+            both.ignore.push_back(region);
+    return both;
+}
+
+CompareLimits limits_of(const Gates& gates, const std::optional<CompareLimits>& profile,
+                        const CompareLimits& otherwise) {
+    CompareLimits limits = otherwise;
+    if (profile) limits = *profile;
+    if (gates.limits_pixels())
+        limits = {};
+    else if (!profile && (gates.max_flip || gates.min_ssim))
+        limits = CompareLimits::any_pixels();
+    if (gates.max_differing) limits.differing_share = *gates.max_differing;
+    if (gates.max_over) limits.over_level_share = *gates.max_over;
+    if (gates.over_levels) limits.level = *gates.over_levels;
+    limits.most_flip = gates.max_flip;
+    limits.least_ssim = gates.min_ssim;
+    limits.antialiasing = gates.antialiasing.value_or(false);
+    return limits;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,62 @@
+// How much two pictures may differ: what a command line, a compare.toml or the manifest of
+// baselines says, and the limits that follow.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "image/compare.h"
+
+namespace poinsot {
+
+// A part of a picture that is not compared: a rectangle, or the name of what is shown there (see
+// production/jobs/picture_regions.h).
+struct IgnoredRegion {
+    struct Length {
+        double value = 0;
+        bool is_percent = false;  // of the picture's width or height; else pixels
+        bool operator==(const Length&) const = default;
+    };
+    std::string text;                                  // as given: "clock", "0,0,100%,40"
+    std::optional<std::array<Length, 4>> rectangle{};  // left, top, width, height
+
+    // The rectangle in a picture of this size, rounded outwards. Precondition: `rectangle`.
+    PictureRegion in(int width, int height) const;
+    bool operator==(const IgnoredRegion&) const = default;
+};
+
+// Reads "10,20,300,40", "0%,90%,100%,10%" or a name. Throws InputError without a place.
+IgnoredRegion parse_region(std::string_view text);
+
+// Reads a share of the pixels: "0.001" or "0.1%". Throws InputError without a place.
+double parse_share(std::string_view text);
+
+// The smallest and greatest values of the limits. Throw InputError without a place.
+double checked_flip(double value);
+double checked_ssim(double value);
+int checked_level(double value);
+
+// Limits as somebody gives them; empty: not given.
+struct Gates {
+    std::optional<double> max_differing{}, max_over{};  // shares of the pixels
+    std::optional<int> over_levels{};
+    std::optional<double> max_flip{}, min_ssim{};
+    std::optional<bool> antialiasing{};
+    std::vector<IgnoredRegion> ignore{};
+
+    // These values where they are given, else those of `below`; regions of both.
+    Gates over(const Gates& below) const;
+    bool limits_pixels() const { return max_differing || max_over || over_levels; }
+    bool operator==(const Gates&) const = default;
+};
+
+// The limits of a pair. `base`: the limits of a profile if one was chosen, by which any gate is
+// completed. Without a profile and without a limit of pixels, any number of pixels may differ if a
+// measure decides, and else `otherwise` applies.
+CompareLimits limits_of(const Gates& gates, const std::optional<CompareLimits>& profile,
+                        const CompareLimits& otherwise);
+
+}  // namespace poinsot

@@ -1,0 +1,70 @@
+// fit: the body behind a table of ω(t), as words, JSON and a scene.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "cli/program_run.h"
+
+namespace poinsot::testing {
+namespace {
+
+// A body in axes that are not its own, and a table of its motion.
+void write_table(const ScratchFolder& folder) {
+    folder.write("body.toml",
+                 "[body]\ntensor_kg_m2 = [[3.0, 0.2, 0.1], [0.2, 2.5, -0.3], [0.1, -0.3, 2.0]]\n"
+                 "[start]\nomega_rad_s = [1.4, 2.1, -1.7]\n");
+    ASSERT_EQ(run_program_in(folder, "sample body.toml --times 0:20:0.05 -o gyro.csv").code, 0);
+}
+
+TEST(FitCommand, WritesASceneOfTheSameMotion) {
+    const ScratchFolder folder;
+    write_table(folder);
+    const ProgramRun fit = run_program_in(folder, "fit gyro.csv -o fitted.toml");
+    ASSERT_EQ(fit.code, 0) << fit.err;
+    EXPECT_NE(fit.out.find("I2/I1 = "), std::string::npos) << fit.out;
+    // The fitted scene's own motion is that of the table: the attitude does not depend on the
+    // factor that the moments are known up to.
+    const ProgramRun check =
+        run_program_in(folder, "check fitted.toml --against gyro.csv --tolerance 1e-5rad --json");
+    EXPECT_EQ(check.code, 0) << check.out << check.err;
+    EXPECT_EQ(nlohmann::json::parse(check.out).at("rows"), 401);
+}
+
+TEST(FitCommand, PrintsNumbersAsJson) {
+    const ScratchFolder folder;
+    write_table(folder);
+    const ProgramRun fit = run_program_in(folder, "fit gyro.csv --json");
+    ASSERT_EQ(fit.code, 0) << fit.err;
+    const auto found = nlohmann::json::parse(fit.out);
+    // The eigenvalues of the tensor sum up to its trace: 7.5; the product of moments is its
+    // determinant.
+    const auto moments = found.at("moments").get<std::vector<double>>();
+    const double determinant =
+        3.0 * (2.5 * 2.0 - 0.09) - 0.2 * (0.2 * 2.0 + 0.03) + 0.1 * (-0.06 - 0.25);
+    const double scale = 7.5 / (moments[0] + moments[1] + moments[2]);
+    EXPECT_NEAR(scale * scale * scale * moments[0] * moments[1] * moments[2], determinant, 1e-4);
+    EXPECT_NEAR(found.at("damping_1_s").get<double>(), 0.0, 1e-6);
+}
+
+TEST(FitCommand, RefusesInOneLine) {
+    const ScratchFolder folder;
+    folder.write("few.csv", "t,wx,wy,wz\n0,1,2,3\n");
+    folder.write("attitude.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n");
+    folder.write("cut.csv", "t,wx,wy,wz\n0,1,2\n");
+    for (const auto& [line, message] : std::vector<std::pair<std::string, std::string>>{
+             {"fit few.csv", "few.csv: 1 rows say too little"},
+             {"fit attitude.csv", "attitude.csv: the table has no ω"},
+             {"fit cut.csv", "cut.csv:2:6: the row has 3 cells"},
+             {"fit missing.csv", "cannot read missing.csv"},
+             {"fit few.csv -o scene.png", "-o scene.png: the output is a scene"}}) {
+        const ProgramRun run = run_program_in(folder, line);
+        EXPECT_NE(run.code, 0) << line;
+        EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    }
+}
+
+}  // namespace
+}  // namespace poinsot::testing

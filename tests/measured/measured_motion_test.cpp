@@ -1,0 +1,112 @@
+#include "measured/measured_motion.h"
+
+#include <gtest/gtest.h>
+
+#include <numbers>
+#include <string>
+
+#include "error/error.h"
+
+namespace poinsot {
+
+namespace {
+
+// The message that this table is refused with.
+std::string refusal(const std::string& table) {
+    try {
+        parse_measured(table, "gyro.csv");
+    } catch (const InputError& error) {
+        return error.what();
+    }
+    return "not refused";
+}
+
+void expect_refused(const std::string& table, const std::string& message) {
+    EXPECT_TRUE(refusal(table).starts_with(message)) << refusal(table);
+}
+
+TEST(MeasuredReader, ReadsTablesOfTheProgramItself) {
+    const MeasuredMotion motion = parse_measured(
+        "time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,herpolhode_x\n"
+        "0,1.2,0.8,2.4,1,0,0,0,-0.6\n0.5,1.5,-0.5,2.5,0.6,0,0.8,0,0.1\n",
+        "a.csv");
+    ASSERT_EQ(motion.rows.size(), 2u);
+    EXPECT_TRUE(motion.has_omega && motion.has_attitude);
+    EXPECT_EQ(motion.rows[1].time_s, 0.5);
+    EXPECT_EQ(motion.rows[1].omega_body, Eigen::Vector3d(1.5, -0.5, 2.5));
+    EXPECT_NEAR(motion.rows[1].space_from_body.y(), 0.8, 1e-15);
+}
+
+TEST(MeasuredReader, ReadsExportsOfPhonesWithTheirUnits) {
+    const MeasuredMotion motion = parse_measured(
+        "\xEF\xBB\xBF\"Time (ms)\";\"Gyroscope x (°/s)\";\"Gyroscope y (°/s)\";\"Gyroscope z "
+        "(°/s)\";\"Absolute (°/s)\"\r\n"
+        "10;180;-90;0;201\r\n\r\n20;1.8E+02;+90;1;201\r\n",
+        "a.csv");
+    ASSERT_EQ(motion.rows.size(), 2u);
+    EXPECT_FALSE(motion.has_attitude);
+    EXPECT_DOUBLE_EQ(motion.rows[1].time_s, 0.02);
+    EXPECT_NEAR(motion.rows[1].omega_body.x(), std::numbers::pi, 1e-15);
+    EXPECT_NEAR(motion.rows[1].omega_body.y(), 0.5 * std::numbers::pi, 1e-15);
+}
+
+TEST(MeasuredReader, ReadsMatrices) {
+    const MeasuredMotion motion = parse_measured(
+        "t\tr11\tr12\tr13\tr21\tr22\tr23\tr31\tr32\tr33\n1\t0\t-1\t0\t1\t0\t0\t0\t0\t1\n", "a.tsv");
+    EXPECT_FALSE(motion.has_omega);
+    const Eigen::Vector3d turned = motion.rows[0].space_from_body * Eigen::Vector3d::UnitX();
+    EXPECT_NEAR((turned - Eigen::Vector3d::UnitY()).norm(), 0.0, 1e-15);
+}
+
+TEST(MeasuredReader, TakesPiecesCutAnywhere) {
+    const std::string table = "t,wx,wy,wz\n0,1,2,3\n1,4,5,6\n2,7,8,9";
+    for (std::size_t cut = 0; cut <= table.size(); ++cut) {
+        double sum = 0.0;
+        MeasuredReader reader("a.csv",
+                              [&sum](const MeasuredRow& row) { sum += row.omega_body.sum(); });
+        reader.read(std::string_view(table).substr(0, cut));
+        reader.read(std::string_view(table).substr(cut));
+        reader.finish();
+        EXPECT_EQ(sum, 45.0) << cut;
+    }
+}
+
+TEST(MeasuredReader, RefusesWithLineAndColumn) {
+    const std::string head = "t,wx,wy,wz\n";
+    expect_refused("", "gyro.csv:1:1: the file is empty");
+    expect_refused(head, "gyro.csv:2:1: the table has no rows");
+    expect_refused("wx,wy,wz\n1,2,3\n",
+                   "gyro.csv:1:1: the first line names no column for the time");
+    expect_refused("t,wx,wy\n",
+                   "gyro.csv:1:1: the first line names no column for each component of ω");
+    expect_refused("t,a,b\n0,1,2\n",
+                   "gyro.csv:1:1: the first line names no column for ω or the attitude");
+    expect_refused("t,wx,wy,omega_x,wz\n",
+                   "gyro.csv:1:9: two columns say the same, \"wx\" and \"omega_x\"");
+    expect_refused("t (kg),wx,wy,wz\n", "gyro.csv:1:1: \"kg\" is no unit of time");
+    expect_refused("t,wx (m/s),wy,wz\n", "gyro.csv:1:3: \"m/s\" is no unit of angular velocity");
+    expect_refused(head + "0,1,2,3\n0,1,2,3\n",
+                   "gyro.csv:3:1: the time 0 s does not come after 0 s");
+    expect_refused(head + "1,1,2,3\n0,1,2,3\n",
+                   "gyro.csv:3:1: the time 0 s does not come after 1 s");
+    expect_refused(head + "0,1,nan,3\n", "gyro.csv:2:5: \"nan\" is not a");
+    expect_refused(head + "0,1,inf,3\n", "gyro.csv:2:5: \"inf\" is not a");
+    expect_refused(head + "0,1e999,2,3\n", "gyro.csv:2:3: \"1e999\" is not a");
+    expect_refused(head + "0,1,,3\n", "gyro.csv:2:5: the cell is empty");
+    expect_refused(head + "0,1,two,3\n", "gyro.csv:2:5: \"two\" is not a number");
+    expect_refused(head + "0,1,2\n", "gyro.csv:2:6: the row has 3 cells and the first line 4");
+    expect_refused(head + "0,5,1,0,2,0,3,0\n",
+                   "gyro.csv:2:9: the row has 8 cells and the first line 4; where numbers have "
+                   "decimal commas");
+    expect_refused("t;wx;wy;wz\n0;1,5;2;3\n", "gyro.csv:2:3: \"1,5\" has a decimal comma");
+    expect_refused("t,qw,qx,qy,qz\n0,1,1,0,0\n", "gyro.csv:2:3: the quaternion has length 1.41421");
+    expect_refused("t,r11,r12,r13,r21,r22,r23,r31,r32,r33\n0,1,0,0,0,1,0,0,0,-1\n",
+                   "gyro.csv:2:3: the matrix is a reflection");
+    expect_refused("t,r11,r12,r13,r21,r22,r23,r31,r32,r33\n0,1,0,0,0,2,0,0,0,1\n",
+                   "gyro.csv:2:3: the matrix is not orthogonal");
+    expect_refused(std::string(2 << 20, 'x'), "gyro.csv:1:1: the line is longer than 1 MiB");
+}
+
+}  // namespace
+
+}  // namespace poinsot
