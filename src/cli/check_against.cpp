@@ -13,6 +13,7 @@
 #include "production/jobs/open_session.h"
 #include "system/files/file_kind.h"
 #include "text/json_text.h"
+#include "text/label_text.h"
 #include "text/numbers.h"
 #include "text/printable.h"
 #include "text/units.h"
@@ -44,8 +45,7 @@ double tolerance_rad(const std::string& text, const Accuracy& accuracy) {
         angle = number_of<double>(digits);
         if (angle) *angle /= accuracy.px_per_rad;
     } else {
-        angle = number_of<double>(digits);
-        if (!angle) angle = measured_in(text, *unit_named("rad"));
+        angle = measured_in(text, *unit_named("rad"));
     }
     if (!angle || !(*angle >= 0.0) || !std::isfinite(*angle))
         throw InputError(
@@ -118,8 +118,8 @@ void print_json(const std::string& file, const Session& session, const Departure
 Chart chart_of(const std::string& file, const Session& session, const Departure& departure) {
     Chart chart;
     chart.title = fmt::format(
-        "{} against the exact motion of {}", std::filesystem::path(file).filename().string(),
-        session.scene.title.empty() ? session.scene.name : session.scene.title);
+        "{} against {}", as_caption(std::filesystem::path(file).filename().string()),
+        session.scene.title.empty() ? as_caption(session.scene.name) : session.scene.title);
     chart.x_label = "time since the first row / s";
     chart.y_label = "error / rad, or a share";
     const auto add = [&](const std::string& name, std::optional<double> DepartureAt::*value) {

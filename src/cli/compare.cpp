@@ -12,6 +12,7 @@
 #include "cli/options.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
+#include "output/frame_name.h"
 #include "production/provenance/record.h"
 #include "report/compare_file.h"
 #include "report/compared_picture.h"
@@ -35,7 +36,7 @@ struct CompareChoices {
     std::string profile;                // empty: depends on what rendered the baselines
     Gates gates;
     std::vector<std::string> ignore;
-    bool antialiasing = false;
+    bool antialiasing = false;        // of the gates, once the line is read
     std::string report, junit, diff;  // files to write, empty for none
     bool single_file = false, github = false;
     bool measures = false, json = false, quiet = false;
@@ -69,7 +70,8 @@ std::optional<CompareLimits> profile_limits(const CompareChoices& choices) {
 // The limits of the command line; none if it sets none.
 std::optional<CompareLimits> limits_of_line(const CompareChoices& choices) {
     const Gates& gates = choices.gates;
-    const bool own = gates.limits_pixels() || gates.max_flip || gates.min_ssim;
+    const bool own =
+        gates.limits_pixels() || gates.max_flip || gates.min_ssim || gates.antialiasing;
     const std::optional<CompareLimits> profile = profile_limits(choices);
     if (!own && !profile) return std::nullopt;
     return limits_of(gates, profile, CompareLimits::exact());
@@ -81,8 +83,9 @@ bool are_folders(const fs::path& expected, const fs::path& actual) {
         [[maybe_unused]] const FrameStream readable{expected};  // throws if there is none
         return false;
     }
-    if (is_sequence_name(actual)) return false;
-    const FileKind kind = kind_of_file(expected), actual_kind = kind_of_file(actual);
+    const FileKind kind = kind_of_file(expected);
+    const FileKind actual_kind =
+        is_sequence_name(actual) ? FileKind::regular : kind_of_file(actual);
     if (kind == FileKind::missing)
         throw InputError(fmt::format(
             "{}: no such file or folder; give the reference first, then the new picture or folder",
@@ -90,12 +93,22 @@ bool are_folders(const fs::path& expected, const fs::path& actual) {
     const bool folder = kind == FileKind::folder;
     if (actual_kind != FileKind::missing && (actual_kind == FileKind::folder) != folder)
         throw InputError(
-            fmt::format("{} and {}: one is a folder, the other is not; give two "
-                        "pictures or two folders",
+            fmt::format("{} and {}: one is a folder, the other is not; give two files or two "
+                        "folders",
                         printable(expected.string()), printable(actual.string())));
     if (folder && actual_kind == FileKind::missing)
         throw InputError(fmt::format("{}: no such folder", printable(actual.string())));
+    // A picture that a test should have made and did not is an outcome of the comparison.
+    if (actual_kind == FileKind::missing && suffix_of(actual) != ".png")
+        throw InputError(fmt::format("{}: no such file", printable(actual.string())));
     return folder;
+}
+
+bool is_png(const fs::path& file) { return suffix_of(file) == ".png" && !is_sequence_name(file); }
+
+// As in folders: pictures without their suffix.
+std::string name_of_file(const fs::path& file) {
+    return (is_png(file) ? file.stem() : file.filename()).string();
 }
 
 // A line for each picture that is not the same, worst first, and the count.
@@ -173,6 +186,19 @@ bool is_within(const fs::path& path, const fs::path& folder) {
     return end == outer.end() || (std::next(end) == outer.end() && end->empty());
 }
 
+// Whether a file is, or would be, a picture of a sequence.
+bool is_in_sequence(const fs::path& file, const fs::path& pattern) {
+    std::error_code not_there;
+    if (file.empty() || !is_sequence_name(pattern)) return false;
+    const fs::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
+    const fs::path own_folder = file.has_parent_path() ? file.parent_path() : ".";
+    if (is_frame_of(file, pattern) && fs::equivalent(own_folder, folder, not_there)) return true;
+    const std::vector<std::int64_t> frames = frames_there(pattern);
+    return std::any_of(frames.begin(), frames.end(), [&](std::int64_t frame) {
+        return fs::equivalent(file, frame_name(pattern, frame), not_there);
+    });
+}
+
 // An output must not replace a compared picture or another output, and the report's pictures must
 // not be compared the next time.
 void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
@@ -195,6 +221,8 @@ void refuse_overwriting(const CompareChoices& choices, const fs::path& expected,
                 refuse(option, path, fmt::format("is also the output of {}", outputs[k].first));
         if (same(path, expected) || same(path, actual))
             refuse(option, path, "is one of the files compared");
+        if (is_in_sequence(path, expected) || is_in_sequence(path, actual))
+            refuse(option, path, "is a picture of a sequence that is compared");
         std::error_code error;
         if (folders && !path.empty() && is_comparable(path) && fs::exists(path, error) &&
             (is_within(path, expected) || is_within(path, actual)))
@@ -242,7 +270,6 @@ void show_same(const CompareChoices& choices, const fs::path& expected, const fs
 int run(const CompareChoices& choices) {
     const fs::path expected = choices.pictures.at(0), actual = choices.pictures.at(1);
     CompareRequest request{.limits = profile_limits(choices), .gates = choices.gates};
-    if (choices.antialiasing) request.gates.antialiasing = true;
     for (const std::string& region : choices.ignore)
         request.gates.ignore.push_back(value_of("--ignore", [&] { return parse_region(region); }));
     request.ssim = request.flip = choices.measures;
@@ -273,10 +300,9 @@ int run(const CompareChoices& choices) {
         sort_by_severity(pictures);
     } else {
         const Baselines baselines(expected.parent_path());
-        const bool is_picture = suffix_of(actual) == ".png" && !is_sequence_name(actual);
-        const fs::path name = is_picture ? actual.stem() : actual.filename();
-        pictures = {compare_files(name.string(), expected, actual, request,
-                                  is_picture ? &baselines : nullptr, expected.stem().string())};
+        const bool is_picture = is_png(actual);
+        pictures = {compare_files(name_of_file(actual), expected, actual, request,
+                                  is_picture ? &baselines : nullptr, name_of_file(expected))};
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
         if (!choices.diff.empty() && pictures[0].outcome == Outcome::same)
             show_same(choices, expected, actual, is_picture);
@@ -352,8 +378,8 @@ CommandLine compare_line(std::any& storage) {
           &c.antialiasing},
          {"--ignore",
           "do not compare a rectangle (left,top,width,height in pixels or %), or what the "
-          "pictures' "
-          "records name: labels, clock, caption, title, or an element such as polhode; repeatable",
+          "pictures' records name: labels, clock, caption, title, or an element such as polhode; "
+          "repeatable",
           Repeated{&c.ignore}, "", "REGION"},
          {"--measures",
           "also measure SSIM and FLIP of pictures that differ and are not limited by them; takes "
@@ -370,7 +396,8 @@ CommandLine compare_line(std::any& storage) {
           "file"},
          {"--single-file", "embed small pictures in the report instead", &c.single_file},
          {"--junit", "FILE.xml: write test results (JUnit)", &c.junit, "", {}, false, "file"},
-         {"--github", "print annotations for GitHub Actions, and add to the job's summary",
+         {"--github",
+          "print annotations for GitHub Actions (not with --json), and add to the job's summary",
           &c.github},
          {"--diff",
           "FILE.png: write expected | difference × 16 | actual; of films, a row for each of the "
@@ -381,7 +408,10 @@ CommandLine compare_line(std::any& storage) {
           false,
           "file"},
          quiet_option(c.quiet)},
-        [&c] { return run(c); }};
+        [&c] {
+            if (c.antialiasing) c.gates.antialiasing = true;
+            return run(c);
+        }};
 }
 
 }  // namespace

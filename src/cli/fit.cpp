@@ -3,12 +3,16 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cmath>
 #include <filesystem>
 
 #include "cli/command.h"
 #include "cli/options.h"
 #include "error/error.h"
 #include "measured/files/measured_file.h"
+#include "mechanics/free/free_rotation.h"
+#include "scene/toml_text.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
 #include "text/json_text.h"
@@ -24,12 +28,16 @@ struct FitChoices {
     bool json = false;
 };
 
-std::string with_sd(double value, double sd) { return fmt::format("{:.4g} ± {:.2g}", value, sd); }
-
-// Whether moments of a body can be so: none is larger than the sum of the others.
-bool is_possible(const FittedMotion& fit) {
-    return fit.moments[1] + fit.moments[2] >= fit.moments[0];
+// As many decimals as the standard deviation has a say in.
+std::string with_sd(double value, double sd) {
+    if (!(sd > 1e-15) || !(std::abs(value) < 1e9))
+        return fmt::format("{:.15g} ± {:.2g}", value, sd);
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sd))), 0, 15);
+    return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sd, decimals);
 }
+
+// By how much I1 exceeds I2 + I3, in units of I1; no body has more than 0.
+double excess_of(const FittedMotion& fit) { return 1.0 - fit.moments[1] - fit.moments[2]; }
 
 std::string json_of(const FittedMotion& fit) {
     const auto list = [](const Eigen::Vector3d& v) { return json_numbers(v[0], v[1], v[2]); };
@@ -42,7 +50,7 @@ std::string json_of(const FittedMotion& fit) {
     answer.json("omega_rad_s", list(fit.omega_rad_s))
         .json("omega_sd_rad_s", list(fit.omega_sd_rad_s));
     answer.add("damping_1_s", fit.damping_1_s).add("damping_sd_1_s", fit.damping_sd_1_s);
-    answer.add("residual_rad_s", fit.residual_rad_s);
+    answer.add("residual_rad_s", fit.residual_rad_s).add("noise_rad_s", fit.noise_rad_s);
     return answer.lines();
 }
 
@@ -59,6 +67,11 @@ std::vector<std::string> words_of(const FittedMotion& fit) {
     }
     lines.push_back(fmt::format("axes uncertain by {:.2g}, {:.2g}, {:.2g} rad about e1, e2, e3",
                                 fit.axes_sd_rad[0], fit.axes_sd_rad[1], fit.axes_sd_rad[2]));
+    constexpr double least_sds = 3.0;
+    if (1.0 - m[1] < least_sds * fit.moments_sd[1])
+        lines.emplace_back("note: I1 = I2 within the uncertainty, so that e1 and e2 are arbitrary");
+    if (m[1] - m[2] < least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
+        lines.emplace_back("note: I2 = I3 within the uncertainty, so that e2 and e3 are arbitrary");
     lines.push_back(fmt::format("ω at {:g} s = ({}, {}, {}) rad/s", fit.first_time_s,
                                 with_sd(fit.omega_rad_s[0], fit.omega_sd_rad_s[0]),
                                 with_sd(fit.omega_rad_s[1], fit.omega_sd_rad_s[1]),
@@ -67,32 +80,42 @@ std::vector<std::string> words_of(const FittedMotion& fit) {
         fmt::format("damping of L: {} 1/s", with_sd(fit.damping_1_s, fit.damping_sd_1_s)));
     lines.push_back(
         fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
-    if (!is_possible(fit))
+    if (fit.residual_rad_s > least_sds * fit.noise_rad_s)
         lines.push_back(
-            fmt::format("note: I1 > I2 + I3 by {:.2g}, which no rigid body has: look at the noise, "
-                        "the units and the time that was cut out",
-                        1.0 - m[1] - m[2]));
+            fmt::format("note: the rows scatter by {:.2g} rad/s, less than the residual: the body "
+                        "was not quite "
+                        "free, and the standard deviations are too small",
+                        fit.noise_rad_s));
+    if (excess_of(fit) > least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
+        lines.push_back(fmt::format(
+            "note: I1 > I2 + I3 by {:.2g}, which no rigid body has: check the units, the "
+            "axes and the time that was cut out",
+            excess_of(fit)));
     return lines;
 }
 
-// A scene of the fitted motion. ω(t) tells moments up to a common factor only: I1 = 1 kg m².
-std::string scene_of(const FittedMotion& fit, const std::filesystem::path& file, double span_s) {
-    std::string text = fmt::format("# Fitted to {}.\n", file.filename().string());
+// A scene of the fitted motion, without its damping. Its times are those of the table: the motion
+// is followed back to t = 0. ω(t) tells moments up to a common factor only: I1 = 1 kg m².
+std::string scene_of(const FittedMotion& fit, const std::filesystem::path& file,
+                     const MeasuredMotion& measured) {
+    std::string text = fmt::format("# Fitted to {}.\n", printable(file.filename().string()));
     for (const std::string& line : words_of(fit)) text += fmt::format("# {}\n", line);
-    const Eigen::Matrix3d tensor = fit.tensor();
-    const auto symmetric = [&tensor](int i, int j) {
-        return tensor(std::min(i, j), std::max(i, j));
-    };
-    text += "\n[body]\ntensor_kg_m2 = [";
-    for (int i = 0; i < 3; ++i)
-        text += fmt::format("{}[{:.17g}, {:.17g}, {:.17g}]", i > 0 ? ", " : "", symmetric(i, 0),
-                            symmetric(i, 1), symmetric(i, 2));
-    text += fmt::format(
-        "]  # I1 = 1: a common factor cannot be measured so\n{}\n[start]\n"
-        "omega_rad_s = [{:.17g}, {:.17g}, {:.17g}]  # at {:g} s of the table\n\n[film]\nduration_s "
-        "= {:.6g}\n",
-        is_possible(fit) ? "" : "allow_unphysical = true\n", fit.omega_rad_s[0], fit.omega_rad_s[1],
-        fit.omega_rad_s[2], fit.first_time_s, span_s);
+    text += "# The scene leaves the damping out.\n";
+    const InertiaTensor inertia = InertiaTensor::from_matrix(fit.tensor(), Physicality::waived);
+    const RotationState first{fit.first_time_s, measured.rows.front().space_from_body,
+                              fit.omega_rad_s};
+    const RotationState start = FreeRotation(inertia, first).at(0.0);
+    text +=
+        fmt::format("\n[body]\ntensor_kg_m2 = {}  # I1 = 1: a common factor has no effect on ω\n",
+                    toml_text(fit.tensor()));
+    if (excess_of(fit) > 0.0) text += "allow_unphysical = true\n";
+    text += fmt::format("\n[start]\nomega_rad_s = {}\n", toml_text(start.omega_body));
+    const Eigen::Quaterniond& q = start.space_from_body;
+    if (measured.has_attitude)
+        text +=
+            fmt::format("attitude = {}\n", toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
+    text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\n", toml_text(fit.first_time_s),
+                        toml_text(measured.rows.back().time_s - fit.first_time_s));
     return text;
 }
 
@@ -112,10 +135,7 @@ int run(const FitChoices& choices) {
     } catch (const InputError& error) {
         throw InputError(fmt::format("{}: {}", printable(file.string()), error.what()));
     }
-    if (!choices.output.empty())
-        write_whole(
-            choices.output,
-            scene_of(fit, file, measured.rows.back().time_s - measured.rows.front().time_s));
+    if (!choices.output.empty()) write_whole(choices.output, scene_of(fit, file, measured));
     if (choices.json) {
         fmt::print("{}", json_of(fit));
         return 0;

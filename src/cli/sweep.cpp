@@ -114,7 +114,7 @@ std::string formula_of(std::string_view key, const std::string& value) {
     const bool is_decimal = value.find_first_not_of("+-.0123456789") == std::string::npos;
     if (symbol == std::end(symbols_of_keys) || row == nullptr || !is_decimal) return plain;
     std::string unit(row->type.unit);
-    for (std::size_t at = 0; (at = unit.find(' ', at)) != std::string::npos;) unit[at] = '~';
+    std::replace(unit.begin(), unit.end(), ' ', '~');
     return fmt::format("${}{} = {}$~{}", symbol->second, subscript, value, unit);
 }
 

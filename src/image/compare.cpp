@@ -70,8 +70,9 @@ void judge(const CompareLimits& limits, Comparison& result) {
                                                                          : Verdict::within_limits;
     result.reason = counts_in_words(limits, result);
     if (result.n_antialiased > 0)
-        result.reason += fmt::format(", and {} more at edges by anti-aliasing, which is allowed",
-                                     result.n_antialiased);
+        result.reason +=
+            fmt::format("; anti-aliasing explains {} more, which {} allowed", result.n_antialiased,
+                        result.n_antialiased == 1 ? "is" : "are");
     if (result.n_differing > 0)
         result.reason += fmt::format("; the largest difference is {}",
                                      levels_in_words(result.largest_difference));

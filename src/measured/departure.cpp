@@ -4,21 +4,17 @@
 #include <cmath>
 #include <variant>
 
+#include "mechanics/motion_errors.h"
+
 namespace poinsot {
 
 namespace {
 
 // The angle between two vectors, accurate for small ones (W. Kahan, "How futile are mindless
 // assessments of roundoff", §12: 2 atan2(|a|b| − b|a||, |a|b| + b|a||)).
-double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
+double tilt_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
     const Eigen::Vector3d u = a.normalized(), v = b.normalized();
     return 2.0 * std::atan2((u - v).norm(), (u + v).norm());
-}
-
-// The angle of the rotation from one attitude to another.
-double angle_between(const Eigen::Quaterniond& a, const Eigen::Quaterniond& b) {
-    const Eigen::Quaterniond between = a.conjugate() * b;
-    return 2.0 * std::atan2(between.vec().norm(), std::abs(between.w()));
 }
 
 void keep_larger(std::optional<double>& kept, const std::optional<double>& other) {
@@ -60,7 +56,7 @@ void Departure::add(const MeasuredRow& row, bool has_omega, bool has_attitude) {
         at.energy_share = 0.5 * momentum.dot(row.omega_body) / energy_J_ - 1.0;
         at.momentum_share = momentum.norm() / momentum_space_.norm() - 1.0;
         if (has_attitude && !momentum.isZero(0.0))
-            at.momentum_tilt_rad = angle_between(row.space_from_body * momentum, momentum_space_);
+            at.momentum_tilt_rad = tilt_between(row.space_from_body * momentum, momentum_space_);
     }
     note(at);
 }

@@ -20,6 +20,7 @@ namespace {
 
 constexpr std::size_t most_rows = 20'000;
 constexpr std::size_t least_rows = 30;
+constexpr double most_turn_rad = 0.5;  // from row to row
 
 // What is fitted: five components of the logarithm of the tensor, which has no trace, so that every
 // value is a positive tensor of determinant 1; ω at the first instant; the damping.
@@ -163,13 +164,15 @@ std::pair<Tensor, double> first_tensor(std::span<const MeasuredRow> rows, double
     }
     const double window = window_rad / rate_of(rows);
     Eigen::Matrix<double, 6, 6> normal = Eigen::Matrix<double, 6, 6>::Zero();
-    std::size_t b = 0;
-    for (std::size_t a = 0; a < rows.size(); ++a) {
+    std::size_t b = 0, n_windows = 0;
+    for (std::size_t a = 0; a < rows.size(); ++a, ++n_windows) {
         while (b < rows.size() && times[b] - times[a] < window) ++b;
         if (b == rows.size()) break;
         const Row row = ends[b] - ends[a] + sums[b] - sums[a];
         normal += row.transpose() * row;
     }
+    // Rows too short for a window say nothing.
+    if (n_windows == 0) return {Tensor::Identity(), std::numeric_limits<double>::infinity()};
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix<double, 6, 6>> eigen(normal);
     Tensor tensor = Tensor::Zero();
     for (int k = 0; k < 6; ++k)
@@ -194,8 +197,8 @@ struct LeastSquares {
     int inputs() const { return n_parameters; }
     int values() const { return static_cast<int>(residuals.n_values()); }
     int operator()(const Eigen::VectorXd& p, Eigen::VectorXd& out) const {
-        // Far from any tensor the exponential overflows.
-        constexpr double far_off = 1e9, most_logarithm = 20.0;
+        // Moments in such ratios no body has, and their exponentials lose their digits.
+        constexpr double far_off = 1e9, most_logarithm = 5.0;
         if (p.allFinite() && p.head<5>().cwiseAbs().maxCoeff() < most_logarithm)
             out = residuals.at(p);
         else
@@ -221,6 +224,7 @@ Parameters fitted(std::span<const MeasuredRow> rows, Parameters start, double fi
         const std::size_t n = std::min(rows.size(), n_within(span_s));
         LeastSquares problem{Residuals{rows.first(n)}};
         Eigen::LevenbergMarquardt<LeastSquares> method(problem);
+        method.parameters.maxfev = 100;
         Eigen::VectorXd p = start;
         method.minimize(p);
         start = p;
@@ -248,13 +252,19 @@ double noise_of(std::span<const MeasuredRow> rows) {
         "{:.3g}; cut the table to the time in which the body is free, and check units and axes",
         off_rad_s, rate_rad_s));
 }
-constexpr double most_residual_share = 0.3;
+[[noreturn]] void throw_undetermined() {
+    throw InputError(
+        "the rows do not determine the moments: other bodies move so, too; measure a motion whose "
+        "axis of rotation wanders through the body, or for longer");
+}
+constexpr double most_noise_share = 0.3;      // of the rate
+constexpr double most_residual_share = 0.05;  // of the rate, where the rows scatter less
 
 // Refuses rows that are noise, and a turn about one axis, which says nothing about the moments:
 // whatever ω is besides is noise.
 void check_wandering(std::span<const MeasuredRow> rows) {
     const double noise = noise_of(rows), rate = rate_of(rows);
-    if (noise > most_residual_share * rate) throw_no_motion(noise, rate);
+    if (noise > most_noise_share * rate) throw_no_motion(noise, rate);
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const MeasuredRow& row : rows) squares += row.omega_body * row.omega_body.transpose();
     const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
@@ -278,7 +288,7 @@ Parameters best_parameters(std::span<const MeasuredRow> rows) {
     for (const double first_span_rad : {12.0, 5.0, 30.0})
         for (const double window_rad : {1.0, 0.5, 2.0, 4.0}) {
             // The damping that Euler's equations hold best with.
-            Parameters start;
+            Parameters start = parameters_of(Tensor::Identity(), rows.front().omega_body, 0.0);
             double least_rest = std::numeric_limits<double>::infinity();
             for (const double loss : {0.0, 0.1, 0.3, 1.0, 2.0, 4.0}) {
                 const auto [tensor, rest] = first_tensor(rows, loss / span_s, window_rad);
@@ -318,11 +328,30 @@ Principal principal(const Tensor& tensor, const Eigen::Matrix3d* near = nullptr)
     return found;
 }
 
+// Whether L² = 2T·I2 but for rounding. Then sech and tanh of ω(t) fit a family of bodies: k = 1
+// says nothing more about the moments.
+bool is_on_separatrix(const Principal& body, const Eigen::Vector3d& omega) {
+    const Eigen::Vector3d squares = (body.axes.transpose() * omega).cwiseAbs2();
+    const double twice_energy = body.moments.dot(squares);
+    const double momentum_squared = body.moments.cwiseAbs2().dot(squares);
+    constexpr double nearest = 1e-6;
+    return std::abs(momentum_squared / twice_energy - body.moments[1]) <
+           nearest * (body.moments[0] - body.moments[2]);
+}
+
+// Every so many rows, evenly, so that no more than most_rows are left, but none of them so far
+// apart that the body turns by too much in between: of a longer table the beginning is taken.
 std::vector<MeasuredRow> thinned(std::span<const MeasuredRow> rows) {
+    const double step_s = (rows.back().time_s - rows.front().time_s) /
+                          static_cast<double>(std::max<std::size_t>(rows.size(), 2) - 1);
+    const double most_turn = 0.5 * most_turn_rad;
+    const auto widest = static_cast<std::size_t>(
+        std::max(1.0, std::min(1e9, most_turn / std::max(step_s * rate_of(rows), 1e-9))));
+    const std::size_t stride = std::min((rows.size() + most_rows - 1) / most_rows, widest);
     std::vector<MeasuredRow> some;
-    const std::size_t n = std::min(rows.size(), most_rows);
-    some.reserve(n);
-    for (std::size_t i = 0; i < n; ++i) some.push_back(rows[i * rows.size() / n]);
+    some.reserve(std::min(rows.size(), most_rows));
+    for (std::size_t i = 0; i < rows.size() && some.size() < most_rows; i += stride)
+        some.push_back(rows[i]);
     return some;
 }
 
@@ -336,7 +365,7 @@ void check(std::span<const MeasuredRow> rows) {
     if (!std::isfinite(rate)) throw InputError("ω is too large to be squared; give it in rad/s");
     std::size_t n_far = 0;
     for (std::size_t i = 1; i < rows.size(); ++i)
-        n_far += (rows[i].time_s - rows[i - 1].time_s) * rate > 0.5;
+        n_far += (rows[i].time_s - rows[i - 1].time_s) * rate > most_turn_rad;
     if (2 * n_far > rows.size())
         throw InputError(
             fmt::format("the body turns by more than half a radian from one row to the next; "
@@ -345,10 +374,6 @@ void check(std::span<const MeasuredRow> rows) {
 }
 
 }  // namespace
-
-Eigen::Vector3d FittedMotion::omega_at(double time_s) const {
-    return Model(parameters_of(tensor(), omega_rad_s, damping_1_s)).omega(time_s - first_time_s);
-}
 
 FittedMotion fit_motion(std::span<const MeasuredRow> all) {
     check(all);
@@ -361,20 +386,22 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all) {
     const double variance =
         residuals.at(p).squaredNorm() / static_cast<double>(residuals.n_values() - n_parameters);
     const double rate = rate_of(rows);
-    if (!(std::sqrt(variance) < most_residual_share * rate))
-        throw_no_motion(std::sqrt(variance), rate);
-    const Eigen::Matrix<double, n_parameters, n_parameters> information =
-        jacobian.transpose() * jacobian;
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(information);
+    const double residual = std::sqrt(variance);
+    if (!(residual < std::max(most_residual_share * rate, 1.5 * noise_of(rows))))
+        throw_no_motion(residual, rate);
+    // Scaled, so that units do not matter.
+    const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseInverse();
+    const Eigen::MatrixXd scaled = jacobian * scale.asDiagonal();
+    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled.transpose() * scaled);
+    constexpr double least_eigenvalue = 1e-13;
+    if (!(eigen.eigenvalues()[0] > least_eigenvalue)) throw_undetermined();
     const Eigen::MatrixXd covariance =
-        variance * (eigen.eigenvectors() *
-                    eigen.eigenvalues()
-                        .cwiseMax(1e-14 * eigen.eigenvalues().maxCoeff())
-                        .cwiseInverse()
-                        .asDiagonal() *
-                    eigen.eigenvectors().transpose());
+        variance * (scale.asDiagonal() * eigen.eigenvectors() *
+                    eigen.eigenvalues().cwiseInverse().asDiagonal() *
+                    eigen.eigenvectors().transpose() * scale.asDiagonal());
 
     const Principal found = principal(tensor_of(p));
+    if (is_on_separatrix(found, p.segment<3>(5))) throw_undetermined();
     // Moments and axes change with the tensor's five parameters.
     Eigen::Matrix<double, 6, 5> change;
     constexpr double step = 1e-6;
@@ -406,14 +433,10 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all) {
     }
     fit.damping_1_s = p[8];
     fit.damping_sd_1_s = sd(covariance(8, 8));
-    fit.residual_rad_s = std::sqrt(variance);
+    fit.residual_rad_s = residual;
     fit.n_rows = rows.size();
-    if (constexpr double most = 0.25; fit.moments_sd.maxCoeff() > most)
-        throw InputError(
-            fmt::format("the rows do not determine the moments: I2/I1 = {:.2g} ± {:.2g}, I3/I1 = "
-                        "{:.2g} ± {:.2g}; measure a motion whose axis "
-                        "of rotation wanders through the body, or for longer",
-                        fit.moments[1], fit.moments_sd[1], fit.moments[2], fit.moments_sd[2]));
+    fit.noise_rad_s = noise_of(rows);
+    if (constexpr double most = 0.25; fit.moments_sd.maxCoeff() > most) throw_undetermined();
     return fit;
 }
 

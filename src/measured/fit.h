@@ -25,16 +25,17 @@ struct FittedMotion {
     double residual_rad_s = 0.0;  // root mean square of a component of ω
     std::size_t n_rows = 0;       // that were used
 
+    double noise_rad_s = 0.0;  // of a component, as the rows scatter from one to the next
+
     // The tensor in instrument axes, in units of I1.
     Eigen::Matrix3d tensor() const {
-        return instrument_from_principal * moments.asDiagonal() *
-               instrument_from_principal.transpose();
+        const Eigen::Matrix3d made = instrument_from_principal * moments.asDiagonal() *
+                                     instrument_from_principal.transpose();
+        return 0.5 * (made + made.transpose());
     }
-    // ω at an instant, rad/s, instrument axes.
-    Eigen::Vector3d omega_at(double time_s) const;
 };
 
-// Fits rows with ω, in order of time. Of more than 20,000 rows it takes 20,000, evenly. Throws
+// Fits rows with ω, in order of time. Of more than 20,000 rows it takes 20,000. Throws
 // InputError for fewer than 30 rows, a body at rest, samples too far apart to follow the turning, a
 // turn about one axis, which says nothing about the other moments, and motions that no rigid body
 // makes.

@@ -114,10 +114,7 @@ constexpr std::array<std::string_view, 9> of_matrix{"11", "12", "13", "21", "22"
 
 // SI units in one of this unit; nothing if it is none, or of another kind than `si`.
 std::optional<double> factor_of(std::string_view unit, std::string_view si) {
-    std::string name(unit);
-    if (const std::size_t degree = name.find("°"); degree != std::string::npos)
-        name.replace(degree, std::string_view("°").size(), "deg");
-    const std::optional<Unit> own = unit_named(name), wanted = unit_named(si);
+    const std::optional<Unit> own = unit_named(unit), wanted = unit_named(si);
     if (!own || !wanted || own->dimension != wanted->dimension) return std::nullopt;
     return nearest_double(own->factor) * std::pow(std::numbers::pi, own->power_of_pi);
 }
@@ -178,6 +175,7 @@ void MeasuredReader::refuse(std::size_t cell, const std::string& what) const {
 void MeasuredReader::take_line(std::string_view line) {
     ++line_number_;
     if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    if (line.ends_with('\r')) line.remove_suffix(1);
     if (trimmed(line).empty()) return;
     line_ = line;
     if (n_columns_ == 0)
@@ -283,7 +281,7 @@ void MeasuredReader::take_row(std::string_view line) {
     row.time_s = number_in(column_of_time_);
     if (has_rows_ && !(row.time_s > last_time_s_))
         refuse(static_cast<std::size_t>(column_of_time_),
-               fmt::format("the time {:.17g} s does not come after {:.17g} s; sort the rows, each "
+               fmt::format("the time {} s does not come after {} s; sort the rows, each "
                            "instant once",
                            row.time_s, last_time_s_));
     if (has_omega())
@@ -316,16 +314,6 @@ void MeasuredReader::take_row(std::string_view line) {
     last_time_s_ = row.time_s;
     has_rows_ = true;
     take_(row);
-}
-
-MeasuredMotion parse_measured(std::string_view text, const std::string& name) {
-    MeasuredMotion motion;
-    MeasuredReader reader(name, [&motion](const MeasuredRow& row) { motion.rows.push_back(row); });
-    reader.read(text);
-    reader.finish();
-    motion.has_omega = reader.has_omega();
-    motion.has_attitude = reader.has_attitude();
-    return motion;
 }
 
 }  // namespace poinsot

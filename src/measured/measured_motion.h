@@ -76,6 +76,5 @@ struct MeasuredMotion {
     std::vector<MeasuredRow> rows;
     bool has_omega = false, has_attitude = false;
 };
-MeasuredMotion parse_measured(std::string_view text, const std::string& name);
 
 }  // namespace poinsot

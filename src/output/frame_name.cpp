@@ -4,8 +4,8 @@
 
 #include <algorithm>
 #include <charconv>
+#include <optional>
 #include <string>
-#include <string_view>
 #include <system_error>
 
 namespace poinsot {
@@ -23,23 +23,36 @@ std::filesystem::path frame_name(const std::filesystem::path& pattern, std::int6
     return pattern.parent_path() / name;
 }
 
+namespace {
+
+// The number of the frame of a pattern that has this name. Only its exact name counts.
+std::optional<std::int64_t> frame_of(const std::string& name,
+                                     const std::filesystem::path& pattern) {
+    const std::string pattern_name = pattern.filename().string();
+    const std::size_t n_front = pattern_name.find('#');
+    if (name.compare(0, n_front, pattern_name, 0, n_front) != 0) return std::nullopt;
+    std::int64_t frame = 0;
+    const auto [end, failed] =
+        std::from_chars(name.data() + n_front, name.data() + name.size(), frame);
+    if (failed != std::errc{} || frame < 0 || frame_name(pattern, frame).filename() != name)
+        return std::nullopt;
+    return frame;
+}
+
+}  // namespace
+
+bool is_frame_of(const std::filesystem::path& file, const std::filesystem::path& pattern) {
+    return frame_of(file.filename().string(), pattern).has_value();
+}
+
 std::vector<std::int64_t> frames_there(const std::filesystem::path& pattern) {
     std::vector<std::int64_t> frames;
-    const std::string name = pattern.filename().string();
-    const std::size_t start = name.find('#');
-    const std::string_view front = std::string_view(name).substr(0, start);
     const std::filesystem::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
     std::error_code error;
     std::filesystem::directory_iterator at(folder, error);
     for (; !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
-        const std::string found = at->path().filename().string();
-        if (!found.starts_with(front)) continue;
-        std::int64_t frame = 0;
-        const auto [end, failed] =
-            std::from_chars(found.data() + front.size(), found.data() + found.size(), frame);
-        // Only the exact name of that frame counts.
-        if (failed == std::errc{} && frame >= 0 && frame_name(pattern, frame).filename() == found)
-            frames.push_back(frame);
+        if (const auto frame = frame_of(at->path().filename().string(), pattern))
+            frames.push_back(*frame);
     }
     std::sort(frames.begin(), frames.end());
     return frames;

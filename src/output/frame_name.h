@@ -14,6 +14,10 @@ bool has_frame_number(const std::filesystem::path& pattern);
 // Precondition: has_frame_number(pattern), number ≥ 0.
 std::filesystem::path frame_name(const std::filesystem::path& pattern, std::int64_t number);
 
+// Whether a file name (without its folders) is that of a frame of the pattern. Precondition:
+// has_frame_number(pattern).
+bool is_frame_of(const std::filesystem::path& file, const std::filesystem::path& pattern);
+
 // Returns the numbers of the existing pictures of a pattern, in ascending order.
 std::vector<std::int64_t> frames_there(const std::filesystem::path& pattern);
 

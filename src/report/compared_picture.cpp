@@ -5,6 +5,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <fstream>
 #include <map>
 #include <mutex>
 #include <tuple>
@@ -19,7 +21,6 @@
 #include "production/provenance/record.h"
 #include "production/provenance/record_difference.h"
 #include "report/rendered_page.h"
-#include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/in_parallel.h"
 #include "text/printable.h"
@@ -87,17 +88,37 @@ std::optional<Record> record_of(const fs::path& file) {
     }
 }
 
-// Whether it has so many pixels that one pair of such pictures at a time is held in memory.
-bool is_large(const fs::path& picture) {
-    constexpr double many_pixels = 1 << 24;
-    if (!is_picture_name(picture) || kind_of_file(picture) != FileKind::regular) return false;
-    try {
-        const PngInfo info = read_png_info(picture);
-        return 1.0 * info.width_px * info.height_px > many_pixels;
-    } catch (const Error&) {
-        return false;  // reported when it is compared
+// What a pair may use of the machine beside the other pairs of its folder.
+class MachineShare {
+ public:
+    // Of a pair alone.
+    explicit MachineShare(int n_threads) : n_threads_(n_threads), n_threads_alone_(n_threads) {}
+    MachineShare(int n_threads, int n_threads_alone, std::mutex& large_pairs)
+        : n_threads_(n_threads),
+          n_threads_alone_(n_threads_alone),
+          alone_(large_pairs, std::defer_lock) {}
+
+    // With so many pixels in each of the two, waits until no other large pair is in memory.
+    void need(std::int64_t n_pixels) {
+        constexpr std::int64_t many_pixels = 1 << 24;
+        if (n_pixels > many_pixels && alone_.mutex() != nullptr && !alone_.owns_lock())
+            alone_.lock();
     }
-}
+    void need(const fs::path& png) {
+        if (alone_.mutex() == nullptr || kind_of_file(png) != FileKind::regular) return;
+        try {
+            const PngInfo info = read_png_info(png);
+            need(std::int64_t{info.width_px} * info.height_px);
+        } catch (const Error&) {
+            return;  // reported when it is compared
+        }
+    }
+    int n_threads() const { return alone_.owns_lock() ? n_threads_alone_ : n_threads_; }
+
+ private:
+    int n_threads_, n_threads_alone_;
+    std::unique_lock<std::mutex> alone_;
+};
 
 // Whether both are regular files of the same bytes; the reader of pictures reports files that
 // cannot be read.
@@ -106,7 +127,19 @@ bool have_same_bytes(const fs::path& a, const fs::path& b) {
     std::error_code error;
     if (fs::equivalent(a, b, error) && !error) return true;
     if (fs::file_size(a, error) != fs::file_size(b, error) || error) return false;
-    return read_bytes(a) == read_bytes(b);
+    // In pieces: films may be larger than memory.
+    std::array<std::ifstream, 2> files{std::ifstream(a, std::ios::binary),
+                                       std::ifstream(b, std::ios::binary)};
+    std::array<std::string, 2> pieces{std::string(1 << 20, '\0'), std::string(1 << 20, '\0')};
+    for (;;) {
+        for (std::size_t i = 0; i < 2; ++i) {
+            files[i].read(pieces[i].data(), std::ssize(pieces[i]));
+            pieces[i].resize(static_cast<std::size_t>(files[i].gcount()));
+            if (files[i].bad() || !files[i].is_open()) return false;
+        }
+        if (pieces[0] != pieces[1]) return false;
+        if (files[0].eof() || files[1].eof()) return files[0].eof() && files[1].eof();
+    }
 }
 
 // The records of a pair; none for files by other programs.
@@ -222,26 +255,46 @@ void tell_changes(const Records& records, ComparedPicture& result) {
     }
 }
 
-void compare_pages(const CompareRequest& request, const Gates& gates, ComparedPicture& result) {
+void compare_pages(const CompareRequest& request, const Gates& gates, MachineShare& share,
+                   ComparedPicture& result) {
     if (have_same_bytes(result.expected, result.actual)) return;
     RenderedPages pages;
-    const StoredPicture expected = request.read(pages.picture_of(result.expected));
-    const StoredPicture actual = request.read(pages.picture_of(result.actual));
+    const fs::path expected_png = pages.picture_of(result.expected);
+    const fs::path actual_png = pages.picture_of(result.actual);
+    share.need(expected_png);
+    share.need(actual_png);
+    const StoredPicture expected = request.read(expected_png);
+    const StoredPicture actual = request.read(actual_png);
     const Records records{record_of(result.expected), record_of(result.actual)};
     compare_pictures(expected, actual, records, request, gates, result);
     tell_changes(records, result);
 }
 
-void compare_two_films(const CompareRequest& request, const Gates& gates, ComparedPicture& result) {
+// Whether two films drift apart by less than half a frame over their length: the times of a GIF are
+// in hundredths of a second, so that its rate is not exactly that of the film it shows.
+bool rates_agree(const FrameStream& a, const FrameStream& b) {
+    const auto rate_a = a.rate(), rate_b = b.rate();
+    if (!rate_a || !rate_b) return true;
+    const auto n_frames = static_cast<double>(std::max(a.n_frames(), b.n_frames()));
+    return std::abs(rate_a->per_second() / rate_b->per_second() - 1.0) * n_frames < 0.5;
+}
+
+// Of a film, the record of the first frame, whether it is a film or a sequence.
+void name_first_frame(std::optional<Record>& record) {
+    if (record && record->frames && !record->frame) record->frame = record->frames->first;
+}
+
+void compare_two_films(const CompareRequest& request, const Gates& gates, MachineShare& share,
+                       ComparedPicture& result) {
     FrameStream expected(result.expected), actual(result.actual);
     if (have_same_bytes(result.expected, result.actual)) return;
-    const Records records{record_of(expected.file()), record_of(actual.file())};
-    const auto rate_a = expected.rate(), rate_b = actual.rate();
-    if (rate_a && rate_b &&
-        rate_a->numerator * rate_b->denominator != rate_b->numerator * rate_a->denominator) {
+    Records records{record_of(expected.file()), record_of(actual.file())};
+    name_first_frame(records.expected);
+    name_first_frame(records.actual);
+    if (!rates_agree(expected, actual)) {
         result.outcome = Outcome::rate;
         result.reason = fmt::format("expected {:.6g} frames a second, found {:.6g}",
-                                    rate_a->per_second(), rate_b->per_second());
+                                    expected.rate()->per_second(), actual.rate()->per_second());
         tell_changes(records, result);
         return;
     }
@@ -253,26 +306,32 @@ void compare_two_films(const CompareRequest& request, const Gates& gates, Compar
         result.reason = error.what();
         return;
     }
+    // A comparison of films holds up to eight pairs of frames: the worst ones and the present ones.
+    share.need(8 * std::max(expected.frame_pixels(), actual.frame_pixels()));
     std::vector<PictureRegion> ignored;
     FilmDifferences film = compare_films(
         expected, actual, result.limits,
         [&](std::int64_t frame, int width, int height) {
             return CompareExtras{request.ssim, request.flip, regions->in(width, height, frame)};
         },
-        request.n_threads);
+        share.n_threads());
     result.measured = film.measured;
     result.found_regions = regions->found();
     result.outcome = outcome_of(film.measured.verdict);
-    if (film.measured.n_differing + film.measured.n_antialiased > 0 && film.measured.n_pixels == 0)
-        result.outcome = Outcome::region;
     if (result.outcome == Outcome::size) {
         result.reason = film.measured.reason;
+        if (film.worst > 0)
+            result.reason = fmt::format("{}: {}", film.in_words(film.worst), result.reason);
     } else {
         if (film.n_expected != film.n_actual) result.outcome = Outcome::length;
         result.reason = in_words(film);
         if (!film.measured.reason.empty())
             result.reason += fmt::format("; there {}", film.measured.reason);
         tell_ignored(result);
+    }
+    if (film.measured.n_ignored > 0 && film.measured.n_pixels == 0) {
+        result.outcome = Outcome::region;
+        result.reason = nothing_left;
     }
     tell_changes(records, result);
     if (request.seen && !film.strip.empty()) {
@@ -333,9 +392,12 @@ std::optional<CompareLimits> limits_between(const Baseline& approved, std::strin
     return CompareLimits{.differing_share = 1e-3, .level = 1, .over_level_share = 0.0};
 }
 
-ComparedPicture compare_files(const std::string& name, const fs::path& expected,
-                              const fs::path& actual, const CompareRequest& request,
-                              const Baselines* baselines, const std::string& baseline_name) {
+namespace {
+
+ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
+                             const fs::path& actual, const CompareRequest& request,
+                             const Baselines* baselines, const std::string& baseline_name,
+                             MachineShare& share) {
     ComparedPicture result;
     result.name = name;
     if (kind_of_compared(expected) != FileKind::missing) result.expected = expected;
@@ -350,15 +412,19 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
     }
     if (result.actual.empty()) {
         result.outcome = Outcome::missing;
-        result.reason = "the baseline exists, but the new picture is missing";
+        result.reason = "the baseline exists, but the new file is missing";
         return result;
     }
     if (result.expected.empty()) {
         result.outcome = Outcome::unexpected;
-        result.reason = "this picture has no baseline; approve it if it is right";
+        result.reason = is_picture_name(actual)
+                            ? "this picture has no baseline; approve it if it is right"
+                            : "this file has no baseline; copy it into the folder of baselines if "
+                              "it is right";
         return result;
     }
-    const Gates gates = request.gates.over(request.file ? request.file->gates_of(name) : Gates{});
+    const Gates gates =
+        request.gates.over(request.file ? request.file->gates_of(baseline_name) : Gates{});
     for (const IgnoredRegion& region : gates.ignore) result.ignored.push_back(region.text);
     std::optional<CompareLimits> by_renderer = CompareLimits::exact();
     const bool decides = gates.limits_pixels() || gates.max_flip || gates.min_ssim;
@@ -384,13 +450,15 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
                 "figures",
                 printable(expected.string()), printable(actual.string())));
         if (kind == Kind::page) {
-            compare_pages(request, gates, result);
+            compare_pages(request, gates, share, result);
             return result;
         }
         if (kind == Kind::film) {
-            compare_two_films(request, gates, result);
+            compare_two_films(request, gates, share, result);
             return result;
         }
+        share.need(expected);
+        share.need(actual);
         // Of two files of the same bytes one is read, to see that it is a whole PNG.
         const StoredPicture picture = request.read(expected);
         if (have_same_bytes(expected, actual)) {
@@ -412,6 +480,16 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
         result.reason = error.what();
     }
     return result;
+}
+
+}  // namespace
+
+ComparedPicture compare_files(const std::string& name, const fs::path& expected,
+                              const fs::path& actual, const CompareRequest& request,
+                              const Baselines* baselines, const std::string& baseline_name) {
+    MachineShare whole(request.n_threads);
+    return compare_pair(name, expected, actual, request, baselines,
+                        baseline_name.empty() ? name : baseline_name, whole);
 }
 
 std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs::path& actual,
@@ -437,15 +515,16 @@ std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs:
         request.file->check_used(all);
     }
     std::vector<ComparedPicture> results(pairs.size());
-    std::mutex large_pictures;
+    std::mutex large_pairs;
+    const int n_threads_each = std::max(
+        1, request.n_threads / static_cast<int>(std::min<std::size_t>(pairs.size(), 1 << 16)));
     in_parallel(pairs.size(), request.n_threads, [&](std::size_t i) {
         const auto& [name, paths] = pairs[i];
-        std::unique_lock alone(large_pictures, std::defer_lock);
-        if (is_large(paths.first) || is_large(paths.second)) alone.lock();
+        MachineShare share(n_threads_each, request.n_threads, large_pairs);
         try {
-            results[i] = compare_files(name, paths.first, paths.second, request, &baselines, name);
-        } catch (const EnvironmentError& error) {
-            if (!is_page_name(paths.first)) throw;
+            results[i] =
+                compare_pair(name, paths.first, paths.second, request, &baselines, name, share);
+        } catch (const NoRasteriser& error) {
             // Without the program that renders pages, the other files are still compared.
             results[i] = {.name = name,
                           .expected = paths.first,

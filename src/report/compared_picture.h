@@ -97,12 +97,13 @@ struct CompareRequest {
     // Receives each pair that is not the same while it is in memory, on the thread that compares.
     std::function<void(ComparedPicture&, const PicturePair&)> seen{};
     bool only_pictures = false;      // of a folder: no films, no vector figures
-    int n_threads = n_processors();  // of a folder; the functions are called by all of them
+    int n_threads = n_processors();  // of a folder, all of which call the functions, or of a film
 };
 
 // Compares two files, or two sequences. A file that does not exist is "missing" or "unexpected". If
 // baselines are given, their manifest names the expected picture and, if no limits are given,
-// determines the limits from the renderer; otherwise no pixel may differ.
+// determines the limits from the renderer; otherwise no pixel may differ. The manifest and
+// compare.toml know it by the name of the baseline; empty: the same name.
 ComparedPicture compare_files(const std::string& name, const std::filesystem::path& expected,
                               const std::filesystem::path& actual, const CompareRequest& request,
                               const Baselines* baselines = nullptr,

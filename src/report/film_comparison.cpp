@@ -5,6 +5,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
+#include <tuple>
 #include <utility>
 
 #include "system/in_parallel.h"
@@ -18,16 +20,18 @@ constexpr std::size_t most_kept = 5;
 // Whether one pair of frames differs more than another.
 bool is_worse(const Comparison& a, const Comparison& b) {
     const auto rank = [](const Comparison& m) {
-        return std::pair(!m.passes(), m.flip.value_or(m.mean_difference));
+        return std::tuple(m.verdict == Verdict::size_differs, !m.passes(),
+                          m.flip.value_or(m.mean_difference));
     };
     return rank(a) > rank(b);
 }
 
-// Keeps a pair among the worst; of frames close to each other only the worst.
+// Keeps a pair among the worst; of each window of so many frames only the worst. Windows that are
+// fixed keep several frames of a drift, in which each frame is worse than the one before.
 void keep(std::int64_t frame, const Comparison& measured, const StoredPicture& expected,
-          const StoredPicture& actual, std::int64_t least_apart, std::vector<KeptFrames>& kept) {
+          const StoredPicture& actual, std::int64_t window, std::vector<KeptFrames>& kept) {
     const auto close = std::find_if(kept.begin(), kept.end(), [&](const KeptFrames& each) {
-        return frame - each.frame < least_apart;
+        return frame / window == each.frame / window;
     });
     if (close != kept.end()) {
         if (!is_worse(measured, close->measured)) return;
@@ -49,6 +53,28 @@ bool are_equal(const StoredPicture& a, const StoredPicture& b) {
            a.info.colours == b.info.colours;
 }
 
+// Frames of one film in a row.
+struct Batch {
+    std::vector<StoredPicture> frames{1};
+    std::size_t n = 0;  // of these frames that were read
+
+    // Fills all frames, or as many as the film still has.
+    void read(FrameStream& film) {
+        n = 0;
+        while (n < frames.size() && film.read(frames[n])) ++n;
+    }
+};
+
+// How many pairs are compared at the same time: one for each thread, as far as memory for them and
+// for the next ones is not more than for one pair of large pictures.
+std::size_t pairs_at_a_time(const Image& frame, int n_threads) {
+    constexpr std::int64_t most_pixels = 1 << 23;
+    const std::int64_t n_pixels =
+        std::max<std::int64_t>(1, std::int64_t{frame.width()} * frame.height());
+    return static_cast<std::size_t>(
+        std::clamp<std::int64_t>(most_pixels / n_pixels, 1, std::max(1, n_threads)));
+}
+
 }  // namespace
 
 std::string FilmDifferences::in_words(std::int64_t frame) const {
@@ -62,20 +88,29 @@ FilmDifferences compare_films(FrameStream& expected, FrameStream& actual,
                               int n_threads) {
     FilmDifferences film;
     film.rate = expected.rate() ? expected.rate() : actual.rate();
-    const auto least_apart =
-        static_cast<std::int64_t>(std::lround(0.5 * (film.rate ? film.rate->per_second() : 30.0)));
-    std::array<StoredPicture, 2> now, next;
-    std::array<bool, 2> has_next{};
-    const auto read_next = [&](std::size_t i) {
-        has_next[i] = (i == 0 ? expected : actual).read(next[i]);
-    };
+    const auto window =
+        std::max<std::int64_t>(1, std::lround(0.5 * (film.rate ? film.rate->per_second() : 30.0)));
+    std::array<Batch, 2> now, next;
+    const auto read_next = [&](std::size_t i) { next[i].read(i == 0 ? expected : actual); };
     in_parallel(2, n_threads, read_next);
+    const std::size_t n_pairs = pairs_at_a_time(next[0].frames[0].image, n_threads);
+    std::mutex asks_extras;
+    const auto measure = [&](std::size_t k) -> Comparison {
+        const StoredPicture &a = now[0].frames[k], &b = now[1].frames[k];
+        if (are_equal(a, b)) return {};
+        CompareExtras of_frame;
+        {
+            const std::lock_guard lock(asks_extras);
+            of_frame = extras(film.n_compared + static_cast<std::int64_t>(k), a.image.width(),
+                              a.image.height());
+        }
+        return compare(a, b, limits, of_frame);
+    };
     bool has_worst = false;
-    const auto compare_now = [&](std::int64_t frame) {
-        if (are_equal(now[0], now[1])) return;
-        const CompareExtras of_frame = extras(frame, now[0].image.width(), now[0].image.height());
-        const Comparison measured = compare(now[0], now[1], limits, of_frame);
+    const auto take = [&](const Comparison& measured, const StoredPicture& a,
+                          const StoredPicture& b) {
         if (measured.verdict == Verdict::same) return;
+        const std::int64_t frame = film.n_compared;
         const bool fails = !measured.passes();
         if (film.n_differing == 0 || (fails && film.n_failing == 0)) film.first = frame;
         ++film.n_differing;
@@ -85,30 +120,41 @@ FilmDifferences compare_films(FrameStream& expected, FrameStream& actual,
             film.measured = measured;
             has_worst = true;
         }
-        keep(frame, measured, now[0], now[1], least_apart, film.strip);
+        keep(frame, measured, a, b, window, film.strip);
     };
-    while (has_next[0] && has_next[1]) {
+    const auto is_whole = [&film] { return film.measured.verdict != Verdict::size_differs; };
+    std::vector<Comparison> measured;
+    while (is_whole() && next[0].n > 0 && next[1].n > 0) {
         std::swap(now, next);
-        // While these two are compared, the next two are decoded.
-        in_parallel(3, n_threads, [&](std::size_t i) {
+        for (Batch& batch : next) batch.frames.resize(n_pairs);
+        const std::size_t n = std::min(now[0].n, now[1].n);
+        measured.assign(n, {});
+        // While these pairs are compared, the next ones are decoded.
+        in_parallel(2 + n, n_threads, [&](std::size_t i) {
             if (i < 2)
                 read_next(i);
             else
-                compare_now(film.n_compared);
+                measured[i - 2] = measure(i - 2);
         });
-        ++film.n_compared;
-        if (film.measured.verdict == Verdict::size_differs) break;
+        for (std::size_t k = 0; k < n && is_whole(); ++k, ++film.n_compared)
+            take(measured[k], now[0].frames[k], now[1].frames[k]);
+        if (now[0].n != now[1].n) break;
     }
     film.n_expected = film.n_actual = film.n_compared;
-    const bool is_whole = film.measured.verdict != Verdict::size_differs;
-    for (StoredPicture rest; is_whole && has_next[0]; has_next[0] = expected.read(rest))
-        ++film.n_expected;
-    for (StoredPicture rest; is_whole && has_next[1]; has_next[1] = actual.read(rest))
-        ++film.n_actual;
-    if (!has_worst && film.n_compared > 0 && is_whole) {
+    if (is_whole()) {
+        // The rest of the longer one is not decoded only to be counted.
+        const auto n_of = [&](std::size_t i, const FrameStream& stream) {
+            const bool is_longer = now[i].n > now[1 - i].n || next[i].n > next[1 - i].n;
+            return is_longer ? std::max(stream.n_frames(), film.n_compared + 1) : film.n_compared;
+        };
+        film.n_expected = n_of(0, expected);
+        film.n_actual = n_of(1, actual);
+    }
+    if (!has_worst && film.n_compared > 0) {
         // Equal as far as both go.
-        film.measured.expected_width = film.measured.actual_width = now[0].image.width();
-        film.measured.expected_height = film.measured.actual_height = now[0].image.height();
+        const Image& frame = now[0].frames[0].image;
+        film.measured.expected_width = film.measured.actual_width = frame.width();
+        film.measured.expected_height = film.measured.actual_height = frame.height();
         film.measured.n_pixels =
             std::int64_t{film.measured.expected_width} * film.measured.expected_height;
     }

@@ -1,4 +1,5 @@
-// Compares two films frame by frame, holding two frames of each in memory.
+// Compares two films frame by frame, holding a few frames of each in memory, and the
+// worst five pairs.
 #pragma once
 
 #include <cstdint>
@@ -28,15 +29,16 @@ struct FilmDifferences {
     std::int64_t first = 0;        // the first of these, or else the first that differs
     std::int64_t worst = 0;        // the one that differs most
     Comparison measured;           // of the worst
-    // Up to five of the worst frames, at least half a second apart, in their order; the worst is
-    // among them.
+    // Up to five of the worst frames, one of each half second, in their order; the worst is among
+    // them.
     std::vector<KeptFrames> strip;
 
     // "frame 12 (0.4 s)"; without a rate "frame 12".
     std::string in_words(std::int64_t frame) const;
 };
 
-// Extras for a frame whose pixels differ: what to ignore there.
+// Extras for a frame whose pixels differ: what to ignore there. Called by one thread at a time, for
+// frames in any order.
 using FrameExtras = std::function<CompareExtras(std::int64_t frame, int width, int height)>;
 
 // Streams both films; at most n_threads threads decode and compare. Frames of different sizes end

@@ -9,7 +9,7 @@
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "output/frame_name.h"
-#include "system/suffix.h"
+#include "system/files/file_kind.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -21,7 +21,8 @@ bool is_film_name(const std::filesystem::path& file) {
 }
 
 bool is_sequence_name(const std::filesystem::path& file) {
-    return suffix_of(file) == ".png" && has_frame_number(file);
+    return suffix_of(file) == ".png" && has_frame_number(file) &&
+           kind_of_file(file) != FileKind::regular;
 }
 
 FrameStream::FrameStream(const std::filesystem::path& path) : path_(path) {
@@ -51,7 +52,17 @@ bool FrameStream::read(StoredPicture& frame) {
 
 std::optional<FrameRate> FrameStream::rate() const {
     if (!film_) return std::nullopt;
-    return film_->info().rate;
+    const FrameRate rate = film_->info().rate;
+    if (rate.numerator <= 0 || rate.denominator <= 0) return std::nullopt;
+    return rate;
+}
+
+std::int64_t FrameStream::n_frames() const {
+    return film_ ? film_->info().n_frames : std::ssize(numbers_);
+}
+
+std::int64_t FrameStream::frame_pixels() const {
+    return film_ ? std::int64_t{film_->info().width_px} * film_->info().height_px : 0;
 }
 
 std::filesystem::path FrameStream::file() const {

@@ -16,7 +16,8 @@ namespace poinsot {
 // Whether a name is that of a film (.mp4, .webm, .gif, .mov, .mkv).
 bool is_film_name(const std::filesystem::path& file);
 
-// Whether a name is that of a sequence: "turn_####.png".
+// Whether a name is that of a sequence: "turn_####.png". If there is a picture of exactly this
+// name, it is meant.
 bool is_sequence_name(const std::filesystem::path& file);
 
 // Holds one frame at a time. Move-only.
@@ -30,8 +31,12 @@ class FrameStream {
     // broken.
     bool read(StoredPicture& frame);
 
-    // None for a sequence.
+    // None for a sequence, and for a film that does not say it.
     std::optional<FrameRate> rate() const;
+    // As the film says, or as there are pictures; a broken film may have fewer.
+    std::int64_t n_frames() const;
+    // Of one frame of a film, in pixels; 0 for a sequence, whose frames say it themselves.
+    std::int64_t frame_pixels() const;
     // A file that carries the record: the film, or the first picture.
     std::filesystem::path file() const;
 

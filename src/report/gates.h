@@ -53,9 +53,9 @@ struct Gates {
     bool operator==(const Gates&) const = default;
 };
 
-// The limits of a pair. `base`: the limits of a profile if one was chosen, by which any gate is
-// completed. Without a profile and without a limit of pixels, any number of pixels may differ if a
-// measure decides, and else `otherwise` applies.
+// The limits of a pair. If `gates` limits pixels, the defaults of CompareLimits complete it,
+// whatever the profile. Else the profile applies; without one, any number of pixels may differ if a
+// measure decides, and otherwise `otherwise` applies.
 CompareLimits limits_of(const Gates& gates, const std::optional<CompareLimits>& profile,
                         const CompareLimits& otherwise);
 

@@ -44,7 +44,9 @@ std::size_t n_failed_of(std::span<const ComparedPicture> pictures) {
 }  // namespace
 
 std::string github_annotations(std::span<const ComparedPicture> pictures) {
-    constexpr std::size_t most = 9;
+    // GitHub shows ten of a step; if there are more, the tenth counts them.
+    const std::size_t n_failed = n_failed_of(pictures);
+    const std::size_t most = n_failed > 10 ? 9 : 10;
     std::string lines;
     std::size_t n_said = 0;
     for (const ComparedPicture& picture : pictures) {
@@ -58,7 +60,6 @@ std::string github_annotations(std::span<const ComparedPicture> pictures) {
             escaped(picture.line(), false));
         ++n_said;
     }
-    const std::size_t n_failed = n_failed_of(pictures);
     if (n_failed > n_said)
         lines += fmt::format("::error title=compare::{} more pictures failed; see the report\n",
                              n_failed - n_said);

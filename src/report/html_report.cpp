@@ -31,21 +31,13 @@ std::string numbers_in_words(const ComparedPicture& picture) {
     return words;
 }
 
-// What pictures of one group have in common, in words.
-std::string group_of(const ComparedPicture& picture) {
-    if (!picture.changes) return "";
-    if (picture.changes->empty())
-        return picture.outcome == Outcome::pixels ? "scene, settings and versions are the same"
-                                                  : "";
-    constexpr std::size_t most = 400;
-    std::string words = fmt::format("{}", fmt::join(*picture.changes, "; "));
-    if (words.size() > most) {
-        // Not within a character.
-        std::size_t end = most;
-        while (end > 0 && (static_cast<unsigned char>(words[end]) & 0xC0) == 0x80) --end;
-        words = words.substr(0, end) + "…";
-    }
-    return words;
+// What the records say that differs, as a list in JSON; null without records.
+std::string changes_of(const ComparedPicture& picture) {
+    if (!picture.changes) return "null";
+    std::vector<std::string> changes;
+    changes.reserve(picture.changes->size());
+    for (const std::string& change : *picture.changes) changes.push_back(script_string(change));
+    return fmt::format("[{}]", fmt::join(changes, ","));
 }
 
 bool has_record(const std::filesystem::path& file) {
@@ -66,10 +58,10 @@ bool is_approvable(const ComparedPicture& picture) {
 // One picture as an object in the page's data.
 std::string object_of(const ComparedPicture& picture, bool approves) {
     std::string object =
-        fmt::format(R"({{"name":{},"outcome":{},"reason":{},"numbers":{},"group":{})",
+        fmt::format(R"({{"name":{},"outcome":{},"reason":{},"numbers":{},"changes":{})",
                     script_string(picture.name), script_string(name_of(picture.outcome)),
                     script_string(picture.reason), script_string(numbers_in_words(picture)),
-                    script_string(group_of(picture)));
+                    changes_of(picture));
     const auto add = [&object](const char* key, const std::string& text) {
         if (!text.empty()) object += fmt::format(R"(,"{}":{})", key, script_string(text));
     };

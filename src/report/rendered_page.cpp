@@ -7,7 +7,6 @@
 #include <system_error>
 #include <vector>
 
-#include "error/error.h"
 #include "system/files/file_kind.h"
 #include "system/run_program.h"
 #include "text/printable.h"
@@ -62,7 +61,7 @@ std::filesystem::path RenderedPages::picture_of(const std::filesystem::path& pag
     const ProgramOutcome outcome = run_program(rasteriser.command);
     const std::string& program = rasteriser.command.front();
     if (!outcome.found)
-        throw EnvironmentError(
+        throw NoRasteriser(
             fmt::format("cannot find {}, which draws {} for the comparison; install {}", program,
                         printable(page.string()), rasteriser.package));
     if (outcome.code != 0 || kind_of_file(picture) != FileKind::regular)

@@ -48,6 +48,21 @@ std::string file_name_of(const std::string& name) {
     return fmt::format("{}-{}", plain, sha256_of(name).substr(0, 8));
 }
 
+// The relative address of a file in a folder beside the page, in percent-encoding (RFC 3986 §2.1).
+std::string address_of(const fs::path& folder, const fs::path& file) {
+    std::string address;
+    for (const fs::path& part : {folder.filename(), file.filename()}) {
+        if (!address.empty()) address += '/';
+        for (const char c : part.string()) {
+            if (is_plain(c))
+                address += c;
+            else
+                address += fmt::format("%{:02X}", static_cast<unsigned char>(c));
+        }
+    }
+    return address;
+}
+
 void place(const Image& image, int left, int top, Image& sheet) {
     for (int y = 0; y < image.height(); ++y)
         for (int x = 0; x < image.width(); ++x) sheet.set(left + x, top + y, image.at(x, y));
@@ -105,7 +120,7 @@ std::string ReportPictures::put(const std::string& name, const char* which, cons
     if (single_file_) return data_uri(encode_png(image));
     const fs::path file = place_of(name, which);
     write_png(file, image);
-    return fmt::format("{}/{}", folder_.filename().string(), file.filename().string());
+    return address_of(folder_, file);
 }
 
 std::string ReportPictures::put_file(const std::string& name, const char* which,
@@ -116,7 +131,7 @@ std::string ReportPictures::put_file(const std::string& name, const char* which,
     if (error)
         throw EnvironmentError(fmt::format("cannot copy {} to {}: {}", printable(file.string()),
                                            printable(copy.string()), error.message()));
-    return fmt::format("{}/{}", folder_.filename().string(), copy.filename().string());
+    return address_of(folder_, copy);
 }
 
 void ReportPictures::add(ComparedPicture& picture, const PicturePair& pair) {

@@ -332,12 +332,20 @@ class PdfWriter {
         set_ink(type.halo);
         cairo_new_path(cairo_);
         for (const PlacedLetter& letter : type.letters) {
-            const Path outline = fonts_.of(*letter.font_file).outline(letter.glyph);
-            cairo_save(cairo_);
-            cairo_translate(cairo_, letter.x_pt, letter.y_pt);
-            cairo_scale(cairo_, letter.em_pt, letter.em_pt);
+            // A halo is wide: to a 32nd of a point its edge is exact enough, in fewer digits.
+            const auto placed = [&letter](const Eigen::Vector2d& em) {
+                constexpr double steps_a_pt = 32.0;
+                const Eigen::Vector2d at =
+                    Eigen::Vector2d(letter.x_pt, letter.y_pt) + letter.em_pt * em;
+                return Eigen::Vector2d((steps_a_pt * at).array().round() / steps_a_pt);
+            };
+            Path outline = fonts_.of(*letter.font_file).outline(letter.glyph);
+            for (Step& step : outline.steps) {
+                step.control_1 = placed(step.control_1);
+                step.control_2 = placed(step.control_2);
+                step.to = placed(step.to);
+            }
             add(outline);
-            cairo_restore(cairo_);
         }
         add(type.rules);
         cairo_set_line_width(cairo_, 1.5 * type.halo_pt);

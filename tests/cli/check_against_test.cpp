@@ -40,6 +40,19 @@ TEST(CheckAgainst, OwnMotionPassesAndAnotherMethodFails) {
     EXPECT_TRUE(std::filesystem::exists(folder.path() / "errors.png"));
 }
 
+// Names of files and scenes are shown as they are, whatever markup they hold.
+TEST(CheckAgainst, ChartsTablesOfAnyName) {
+    const ScratchFolder folder;
+    folder.write("we$ird_{.toml", scene);
+    ASSERT_EQ(
+        run_program_in(folder, "sample 'we$ird_{.toml' --times 0:4:0.1 -o 'we$ird_{.csv'").code, 0);
+    const ProgramRun run = run_program_in(folder,
+                                          "check 'we$ird_{.toml' --against 'we$ird_{.csv' --set "
+                                          "start.omega_rad_s=[1.2,0.8,2.5] --chart a.png");
+    EXPECT_EQ(run.code, 1) << run.err;
+    EXPECT_TRUE(std::filesystem::exists(folder.path() / "a.png"));
+}
+
 // A table whose body turns at a slightly other rate about its own axis is off by the difference of
 // the angles.
 TEST(CheckAgainst, SaysTheAngleThatItIsOff) {
@@ -70,7 +83,8 @@ TEST(CheckAgainst, RefusesInOneLine) {
     folder.write("theirs.csv", "t,wx,wy,wz\n0,1.2,0.8,2.4\n");
     for (const auto& [line, message] : std::vector<std::pair<std::string, std::string>>{
              {"--against theirs.csv --tolerance 3kg", "--tolerance 3kg: not a tolerance"},
-             {"--against theirs.csv --tolerance -1", "--tolerance -1: not a tolerance"},
+             {"--against theirs.csv --tolerance -1px", "--tolerance -1px: not a tolerance"},
+             {"--against theirs.csv --tolerance 0.5", "--tolerance 0.5: not a tolerance"},
              {"--against theirs.csv --plan", "leave out --sweep and --plan"},
              {"--tolerance 1px", "belong to --against"},
              {"--against theirs.csv --chart errors.pdf", "end its name in .png"}}) {

@@ -194,12 +194,17 @@ TEST_F(ComparedPictures, PassByTheLimitsOfMeasures) {
     EXPECT_EQ(flip.code, 1);
     EXPECT_TRUE(contains(flip.out, "FLIP") && !contains(flip.out, "SSIM")) << flip.out;
     EXPECT_EQ(run("compare a.png b.png --min-ssim 1").code, 1);
-    folder_.write("compare.toml", "[[pictures]]\nname = \"b\"\nmax_flip = 0.9\n");
+    // Entries name baselines.
+    folder_.write("compare.toml", "[[pictures]]\nname = \"a\"\nmax_flip = 0.9\n");
     EXPECT_EQ(run("compare a.png b.png").code, 0);
     // In two files, an entry may be for another picture; the command line is above the file.
     EXPECT_EQ(run("compare a.png b.png --max-flip 0").code, 1);
-    folder_.write("compare.toml", "[[pictures]]\nname = \"c\"\nmax_flip = 0.9\n");
+    folder_.write("compare.toml", "[[pictures]]\nname = \"b\"\nmax_flip = 0.9\n");
     EXPECT_EQ(run("compare a.png b.png").code, 1);
+    const ProgramRun json = run("compare a.png b.png --antialiasing --json");
+    EXPECT_TRUE(contains(json.out, "\"antialiasing\": true") &&
+                !contains(json.out, "\"antialiasing\": false"))
+        << json.out;
 }
 
 TEST_F(ComparedPictures, HaveReportsWithTheirPicturesBesideThem) {
@@ -244,7 +249,9 @@ TEST_F(ComparedPictures, MayBeFilms) {
     film("slow.mp4", "--fps 15");
     film("wide.mp4", "--size 130x72");
     film("a_####.png", "");
+    film("a20.mp4", "--fps 20");
     film("a.gif", "--fps 20");
+    film("a.webm", "");
     EXPECT_EQ(run("compare a.mp4 a.mp4").code, 0);
     EXPECT_EQ(run("compare 'a_####.png' 'a_####.png'").code, 0);
     const ProgramRun dark = run("compare a.mp4 b.mp4 --diff strip.png --report report.html");
@@ -269,7 +276,37 @@ TEST_F(ComparedPictures, MayBeFilms) {
     EXPECT_EQ(run("compare 'a_####.png' a.mp4").code, 1);
     const ProgramRun lossy = run("compare 'a_####.png' a.mp4 --max-flip 0.1");
     EXPECT_EQ(lossy.code, 0) << lossy.out;
-    EXPECT_EQ(run("compare a.gif a.gif").code, 0);
+    // FLIP 0.056 and 0.039 are measured.
+    for (const char* pair : {"compare a20.mp4 a.gif", "compare a.mp4 a.webm"}) {
+        EXPECT_EQ(run(pair).code, 1) << pair;
+        const ProgramRun within = run(std::string(pair) + " --max-flip 0.1");
+        EXPECT_EQ(within.code, 0) << within.out << within.err;
+    }
+    // Two of the ten delays of 0.05 s are 0.06 s: together less than half a frame.
+    std::string gif = text_of(folder_.path() / "a.gif");
+    std::size_t delay = 0;
+    for (int k = 0; k < 2; ++k) {
+        delay = gif.find(std::string("\x21\xF9\x04", 3), delay) + 4;
+        ASSERT_EQ(gif.at(delay), 5);
+        gif[delay] = 6;
+    }
+    folder_.write("uneven.gif", gif);
+    const ProgramRun uneven = run("compare a20.mp4 uneven.gif --max-flip 0.1");
+    EXPECT_EQ(uneven.code, 0) << uneven.out << uneven.err;
+    const ProgramRun nothing = run("compare a.mp4 b.mp4 --ignore 0%,0%,100%,100%");
+    EXPECT_EQ(nothing.code, 1);
+    EXPECT_TRUE(contains(nothing.out, "region: b.mp4: ")) << nothing.out;
+    // A sequence, and a film of the same frames.
+    EXPECT_TRUE(contains(run("compare 'a_####.png' a.mp4").out,
+                         "pixels: a.mp4: scene, settings and versions are the same; "));
+    for (const char* output : {"--diff a_0003.png", "--report a_0003.png", "--diff ./a_0040.png"}) {
+        const std::string before = text_of(folder_.path() / "a_0003.png");
+        const ProgramRun refused = run(std::string("compare a.mp4 'a_####.png' ") + output);
+        EXPECT_EQ(refused.code, 2) << output;
+        EXPECT_TRUE(contains(refused.err, "is a picture of a sequence")) << refused.err;
+        EXPECT_TRUE(text_of(folder_.path() / "a_0003.png") == before) << output;
+    }
+    EXPECT_EQ(run("compare none.mp4 'a_####.png'").code, 2);
     fs::remove(folder_.path() / "a_0007.png");
     const ProgramRun gap = run("compare a.mp4 'a_####.png'");
     EXPECT_EQ(gap.code, 2);

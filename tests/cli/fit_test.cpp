@@ -15,7 +15,8 @@ void write_table(const ScratchFolder& folder) {
     folder.write("body.toml",
                  "[body]\ntensor_kg_m2 = [[3.0, 0.2, 0.1], [0.2, 2.5, -0.3], [0.1, -0.3, 2.0]]\n"
                  "[start]\nomega_rad_s = [1.4, 2.1, -1.7]\n");
-    ASSERT_EQ(run_program_in(folder, "sample body.toml --times 0:20:0.05 -o gyro.csv").code, 0);
+    // Not from the start: the times of the fitted scene are those of the table.
+    ASSERT_EQ(run_program_in(folder, "sample body.toml --times 7:27:0.05 -o gyro.csv").code, 0);
 }
 
 TEST(FitCommand, WritesASceneOfTheSameMotion) {
@@ -30,6 +31,16 @@ TEST(FitCommand, WritesASceneOfTheSameMotion) {
         run_program_in(folder, "check fitted.toml --against gyro.csv --tolerance 1e-5rad --json");
     EXPECT_EQ(check.code, 0) << check.out << check.err;
     EXPECT_EQ(nlohmann::json::parse(check.out).at("rows"), 401);
+}
+
+// The first line of a scene is a comment with the table's name.
+TEST(FitCommand, TakesTablesOfAnyName) {
+    const ScratchFolder folder;
+    write_table(folder);
+    std::filesystem::rename(folder.path() / "gyro.csv", folder.path() / "a\nb = 1.csv");
+    const ProgramRun fit = run_program_in(folder, "fit 'a\nb = 1.csv' -o fitted.toml");
+    ASSERT_EQ(fit.code, 0) << fit.err;
+    EXPECT_EQ(run_program_in(folder, "check fitted.toml").code, 0);
 }
 
 TEST(FitCommand, PrintsNumbersAsJson) {

@@ -8,7 +8,6 @@
 #include <vector>
 
 #include "drawing/stage/type/labels.h"
-#include "error/error.h"
 #include "typeset/files/installed_fonts.h"
 
 namespace poinsot {

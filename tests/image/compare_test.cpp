@@ -248,9 +248,10 @@ TEST(Compare, AllowsWhatAntiAliasingExplains) {
     EXPECT_EQ(moved.verdict, Verdict::within_limits);
     EXPECT_EQ(moved.n_antialiased, 20);
     EXPECT_EQ(moved.n_differing, 0);
-    EXPECT_EQ(moved.reason,
-              "0 of 800 pixels differ (0 %, none allowed), and 20 more at edges by anti-aliasing, "
-              "which is allowed");
+    EXPECT_EQ(
+        moved.reason,
+        "0 of 800 pixels differ (0 %, none allowed); anti-aliasing explains 20 more, which are "
+        "allowed");
     EXPECT_EQ(compare(half_plane(17.1), half_plane(19.3), limits).verdict, Verdict::pixels_differ);
     Image line = half_plane(10), none = line;
     for (int y = 0; y < 20; ++y) line.set(30, y, {40, 40, 40, 255});

@@ -4,12 +4,29 @@
 
 #include <numbers>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "error/error.h"
 
 namespace poinsot {
 
 namespace {
+
+struct Table {
+    std::vector<MeasuredRow> rows;
+    bool has_omega = false, has_attitude = false;
+};
+
+Table parse_measured(std::string_view text, const std::string& name) {
+    Table table;
+    MeasuredReader reader(name, [&table](const MeasuredRow& row) { table.rows.push_back(row); });
+    reader.read(text);
+    reader.finish();
+    table.has_omega = reader.has_omega();
+    table.has_attitude = reader.has_attitude();
+    return table;
+}
 
 // The message that this table is refused with.
 std::string refusal(const std::string& table) {
@@ -26,7 +43,7 @@ void expect_refused(const std::string& table, const std::string& message) {
 }
 
 TEST(MeasuredReader, ReadsTablesOfTheProgramItself) {
-    const MeasuredMotion motion = parse_measured(
+    const Table motion = parse_measured(
         "time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,herpolhode_x\n"
         "0,1.2,0.8,2.4,1,0,0,0,-0.6\n0.5,1.5,-0.5,2.5,0.6,0,0.8,0,0.1\n",
         "a.csv");
@@ -38,7 +55,7 @@ TEST(MeasuredReader, ReadsTablesOfTheProgramItself) {
 }
 
 TEST(MeasuredReader, ReadsExportsOfPhonesWithTheirUnits) {
-    const MeasuredMotion motion = parse_measured(
+    const Table motion = parse_measured(
         "\xEF\xBB\xBF\"Time (ms)\";\"Gyroscope x (°/s)\";\"Gyroscope y (°/s)\";\"Gyroscope z "
         "(°/s)\";\"Absolute (°/s)\"\r\n"
         "10;180;-90;0;201\r\n\r\n20;1.8E+02;+90;1;201\r\n",
@@ -51,7 +68,7 @@ TEST(MeasuredReader, ReadsExportsOfPhonesWithTheirUnits) {
 }
 
 TEST(MeasuredReader, ReadsMatrices) {
-    const MeasuredMotion motion = parse_measured(
+    const Table motion = parse_measured(
         "t\tr11\tr12\tr13\tr21\tr22\tr23\tr31\tr32\tr33\n1\t0\t-1\t0\t1\t0\t0\t0\t0\t1\n", "a.tsv");
     EXPECT_FALSE(motion.has_omega);
     const Eigen::Vector3d turned = motion.rows[0].space_from_body * Eigen::Vector3d::UnitX();
@@ -95,6 +112,9 @@ TEST(MeasuredReader, RefusesWithLineAndColumn) {
     expect_refused(head + "0,1,,3\n", "gyro.csv:2:5: the cell is empty");
     expect_refused(head + "0,1,two,3\n", "gyro.csv:2:5: \"two\" is not a number");
     expect_refused(head + "0,1,2\n", "gyro.csv:2:6: the row has 3 cells and the first line 4");
+    expect_refused("t,wx,wy,wz\r\n0,1,2\r\n", "gyro.csv:2:6: the row has 3 cells");
+    expect_refused(head + "0.1,1,2,3\n0.1,1,2,3\n",
+                   "gyro.csv:3:1: the time 0.1 s does not come after 0.1 s");
     expect_refused(head + "0,5,1,0,2,0,3,0\n",
                    "gyro.csv:2:9: the row has 8 cells and the first line 4; where numbers have "
                    "decimal commas");

@@ -60,5 +60,18 @@ TEST(RecordDifferences, SayScenesThenSettingsThenVersions) {
               (Lines{"the contents of the scene's mesh or pictures differ", "dpi: none → 300"}));
 }
 
+// Two frames of one sequence are not the same picture; nor are 8 and 16 bits of one.
+TEST(RecordDifferences, SayFramesAndBits) {
+    Record before;
+    before.frames = {0, 9};
+    before.frame = 2;
+    Record after = before;
+    after.frame = 5;
+    EXPECT_EQ(differences_in_words(before, after), (Lines{"frame: 2 → 5"}));
+    after = before;
+    after.bit_depth = 16;
+    EXPECT_EQ(differences_in_words(before, after), (Lines{"bits per component: 8 → 16"}));
+}
+
 }  // namespace
 }  // namespace poinsot

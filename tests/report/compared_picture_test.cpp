@@ -51,6 +51,7 @@ class Folders : public ::testing::Test {
     }
     static std::vector<std::string> names_of(const std::vector<ComparedPicture>& pictures) {
         std::vector<std::string> names;
+        names.reserve(pictures.size());
         for (const ComparedPicture& picture : pictures) names.push_back(picture.name);
         return names;
     }
@@ -255,6 +256,85 @@ TEST_F(Folders, GiveAPageThatLoadsNothingFromANetwork) {
     }
 }
 
+// Addresses in a page: # would begin a fragment, % an escape.
+TEST_F(Folders, HaveReportsOfAnyName) {
+    ReportPictures shown(folder_ / "wall #3 50%.html", false);
+    CompareRequest request{.limits = CompareLimits::exact()};
+    request.seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
+        shown.add(picture, pair);
+    };
+    const ComparedPicture picture =
+        compare_files("a_lot", folder_ / "ref/a_lot.png", folder_ / "new/a_lot.png", request);
+    EXPECT_EQ(picture.shown.expected, "wall%20%233%2050%25_pictures/a_lot-expected.png");
+    EXPECT_EQ(picture.shown.difference, "wall%20%233%2050%25_pictures/a_lot-difference.png");
+    EXPECT_TRUE(fs::exists(folder_ / "wall #3 50%_pictures/a_lot-difference.png"));
+}
+
+// What changed is a list; a separator within a change does not split it, nor is it cut.
+TEST_F(Folders, HaveReportsWithAllChanges) {
+    ComparedPicture picture =
+        compare_files("a_lot", folder_ / "ref/a_lot.png", folder_ / "new/a_lot.png", {});
+    ReportPictures shown(folder_ / "report.html", true);
+    const std::string change = "caption: one; two → " + std::string(500, 'x');
+    picture.changes = {change, "theme: light → dark"};
+    EXPECT_NE(html_report("title", {&picture, 1}, shown)
+                  .find("\"changes\":[\"" + change + "\",\"theme: light → dark\"]"),
+              std::string::npos);
+    picture.changes = {};
+    EXPECT_NE(html_report("title", {&picture, 1}, shown).find("\"changes\":null"),
+              std::string::npos);
+    picture.changes.emplace();
+    EXPECT_NE(html_report("title", {&picture, 1}, shown).find("\"changes\":[]"), std::string::npos);
+}
+
+// A file that approve does not take is not to be approved.
+TEST_F(Folders, SayWhatToDoWithoutABaseline) {
+    std::ofstream(folder_ / "new/extra.mp4") << "a film";
+    std::map<std::string, std::string> reasons;
+    for (const ComparedPicture& picture : compared()) reasons[picture.name] = picture.reason;
+    EXPECT_EQ(reasons["extra"], "this picture has no baseline; approve it if it is right");
+    EXPECT_EQ(reasons["extra.mp4"],
+              "this file has no baseline; copy it into the folder of baselines if it is right");
+}
+
+// Without the program that renders pages, a folder's other files are compared; a report that cannot
+// be written is no fault of the page.
+TEST_F(Folders, OfPagesFailWhereAReportCannotBeWritten) {
+    for (const char* side : {"ref", "new"})
+        std::ofstream(folder_ / side / "page.svg")
+            << "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"9\" height=\"9\"><rect width=\""
+            << (side == std::string("ref") ? 3 : 5) << "\" height=\"5\"/></svg>";
+    bool seen = false;
+    CompareRequest request;
+    request.seen = [&seen](ComparedPicture& picture, const PicturePair&) {
+        if (picture.name != "page.svg") return;
+        seen = true;
+        throw EnvironmentError("disk full");
+    };
+    std::optional<std::string> thrown;
+    std::vector<ComparedPicture> pictures;
+    try {
+        pictures = compare_folders(folder_ / "ref", folder_ / "new", request);
+    } catch (const EnvironmentError& error) {
+        thrown = error.what();
+    }
+    EXPECT_EQ(thrown.value_or("none"), seen ? "disk full" : "none");
+    for (const ComparedPicture& picture : pictures)
+        EXPECT_TRUE(picture.name != "page.svg" || picture.outcome == Outcome::unreadable);
+}
+
+// In pieces of a mebibyte.
+TEST_F(Folders, HoldFilesOfAnySize) {
+    const std::string bytes(3 << 20, 'x');
+    std::ofstream(folder_ / "ref/page.svg") << bytes;
+    std::ofstream(folder_ / "new/page.svg") << bytes;
+    EXPECT_EQ(compare_files("page", folder_ / "ref/page.svg", folder_ / "new/page.svg", {}).outcome,
+              Outcome::same);
+    std::ofstream(folder_ / "new/page.svg") << bytes.substr(1) << 'y';
+    EXPECT_NE(compare_files("page", folder_ / "ref/page.svg", folder_ / "new/page.svg", {}).outcome,
+              Outcome::same);
+}
+
 // A report leaves no picture of an earlier one in its folder, and nobody else's file is touched.
 TEST_F(Folders, GiveAReportWithoutOldPictures) {
     fs::create_directories(folder_ / "report_pictures");
@@ -331,6 +411,10 @@ TEST_F(Folders, GiveGitHubAnnotations) {
     const std::string of_many = github_annotations(many);
     EXPECT_EQ(std::count(of_many.begin(), of_many.end(), '\n'), 10);
     EXPECT_NE(of_many.find("31 more pictures failed"), std::string::npos);
+    many.resize(10);
+    EXPECT_EQ(github_annotations(many).find("more picture"), std::string::npos);
+    many.resize(11, many.front());
+    EXPECT_NE(github_annotations(many).find("2 more pictures failed"), std::string::npos);
 }
 
 }  // namespace

@@ -10,6 +10,7 @@
 #include "image/files/png_files.h"
 #include "image/synthetic.h"
 #include "output/frame_name.h"
+#include "report/compared_picture.h"
 #include "report/report_pictures.h"
 #include "system/faults.h"
 
@@ -104,8 +105,18 @@ TEST_F(Sequences, KeepFiveOfManyFramesWithTheWorst) {
     bool has_worst = false;
     for (const KeptFrames& kept : film.strip) has_worst = has_worst || kept.frame == film.worst;
     for (std::size_t i = 1; i < film.strip.size(); ++i)
-        EXPECT_GE(film.strip[i].frame - film.strip[i - 1].frame, 15);
+        EXPECT_GT(film.strip[i].frame / 15, film.strip[i - 1].frame / 15);
     EXPECT_TRUE(has_worst);
+}
+
+// Each frame of a drift is worse than the one before; each half second still has one in the strip.
+TEST_F(Sequences, KeepFramesOfASteadyDrift) {
+    std::vector<int> levels(90, 0);
+    for (std::size_t k = 0; k < levels.size(); ++k) levels[k] = 1 + static_cast<int>(k);
+    const FilmDifferences film = compared(draw("a", std::vector<int>(90, 0)), draw("b", levels));
+    std::vector<std::int64_t> frames;
+    for (const KeptFrames& kept : film.strip) frames.push_back(kept.frame);
+    EXPECT_EQ(frames, (std::vector<std::int64_t>{29, 44, 59, 74, 89}));
 }
 
 TEST_F(Sequences, OfDifferentLengthsAreComparedAsFarAsBothGo) {
@@ -123,6 +134,63 @@ TEST_F(Sequences, OfDifferentSizesEndAtOnce) {
         compared(draw("a", std::vector<int>(9, 0)), draw("b", std::vector<int>(9, 0), 40));
     EXPECT_EQ(film.measured.verdict, Verdict::size_differs);
     EXPECT_EQ(film.n_compared, 1);
+}
+
+// However strongly an earlier frame differs.
+TEST_F(Sequences, ThatChangeTheirSizeEndThere) {
+    const auto a = draw("a", std::vector<int>(9, 0));
+    const auto b = draw("b", {0, 90, 0, 0, 0, 0, 0, 0, 0});
+    for (const std::int64_t frame : {5, 6, 7, 8})
+        write_png(frame_name(b, frame + 7), synthetic_frame(40, 18, static_cast<int>(frame)));
+    for (const int n_threads : {1, 2, 8}) {
+        const FilmDifferences film = compared(a, b, n_threads);
+        EXPECT_EQ(film.measured.verdict, Verdict::size_differs);
+        EXPECT_EQ(film.worst, 5);
+        EXPECT_EQ(film.n_compared, 6);
+    }
+    const ComparedPicture picture = compare_files("b", a, b, {});
+    EXPECT_EQ(picture.outcome, Outcome::size);
+    EXPECT_EQ(picture.reason, "frame 5: expected 32×18 pixels, found 40×18");
+}
+
+// Several pairs are compared at the same time, and taken in their order.
+TEST_F(Sequences, AreComparedAlikeByAnyNumberOfThreads) {
+    std::vector<int> levels(50, 0);
+    for (std::size_t k = 0; k < levels.size(); ++k) levels[k] = static_cast<int>(k * k % 23);
+    const auto a = draw("a", std::vector<int>(47, 0)), b = draw("b", levels);
+    const auto said = [&](int n_threads) {
+        const FilmDifferences film = compared(a, b, n_threads);
+        std::string text = in_words(film) + film.measured.reason;
+        for (const KeptFrames& kept : film.strip) {
+            text += " " + std::to_string(kept.frame);
+            EXPECT_EQ(kept.expected.image, synthetic_frame(32, 18, static_cast<int>(kept.frame)));
+        }
+        return text;
+    };
+    const std::string alone = said(1);
+    EXPECT_EQ(alone.find("expected 47 frames, found 50; of the first 47, 44 exceed"), 0u) << alone;
+    for (const int n_threads : {2, 3, 4, 46, 47, 48, 60}) EXPECT_EQ(said(n_threads), alone);
+}
+
+// Nothing is left to compare, though the films differ.
+TEST_F(Sequences, WhoseWholePictureIsIgnoredFail) {
+    const auto a = draw("a", {0, 0, 0}), b = draw("b", {0, 9, 0});
+    const ComparedPicture picture =
+        compare_files("b", a, b, {.gates = {.ignore = {parse_region("0%,0%,100%,100%")}}});
+    EXPECT_EQ(picture.outcome, Outcome::region);
+    EXPECT_NE(picture.reason.find("nothing is compared"), std::string::npos) << picture.reason;
+    EXPECT_EQ(compare_files("b", a, b, {.gates = {.ignore = {parse_region("3,3,1,1")}}}).outcome,
+              Outcome::within_limits);
+}
+
+// A picture may have # in its name.
+TEST_F(Sequences, AreNotPicturesOfThatName) {
+    const auto a = draw("a", {0, 0});
+    EXPECT_TRUE(is_sequence_name(a));
+    write_png(a, synthetic_frame(32, 18, 0));
+    EXPECT_FALSE(is_sequence_name(a));
+    EXPECT_EQ(compare_files("a", a, frame_name(a, 7), {}).outcome, Outcome::same);
+    EXPECT_EQ(compare_files("a", a, frame_name(a, 8), {}).outcome, Outcome::pixels);
 }
 
 TEST_F(Sequences, IgnoreRegions) {

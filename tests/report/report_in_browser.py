@@ -112,9 +112,11 @@ async function drive() {
     press("j"); press("j"); press("j"); press("1");
     const changes = [...document.querySelectorAll("#changes li")].map(item => item.textContent);
     claim("what changed is said first: " + changes.join(), changes.some(line => line.includes("→")));
+    claim("a change is one line", changes[0].endsWith(" → one; two"));
     const approve = document.querySelector("#approve code").textContent;
     claim("the command that approves is quoted: " + approve,
           approve.startsWith("poinsot approve 'turned<b>' --results ") && approve.includes(" --baselines "));
+    claim("the reason names the changes", approve.endsWith(" --why '" + changes.join("; ") + "'"));
     claim("like changes are one group",
           [...document.querySelectorAll("#list .group")].map(item => item.firstChild.textContent).join() === GROUPS);
 
@@ -140,7 +142,7 @@ def make_pictures(program, expected, actual):
     shutil.copy(expected / "same.png", actual)
     shutil.copy(expected / "same.png", expected / "gone.png")
     shutil.copy(expected / "same.png", expected / "turned<b>.png")
-    draw(actual / "turned<b>.png", *small, "--time", "0.7")
+    draw(actual / "turned<b>.png", *small, "--time", "0.7", "--set", "caption=one; two")
     shutil.copy(expected / "same.png", expected / "also turned.png")
     shutil.copy(actual / "turned<b>.png", actual / "also turned.png")
     shutil.copy(expected / "same.png", expected / "wide.png")
@@ -160,7 +162,7 @@ def main():
         (folder / "expected").mkdir()
         (folder / "actual").mkdir()
         make_pictures(program, folder / "expected", folder / "actual")
-        page = folder / "report.html"
+        page = folder / "report #3.html"
         for options in ([], ["--single-file"]):
             compared = subprocess.run([program, "compare", str(folder / "expected"), str(folder / "actual"),
                                        "--report", str(page), *options], capture_output=True)

@@ -32,9 +32,9 @@ enum TakenKeys : unsigned {
     takes_marks_on_body = 1u << 9,
     takes_mark_trails = 1u << 10,
     takes_comparison = 1u << 11,  // [beside]
-    takes_names = 1u << 14,       // names
     takes_azimuth = 1u << 12,     // camera.azimuth_deg, although it is flat
     takes_axis_path = 1u << 13,   // trail.axis
+    takes_names = 1u << 14,       // names
 };
 
 // A row of the table of panels.

@@ -16,7 +16,6 @@
 #include "drawing/stage/type/labels.h"
 #include "drawing/style/line_style.h"
 #include "drawing/style/theme_contrast.h"
-#include "error/error.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {

@@ -107,15 +107,18 @@ std::string change(std::string_view what, std::string_view before, std::string_v
 // How fields of records are named here; the other fields are hashes, or follow from the scene.
 struct NamedField {
     std::string_view key, name;
+    std::string_view absent = "none";
 };
-constexpr std::array<NamedField, 17> named_fields{{{"time_s", "time in s"},
+constexpr std::array<NamedField, 19> named_fields{{{"time_s", "time in s"},
                                                    {"size", "size"},
+                                                   {"depth", "bits per component", "8"},
                                                    {"dpi", "dpi"},
                                                    {"type-pt", "size of type in pt"},
                                                    {"shading", "shading"},
                                                    {"journal", "journal"},
                                                    {"type-as", "text"},
                                                    {"frames", "frames"},
+                                                   {"frame", "frame"},
                                                    {"run", "frames of the interrupted run"},
                                                    {"sheet", "contact sheet"},
                                                    {"method", "method"},
@@ -179,8 +182,9 @@ std::vector<std::string> differences_in_words(const Record& before, const Record
     for (const NamedField& named : named_fields) {
         for (const RecordField& field : record_fields()) {
             if (field.key != named.key) continue;
-            const std::string was = field.text_of(before).value_or("none");
-            const std::string is = field.text_of(after).value_or("none");
+            const std::string absent(named.absent);
+            const std::string was = field.text_of(before).value_or(absent);
+            const std::string is = field.text_of(after).value_or(absent);
             if (was != is && !follows_from_scene(field.key, scene_changes))
                 words.push_back(change(named.name, was, is));
         }
