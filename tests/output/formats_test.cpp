@@ -28,7 +28,7 @@ TEST(Formats, UnknownSuffixListsTheKnown) {
     EXPECT_EQ(input_error_of([] { format_for("b.mov"); }),
               "b.mov: there is no output format for the suffix \".mov\"; write .mp4, and convert "
               "it without loss: `ffmpeg -i film.mp4 -c copy film.mov`; the formats are .mp4, "
-              ".webm, .gif, .png, .md5");
+              ".webm, .gif, .png, .html, .md5");
     EXPECT_NE(input_error_of([] { format_for("film"); }).find("a name without a suffix"),
               std::string::npos);
     EXPECT_NE(input_error_of([] { format_for("b_####.mp4"); }).find("####"), std::string::npos);

@@ -16,7 +16,8 @@ std::vector<char32_t> letters() {
     std::vector<char32_t> all;
     for (char32_t c = U' '; c <= U'~'; ++c) all.push_back(c);
     for (char32_t c = U'\u00A1'; c <= U'\u017F'; ++c) all.push_back(c);
-    for (const char32_t c : {U'ω', U'√', U'(', U')', U'∫', U'√', U'⟨', U'{'}) all.push_back(c);
+    for (const char32_t c : {U'ω', U'√', U'(', U')', U'∫', U'√', U'⟨', U'{', U'‘', U'’'})
+        all.push_back(c);
     return all;
 }
 
