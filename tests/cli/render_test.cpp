@@ -72,7 +72,7 @@ TEST(Render, RefusesOptionsOfFramesForPages) {
     for (const std::string option : {"--frames 0-1", "--part 1/2", "--jobs 2", "--certify"}) {
         const ProgramRun run = run_program_in(folder, "render scene.toml -o a.html " + option);
         EXPECT_EQ(run.code, 2) << option;
-        EXPECT_EQ(run.err, "poinsot: a.html: a page has no frames, it shows every instant; leave " +
+        EXPECT_EQ(run.err, "a.html: a page has no frames, it shows every instant; leave " +
                                option.substr(0, option.find(' ')) + " out\n");
     }
     EXPECT_EQ(folder.listing(), "scene.toml\n");
