@@ -6,7 +6,7 @@ const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {opened_file, ready, run_checks, until, wait} = require('./chromium.js');
+const {opened_file, ready, run_checks, until, wait} = require('./browsers.js');
 const {needed, skip} = require('./skip.js');
 
 const [make, scenes, ...only] = process.argv.slice(2);
