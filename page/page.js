@@ -384,7 +384,7 @@ class Page {
     if (!loaded) return;
     const rows = [{name: '', summary: '', offered: true}, ...loaded.elements].filter((row) => row.offered !== false);
     const boxes = () => [...part('elements').querySelectorAll('input')];
-    if (boxes().map((box) => box.name).join() !== rows.map((row) => row.name).join()) {
+    if (boxes().map((box) => `${box.name},`).join('') !== rows.map((row) => `${row.name},`).join('')) {
       part('elements').replaceChildren(...rows.map(({name, summary}) => {
         const label = document.createElement('label');
         const box = document.createElement('input');

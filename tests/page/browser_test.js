@@ -605,7 +605,7 @@ check('is accessible by the rules of axe', async (browser) => {
     await press(tab, 'o');
     await wait(300);
     await tab.evaluate(axe);
-    const violations = await tab.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21aa']})
+    const violations = await tab.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']})
       .then((r) => r.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(' ')}`)));
     assert.deepEqual(violations, [], theme);
     await press(tab, 'Escape');

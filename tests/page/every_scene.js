@@ -1,5 +1,6 @@
 // Opens every scene as a page, on a desk and on a phone; checks that nothing overlaps or is cut off, and puts the pictures
-// on sheets. Usage: node every_scene.js POINSOT SCENES OUT [SCENE…]; pages that OUT holds already are taken as they are.
+// on sheets. Usage: node every_scene.js POINSOT SCENES OUT [SCENE…]; POINSOT is "-" where OUT holds the pages
+// already.
 'use strict';
 const assert = require('node:assert/strict');
 const {spawnSync} = require('node:child_process');
@@ -21,7 +22,7 @@ const screens = [
 /** @param {string} scene @returns {string} its page */
 function page_of(scene) {
   const file = path.join(out, `${scene}.html`);
-  if (fs.existsSync(file)) return file;
+  if (program === '-') return file;
   const outcome = spawnSync(program, ['render', path.join(folder, `${scene}.toml`), '-o', file, '--quiet'], {encoding: 'utf8'});
   if (outcome.status === 3 && outcome.stderr.includes('without its module')) skip('the program was built without the module');
   assert.equal(outcome.status, 0, outcome.stderr);

@@ -144,7 +144,7 @@ TypeStyle title_style(const StageContext& stage, StageStore& store) {
     TypeStyle style = text_style(stage, title_size);
     if (!wants_clock(stage.scene)) return style;
     constexpr double least_share = 0.5;
-    const double gap_px = 0.4 * style.size_px;
+    const double gap_px = 0.8 * style.size_px;
     const double room_px = left_of_clock(stage, store) - margin(stage) - gap_px;
     TypeStyle one_line = style;
     one_line.max_width_px = 0.0;
