@@ -139,11 +139,16 @@ class Page {
     this.views.place(loaded.panels, this.figure.ratio);
     this.controls.show(loaded.controls);
     this.#show_elements();
-    const said = [loaded.regime, ...loaded.notes].filter(Boolean).join(' ');
-    if (said !== this.regime) part('regime').textContent = said;
+    const said = [loaded.regime, ...loaded.notes].filter(Boolean).join('\n');
+    if (said !== this.regime) {
+      const strong = document.createElement('strong');
+      strong.textContent = loaded.regime;
+      part('regime').replaceChildren(strong, ...loaded.notes.map((note) => `\n${note}`));
+    }
     this.regime = said;
     part('section-change').hidden = loaded.controls.length === 0 && !said;
     part('original').hidden = loaded.controls.length === 0;
+    this.#head('change', loaded.controls.length > 0 ? 'change' : 'motion');
     part('hint').textContent = [this.#drags('omega') && this.words.of('drag_omega'), this.#drags('plane') && this.words.of('drag_plane')]
       .filter(Boolean).join(' ');
     this.#fit();
@@ -312,12 +317,15 @@ class Page {
     this.#fit();
   }
 
+  /** Names a section of the panel. @param {string} section @param {string} word */
+  #head(section, word) {
+    const heading = part(`section-${section}`).querySelector('h2');
+    if (heading) heading.textContent = this.words.of(word);
+  }
+
   #name() {
     const {words} = this;
-    for (const [section, word] of [['change', 'change'], ['show', 'show'], ['view', 'view'], ['save', 'save'], ['keys', 'keys']]) {
-      const heading = part(`section-${section}`).querySelector('h2');
-      if (heading) heading.textContent = words.of(/** @type {string} */ (word));
-    }
+    for (const section of ['change', 'show', 'view', 'save', 'keys']) this.#head(section, section);
     for (const [id, word] of [['original', 'original'], ['scene-view', 'scene_view'], ['save-png', 'save_png'], ['save-svg', 'save_svg'],
       ['copy-link', 'copy_link']]) part(/** @type {string} */ (id)).textContent = words.of(/** @type {string} */ (word));
     for (const [id, word] of [['png-width', 'width'], ['png-height', 'height']]) {

@@ -19,6 +19,7 @@ const all_words = {
   options: ['Options', 'Einstellungen', 'Réglages', 'Opciones', 'Opzioni', '設定'],
   close: ['Close', 'Schließen', 'Fermer', 'Cerrar', 'Chiudi', '閉じる'],
   change: ['Change the motion', 'Bewegung ändern', 'Modifier le mouvement', 'Cambiar el movimiento', 'Modifica il moto', '運動を変える'],
+  motion: ['Motion', 'Bewegung', 'Mouvement', 'Movimiento', 'Moto', '運動'],
   original: ['As in the scene', 'Wie in der Szene', 'Comme dans la scène', 'Como en la escena', 'Come nella scena', 'シーンの値に戻す'],
   show: ['Show', 'Anzeigen', 'Afficher', 'Mostrar', 'Mostra', '表示'],
   names: ['Names', 'Namen', 'Noms', 'Nombres', 'Nomi', '名前'],
