@@ -142,8 +142,8 @@ bool wants_clock(const Scene& scene) {
 // as in an upright picture.
 TypeStyle title_style(const StageContext& stage, StageStore& store) {
     TypeStyle style = text_style(stage, title_size);
-    if (!wants_clock(stage.scene)) return style;
-    constexpr double least_share = 0.5;
+    if (!wants_clock(stage.scene) || is_on_paper(stage)) return style;
+    constexpr double least_share = 0.55;  // still larger than the headings of panels
     const double gap_px = 0.8 * style.size_px;
     const double room_px = left_of_clock(stage, store) - margin(stage) - gap_px;
     TypeStyle one_line = style;
