@@ -58,7 +58,7 @@ class Workbench {
   #name() {
     for (const [id, word] of [['gallery-open', 'gallery'], ['file-open', 'open'], ['file-save', 'save_scene'], ['export-page', 'export_page'],
       ['export-csv', 'export_csv']]) part(/** @type {string} */ (id)).textContent = this.words.of(/** @type {string} */ (word));
-    part('text').setAttribute('aria-label', this.words.of('text'));
+    for (const id of ['text', 'writing']) part(id).setAttribute('aria-label', this.words.of('text'));
     part('gallery-close').setAttribute('aria-label', this.words.of('close'));
     const heading = part('gallery').querySelector('h2');
     if (heading) heading.textContent = this.words.of('gallery');

@@ -41,14 +41,21 @@ async function opened_file(browser, file, {fragment = '', size = {width: 640, he
   });
   if (before) await tab.evaluateOnNewDocument(before);
   await tab.setViewport(size);
-  await tab.goto(`file://${file}${fragment}`);
+  await tab.goto(`file://${file}${fragment}`, {timeout: 120000});
   return {tab, faults};
 }
 
 const ready = (tab) => tab.evaluate(() => window.poinsot.ready);
 
 /** Waits until code of the tab is true. */
-const until = (tab, code, ms = 20000) => tab.waitForFunction(code, {timeout: ms});
+const until = (tab, code, ms = 60000) => tab.waitForFunction(code, {timeout: ms});
+
+/** Waits until the picture fits the window and no frame is asked for. */
+const settled = (tab) => until(tab, `(() => {
+  const {figure} = the_page;
+  const {width, height} = figure.size();
+  return figure.frame === 0 && !figure.is_resized && figure.canvas.width === width && figure.canvas.height === height;
+})()`, 60000);
 
 /** Presses a key, and lets the page draw. */
 async function press(tab, key) {
@@ -75,4 +82,4 @@ async function run_checks(checks, only) {
   process.exit(n_failed > 0 ? 1 : 0);
 }
 
-module.exports = {is_firefox, launched, opened_file, press, ready, run_checks, until, wait};
+module.exports = {is_firefox, launched, opened_file, press, ready, run_checks, settled, until, wait};

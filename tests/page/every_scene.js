@@ -6,7 +6,7 @@ const assert = require('node:assert/strict');
 const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
-const {launched, opened_file, ready, wait} = require('./browsers.js');
+const {launched, opened_file, ready, settled, wait} = require('./browsers.js');
 const {skip} = require('./skip.js');
 
 const [program, folder, out, ...only] = process.argv.slice(2);
@@ -85,17 +85,16 @@ async function main() {
           files.push(picture);
           wrong.push(...(await tab.evaluate(faults_of_layout)).map((fault) => `${name}, ${what}: ${fault}`));
         };
-        const settled = () => tab.waitForFunction('the_page.figure.frame === 0 && !the_page.figure.is_resized', {timeout: 60000}).then(() => wait(300));
-        await wait(200);
-        await settled();
+        await settled(tab);
         await tab.evaluate(() => document.body.classList.remove('drawn'));
         if (name === 'desk') await shot('poster');
         await tab.evaluate(() => document.body.classList.add('drawn'));
         await shot('live');
         if (name === 'phone') {
           await tab.click('#options');
-          await wait(200);
-          await settled();
+          await settled(tab);
+          await wait(300);
+          await settled(tab);
           await shot('options');
           await tab.click('#close');
         }
