@@ -569,7 +569,7 @@ check('shows the focus, and says each change once it is over', async (browser) =
   await press(tab, 'o');
   await wait(200);
   const seen = new Set();
-  for (let k = 0; k < 60; ++k) {
+  for (let k = 0; k < 100; ++k) {
     await tab.keyboard.press('Tab');
     const at = await tab.evaluate(() => {
       const element = document.activeElement;
