@@ -66,8 +66,8 @@ class Lecture {
     // The same for a picture of another size. The drawing is valid until the next call.
     Drawing drawing_of_size(const FilmTime& moment, int width_px, int height_px);
 
-    // The digits of `poinsot sample`: ω in body axes, the attitude as w, x, y, z, the component of ω
-    // perpendicular to L in space axes and, of a heavy top, θ, φ and ψ.
+    // The digits of `poinsot sample`: ω in body axes, the attitude as w, x, y, z, the component of
+    // ω perpendicular to L in space axes and, of a heavy top, θ, φ and ψ.
     std::vector<double> digits_at(double time_s) const;
 
     // The state as one sentence, in the scene's language.
