@@ -25,23 +25,25 @@ function slider_span(control, value) {
   return {least, most};
 }
 
-/** "Angular velocity at t = 0": the beginning of what a key means. @param {Control} control */
-function title_of(control) {
+/** The label of a control: in the language of the page, or else the beginning of what the key means. @param {Control} control @param {Words} words */
+function title_of(control, words) {
   const clause = (control.label || control.key).split(';')[0] ?? '';
-  return clause.replace(/^[a-z]/, (letter) => letter.toUpperCase());
+  return words.label(control.key) ?? clause.replace(/^[a-z]/, (letter) => letter.toUpperCase());
 }
 
-/** A component of a vector, "start.omega_rad_s[1]", is a number. @param {Control} control @returns {Control} */
-function component_of(control) {
+/** A component of a vector, "start.omega_rad_s[1]", is a number. @param {Control} control @param {Words} words @returns {Control} */
+function component_of(control, words) {
+  const label = title_of(control, words);
   const index = /\[(\d+)\]$/.exec(control.key)?.[1];
-  if (index === undefined || !Array.isArray(control.value)) return control;
-  return {...control, kind: 'number', label: `${title_of(control)} [${index}]`, value: control.value[Number(index)] ?? 0};
+  if (index === undefined || !Array.isArray(control.value)) return {...control, label};
+  return {...control, kind: 'number', label: `${label} [${index}]`, value: control.value[Number(index)] ?? 0};
 }
 
 class Controls {
-  /** @param {HTMLElement} holder @param {(key: string, value: string) => void} change */
-  constructor(holder, change) {
+  /** @param {HTMLElement} holder @param {() => Words} words @param {(key: string, value: string) => void} change */
+  constructor(holder, words, change) {
     this.holder = holder;
+    this.words = words;
     this.change = change;
     /** @type {Map<string, {control: Control, show: (value: Control['value']) => void, message: HTMLElement}>} */
     this.rows = new Map();
@@ -50,8 +52,8 @@ class Controls {
 
   /** Shows the values that the scene has now. @param {Control[]} controls */
   show(controls) {
-    controls = controls.map(component_of);
-    const signature = controls.map((c) => c.key + c.kind + (Array.isArray(c.value) ? c.value.length : '')).join();
+    controls = controls.map((control) => component_of(control, this.words()));
+    const signature = controls.map((c) => c.key + c.label + c.kind + (Array.isArray(c.value) ? c.value.length : '')).join();
     if (signature !== this.signature) this.#build(controls);
     this.signature = signature;
     for (const control of controls) {
@@ -77,7 +79,7 @@ class Controls {
       const group = document.createElement('fieldset');
       group.className = 'control';
       const title = document.createElement('legend');
-      title.textContent = title_of(control);
+      title.textContent = control.label;
       title.title = control.key;
       if (control.unit) {
         const unit = document.createElement('span');
@@ -107,7 +109,7 @@ class Controls {
       this.change(control.key, override_of(control, value));
     };
     const rows = first.map((value, i) => {
-      const name = first.length > 1 ? `${title_of(control)} ${i + 1}` : title_of(control);
+      const name = first.length > 1 ? `${control.label} ${i + 1}` : control.label;
       return this.#number(group, control, name, first.length > 1 ? String(i + 1) : '', value, (changed) => {
         now[i] = changed;
         sent();
@@ -176,7 +178,7 @@ class Controls {
   #switch(group, control) {
     const box = document.createElement('input');
     box.type = 'checkbox';
-    box.setAttribute('aria-label', title_of(control));
+    box.setAttribute('aria-label', control.label);
     box.addEventListener('change', () => this.change(control.key, String(box.checked)));
     group.append(box);
     return (value) => {
@@ -187,7 +189,7 @@ class Controls {
   /** @param {HTMLElement} group @param {Control} control @returns {(value: Control['value']) => void} */
   #choice(group, control) {
     const list = document.createElement('select');
-    list.setAttribute('aria-label', title_of(control));
+    list.setAttribute('aria-label', control.label);
     for (const choice of control.choices ?? []) list.append(new Option(choice, choice));
     list.addEventListener('change', () => this.change(control.key, JSON.stringify(list.value)));
     group.append(list);

@@ -3,6 +3,16 @@
 const longest_step_s = 0.25; // between two frames: a hidden page does not jump
 const most_pixels = 3840 * 2400;
 
+/**
+ * The factor on the size of all type with which a picture of this size, in CSS pixels, is easy to read: captions of 12 pixels or more, and
+ * on an upright screen not more than a few words a line. @param {number} width @param {number} height
+ */
+function type_scale_of(width, height) {
+  const caption_px = (26 / 1080) * height; // as the program sets it
+  const most = Math.min(1, (0.038 * width) / caption_px);
+  return Math.min(1.6, Math.max(12 / caption_px, most));
+}
+
 /** What went wrong, in words. @param {unknown} error */
 function message_of(error) {
   if (error && typeof error === 'object' && 'message' in error) return String(error.message);
@@ -71,7 +81,8 @@ class Figure {
     const {clientWidth, clientHeight} = this.parts.picture;
     const fit = Math.sqrt(most_pixels / Math.max(1, clientWidth * clientHeight));
     const ratio = Math.min(window.devicePixelRatio || 1, Math.max(fit, 0.1));
-    return {width: Math.max(16, Math.round(clientWidth * ratio)), height: Math.max(16, Math.round(clientHeight * ratio))};
+    return {width: Math.max(16, Math.round(clientWidth * ratio)), height: Math.max(16, Math.round(clientHeight * ratio)),
+      type_scale: type_scale_of(Math.max(16, clientWidth), Math.max(16, clientHeight))};
   }
 
   /** Starts the program and draws the first picture. @param {SceneData} data */
@@ -134,14 +145,14 @@ class Figure {
   /** Reads the scene with these overrides; throws the program's refusal. @param {SceneData} data @param {Map<string, string>} values */
   #load(data, values) {
     const program = /** @type {Program} */ (this.program);
-    const {width, height} = this.size();
+    const {width, height, type_scale} = this.size();
     const overrides = [...data.overrides, ...[...values].map(([key, value]) => `${key}=${value}`)];
     if (this.names !== null) overrides.push(`labels=${this.names}`);
     // An empty list would show what the scene shows by default.
     const shown = this.shown?.length === 0 ? ['title'] : this.shown;
     if (this.shown?.length === 0) overrides.push('overlays=false');
     this.loaded = program.load(data.text, data.name, overrides, {
-      width, height, theme: this.theme || undefined, shown: shown ?? undefined,
+      width, height, type_scale, theme: this.theme || undefined, shown: shown ?? undefined,
     });
     // Setting the size of a canvas clears it, so only a scene that will be drawn does.
     if (this.canvas.width !== width) this.canvas.width = width;
@@ -232,12 +243,12 @@ class Figure {
     const {program} = this;
     if (!program || !this.loaded) return;
     if (this.is_resized) {
-      const {width, height} = this.size();
+      const {width, height, type_scale} = this.size();
       this.is_resized = false;
       if (width !== this.canvas.width || height !== this.canvas.height) {
         this.canvas.width = width;
         this.canvas.height = height;
-        this.loaded.panels = program.resize(width, height);
+        this.loaded.panels = program.resize(width, height, type_scale);
       }
     }
     program.draw(this.time_s, this.film.at_s);

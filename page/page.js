@@ -28,20 +28,27 @@ class Page {
         this.figure.set_views(this.views.list());
         this.#settle();
       },
-      hovered: (x, y, panel) => this.#is_omega_at(x, y, panel),
+      hovered: (x, y, panel) => this.#grip_at(x, y, panel) !== '',
       picked: (x, y, panel) => this.#picked(x, y, panel),
       dragged: (x, y, panel) => this.#dragged(x, y, panel),
-      dropped: () => this.#settle(),
+      dropped: () => {
+        this.grip = '';
+        this.#settle();
+      },
       touched: () => document.body.classList.add('begun'),
       words,
       zooms_by_wheel: () => !this.embedded || document.body.classList.contains('begun'),
     });
-    this.controls = new Controls(part('controls'), (key, value) => this.set_soon(key, value));
+    this.controls = new Controls(part('controls'), words, (key, value) => this.set_soon(key, value));
     this.notes = new Notes(part('notes'), words, (event) => this.#key(event));
     /** Told after the program has read a scene. @type {() => void} */
     this.said = () => {};
     /** Values that are set at the next frame. @type {Map<string, string>} */
     this.coming = new Map();
+    /** What the pointer drags: 'omega' or 'plane'. */
+    this.grip = '';
+    /** Whether the colours follow the system and were not chosen. */
+    this.follows_system = false;
     this.idle_timer = 0;
     this.settle_timer = 0;
     this.regime = '';
@@ -64,6 +71,9 @@ class Page {
 
   async #start() {
     part('begin').hidden = true;
+    // Here already, so that the picture keeps its size.
+    part('bar').hidden = false;
+    part('bar').inert = true;
     try {
       await this.figure.start(this.data);
     } catch (error) {
@@ -74,7 +84,7 @@ class Page {
     }
     this.failure = '';
     part('sentence').hidden = true;
-    part('bar').hidden = false;
+    part('bar').inert = false;
     this.#wake();
   }
 
@@ -129,12 +139,18 @@ class Page {
     this.views.place(loaded.panels, this.figure.ratio);
     this.controls.show(loaded.controls);
     this.#show_elements();
-    const said = [loaded.regime, ...loaded.notes].filter(Boolean).join(' ');
-    if (said !== this.regime) part('regime').textContent = said;
+    const said = [loaded.regime, ...loaded.notes].filter(Boolean).join('\n');
+    if (said !== this.regime) {
+      const strong = document.createElement('strong');
+      strong.textContent = loaded.regime;
+      part('regime').replaceChildren(strong, ...loaded.notes.map((note) => `\n${note}`));
+    }
     this.regime = said;
     part('section-change').hidden = loaded.controls.length === 0 && !said;
     part('original').hidden = loaded.controls.length === 0;
-    part('hint').textContent = this.#drags_omega ? this.words.of('drag_omega') : '';
+    this.#head('change', loaded.controls.length > 0 ? 'change' : 'motion');
+    part('hint').textContent = [this.#drags('omega') && this.words.of('drag_omega'), this.#drags('plane') && this.words.of('drag_plane')]
+      .filter(Boolean).join(' ');
     this.#fit();
     if (this.failure === 'lost') {
       this.failure = '';
@@ -185,7 +201,8 @@ class Page {
   fragment() {
     const {film, values, shown, names, theme} = this.figure;
     const has_moved = !film.untouched || this.views.list().length > 0 || values.size > 0;
-    return fragment_of({at_s: has_moved ? film.at_s : null, speed: film.speed, views: this.views.list(), values, shown, names, theme});
+    const look = this.follows_system ? '' : theme || (this.#system_is_dark ? 'scene' : '');
+    return fragment_of({at_s: has_moved ? film.at_s : null, speed: film.speed, views: this.views.list(), values, shown, names, theme: look});
   }
 
   #read_fragment() {
@@ -197,9 +214,16 @@ class Page {
     figure.values = new Map([...state.values].filter(([key]) => this.data.controls.includes(key)));
     figure.shown = state.shown;
     figure.names = state.names;
-    figure.theme = ['light', 'dark'].includes(state.theme) ? state.theme : '';
+    this.follows_system = state.theme === '' && this.#system_is_dark;
+    figure.theme = this.follows_system ? 'dark' : ['light', 'dark'].includes(state.theme) ? state.theme : '';
     this.views.set(state.views);
     figure.views = state.views;
+  }
+
+  /** Whether the system's dark colours are those of this page: a frame has the colours of the page around it, and a scene its own, if it sets any. */
+  get #system_is_dark() {
+    const sets_colours = /^\s*(theme\s*=|\[style\]|style\.)/m.test(this.data.text) || this.data.overrides.some((text) => /^(theme|style\.)/.test(text));
+    return !this.embedded && !sets_colours && !document.body.classList.contains('workbench') && matchMedia('(prefers-color-scheme: dark)').matches;
   }
 
   /** The address of this instant, view and values. */
@@ -219,7 +243,7 @@ class Page {
         this.set(coming);
       } catch (error) {
         const last = [...coming.keys()].pop() ?? '';
-        this.controls.refuse(last, this.#plain_refusal(error));
+        this.controls.refuse(last, message_of(error));
       }
     };
     this.figure.invalidate();
@@ -229,11 +253,6 @@ class Page {
   set(changes) {
     this.figure.reload({values: new Map([...this.figure.values, ...changes])});
     this.#settle();
-  }
-
-  /** A refusal without the "--set key=value: " before it, which the control shows. @param {unknown} error */
-  #plain_refusal(error) {
-    return message_of(error).replace(/^--set [^:]*: /, '');
   }
 
   /** Reads the scene again; a refusal is said. @param {Map<string, string>} [values] */
@@ -248,22 +267,26 @@ class Page {
     this.#settle();
   }
 
-  get #drags_omega() {
-    return this.figure.loaded?.controls.some((c) => c.key === 'start.omega_rad_s') ?? false;
+  /** Whether viewers may drag the tip of ω, or the plane where the scene gives |L|. @param {string} thing */
+  #drags(thing) {
+    const has = (/** @type {string} */ key) => this.figure.loaded?.controls.some((c) => c.key === key) ?? false;
+    if (thing === 'omega') return has('start.omega_rad_s');
+    return has('start.energy_J') && /^\s*(start\.)?momentum_kg_m2_s\s*=/m.test(this.data.text);
   }
 
-  /** Whether the tip of ω can be dragged from here. @param {number} x @param {number} y @param {number} panel */
-  #is_omega_at(x, y, panel) {
+  /** What can be dragged from here. @param {number} x @param {number} y @param {number} panel */
+  #grip_at(x, y, panel) {
     const {program, film} = this.figure;
-    if (!program || !this.#drags_omega || film.playing) return false;
+    if (!program || film.playing || !(this.#drags('omega') || this.#drags('plane'))) return '';
     const found = program.pick(this.figure.time_s, x, y, film.at_s);
-    return found?.thing === 'omega' && found.panel === panel;
+    return found && found.panel === panel && this.#drags(found.thing) ? found.thing : '';
   }
 
-  /** Whether the pointer takes the tip of ω. @param {number} x @param {number} y @param {number} panel */
+  /** Whether the pointer takes something. @param {number} x @param {number} y @param {number} panel */
   #picked(x, y, panel) {
     const {film} = this.figure;
-    if (!this.#is_omega_at(x, y, panel)) return false;
+    this.grip = this.#grip_at(x, y, panel);
+    if (!this.grip) return false;
     // ω of the scene is that of t = 0.
     film.pause();
     film.seek(this.figure.film_second_of(0));
@@ -273,8 +296,15 @@ class Page {
 
   /** @param {number} x @param {number} y @param {number} panel */
   #dragged(x, y, panel) {
-    const omega = this.figure.program?.omegaAt(this.figure.time_s, panel, x, y, this.figure.film.at_s);
-    if (omega) this.set_soon('start.omega_rad_s', toml_of(omega.map((w) => Number(w.toPrecision(6)))));
+    const {program, time_s, film} = this.figure;
+    const short = (/** @type {number} */ value) => Number(value.toPrecision(6));
+    if (this.grip === 'omega') {
+      const omega = program?.omegaAt(time_s, panel, x, y, film.at_s);
+      if (omega) this.set_soon('start.omega_rad_s', toml_of(omega.map(short)));
+    } else {
+      const energy = program?.energyAt(time_s, panel, x, y, film.at_s);
+      if (typeof energy === 'number') this.set_soon('start.energy_J', toml_of(short(energy)));
+    }
   }
 
   // ── The panel of options ────────────────────────────────────────────────────────────────
@@ -287,12 +317,15 @@ class Page {
     this.#fit();
   }
 
+  /** Names a section of the panel. @param {string} section @param {string} word */
+  #head(section, word) {
+    const heading = part(`section-${section}`).querySelector('h2');
+    if (heading) heading.textContent = this.words.of(word);
+  }
+
   #name() {
     const {words} = this;
-    for (const [section, word] of [['change', 'change'], ['show', 'show'], ['view', 'view'], ['save', 'save'], ['keys', 'keys']]) {
-      const heading = part(`section-${section}`).querySelector('h2');
-      if (heading) heading.textContent = words.of(/** @type {string} */ (word));
-    }
+    for (const section of ['change', 'show', 'view', 'save', 'keys']) this.#head(section, section);
     for (const [id, word] of [['original', 'original'], ['scene-view', 'scene_view'], ['save-png', 'save_png'], ['save-svg', 'save_svg'],
       ['copy-link', 'copy_link']]) part(/** @type {string} */ (id)).textContent = words.of(/** @type {string} */ (word));
     for (const [id, word] of [['png-width', 'width'], ['png-height', 'height']]) {
@@ -347,6 +380,7 @@ class Page {
 
   /** @param {string} theme */
   set_theme(theme) {
+    this.follows_system = false;
     this.figure.theme = theme;
     this.#name_themes();
     this.#reload();
@@ -358,7 +392,7 @@ class Page {
     if (!loaded) return;
     const rows = [{name: '', summary: '', offered: true}, ...loaded.elements].filter((row) => row.offered !== false);
     const boxes = () => [...part('elements').querySelectorAll('input')];
-    if (boxes().map((box) => box.name).join() !== rows.map((row) => row.name).join()) {
+    if (boxes().map((box) => `${box.name},`).join('') !== rows.map((row) => `${row.name},`).join('')) {
       part('elements').replaceChildren(...rows.map(({name, summary}) => {
         const label = document.createElement('label');
         const box = document.createElement('input');
@@ -370,7 +404,7 @@ class Page {
           this.#reload();
         });
         label.title = summary;
-        label.append(box, name === '' ? this.words.of('names') : name.replaceAll('-', ' '));
+        label.append(box, name === '' ? this.words.of('names') : this.words.element(name));
         return label;
       }));
     }
@@ -471,7 +505,9 @@ class Page {
     document.addEventListener('keydown', (event) => this.#key(event));
     for (const name of ['pointermove', 'pointerdown', 'keydown', 'focusin']) document.addEventListener(name, () => this.#wake(), {passive: true});
     document.addEventListener('visibilitychange', () => { this.figure.last_ms = 0; });
-    new ResizeObserver(() => this.#fit()).observe(part('stage'));
+    const sizes = new ResizeObserver(() => this.#fit());
+    sizes.observe(part('stage'));
+    sizes.observe(part('panel'));
     window.addEventListener('hashchange', () => {
       const {values} = this.figure;
       this.#read_fragment();

@@ -21,7 +21,8 @@
  *   captions: {at_s: number, text: string}[]}} Loaded
  *   Chapters, stops and captions are at seconds of the film; the other times are the motion's.
  * @typedef {{time_s: number, omega_body: number[], space_from_body: number[],
- *   herpolhode: number[]|null}} Digits
+ *   herpolhode: number[], angles?: number[]}} Digits
+ *   `angles`: θ, φ and ψ of a heavy top, rad.
  */
 
 /** What the program refuses, with the place in the scene where there is one. */
@@ -261,7 +262,7 @@ class Program {
     this.memory = new ModuleMemory();
     /** @type {Map<string, Uint8Array>} */
     this.files = new Map();
-    /** The scene that was loaded last. @type {{text: string, name: string, overrides: string[], width: number, height: number}|null} */
+    /** The scene that was loaded last. @type {{text: string, name: string, overrides: string[], width: number, height: number, type_scale?: number}|null} */
     this.last = null;
     this.imported = gl_functions(this.memory, () => /** @type {WebGL2RenderingContext} */ (this.gl));
     this.has_integer_light = false;
@@ -402,7 +403,8 @@ class Program {
    * @param {string} text
    * @param {string} name for messages
    * @param {string[]} overrides 'key=value', as for --set
-   * @param {{width: number, height: number, theme?: string, language?: string, shown?: string[]}} options pixels of the canvas
+   * @param {{width: number, height: number, type_scale?: number, theme?: string, language?: string, shown?: string[]}} options
+   *   pixels of the canvas, and a factor on the size of all type
    * @returns {Loaded}
    */
   load(text, name, overrides, options) {
@@ -410,10 +412,10 @@ class Program {
     if (options.theme) all.push(`theme=${JSON.stringify(options.theme)}`);
     if (options.language) all.push(`language=${JSON.stringify(options.language)}`);
     if (options.shown) all.push(`show=${JSON.stringify(options.shown)}`);
-    const {width, height} = options;
+    const {width, height, type_scale = 1} = options;
     this.#with([text, name, all.map((item) => `${item}\0`).join('')],
-               (...at) => this.#call('load', ...at, width, height));
-    this.last = {text, name, overrides: all, width, height};
+               (...at) => this.#call('load', ...at, width, height, type_scale));
+    this.last = {text, name, overrides: all, width, height, type_scale};
     return JSON.parse(this.#answer());
   }
 
@@ -422,14 +424,14 @@ class Program {
     this.imported.forget();
     await this.#instantiate();
     if (!this.last) return;
-    const {text, name, overrides, width, height} = this.last;
-    this.load(text, name, overrides, {width, height});
+    const {text, name, overrides, width, height, type_scale} = this.last;
+    this.load(text, name, overrides, {width, height, type_scale});
   }
 
-  /** Lays out anew. @param {number} width @param {number} height @returns {Panel[]} */
-  resize(width, height) {
-    this.#call('resize', width, height);
-    if (this.last) Object.assign(this.last, {width, height});
+  /** Lays out anew. @param {number} width @param {number} height @param {number} [type_scale] @returns {Panel[]} */
+  resize(width, height, type_scale = 1) {
+    this.#call('resize', width, height, type_scale);
+    if (this.last) Object.assign(this.last, {width, height, type_scale});
     return JSON.parse(this.#answer());
   }
 
@@ -474,7 +476,8 @@ class Program {
       time_s: t,
       omega_body: n.slice(0, 3),
       space_from_body: n.slice(3, 7),
-      herpolhode: n.length > 7 ? n.slice(7, 10) : null,
+      herpolhode: n.slice(7, 10),
+      ...(n.length > 10 && {angles: n.slice(10)}),
     };
   }
 
@@ -503,7 +506,8 @@ class Program {
   }
 
   /**
-   * What lies under a pixel of the canvas: 'omega' within 12 pixels of the tip of ω or ρ.
+   * What can be dragged at a pixel of the canvas: 'omega' within 12 pixels of the tip of ω or ρ, 'plane' of the point
+   * where L meets the invariable plane.
    * @param {number} t @param {number} x @param {number} y @param {number} [film_s]
    * @returns {{panel: number, thing: string}|null}
    */
@@ -521,6 +525,16 @@ class Program {
     this.#call('omega_at', t, film_s, panel, x, y);
     const omega = this.#numbers();
     return omega.length === 3 ? omega : null;
+  }
+
+  /**
+   * The kinetic energy with which the invariable plane, moved along L at constant |L|, meets L nearest to a pixel.
+   * @param {number} t @param {number} panel @param {number} x @param {number} y @param {number} [film_s]
+   * @returns {number|null}
+   */
+  energyAt(t, panel, x, y, film_s = NaN) {
+    this.#call('energy_at', t, film_s, panel, x, y);
+    return this.#numbers()[0] ?? null;
   }
 
   /** Gives the WebGL context back. The canvas cannot be drawn into any more. */

@@ -19,6 +19,7 @@ const all_words = {
   options: ['Options', 'Einstellungen', 'Réglages', 'Opciones', 'Opzioni', '設定'],
   close: ['Close', 'Schließen', 'Fermer', 'Cerrar', 'Chiudi', '閉じる'],
   change: ['Change the motion', 'Bewegung ändern', 'Modifier le mouvement', 'Cambiar el movimiento', 'Modifica il moto', '運動を変える'],
+  motion: ['Motion', 'Bewegung', 'Mouvement', 'Movimiento', 'Moto', '運動'],
   original: ['As in the scene', 'Wie in der Szene', 'Comme dans la scène', 'Como en la escena', 'Come nella scena', 'シーンの値に戻す'],
   show: ['Show', 'Anzeigen', 'Afficher', 'Mostrar', 'Mostra', '表示'],
   names: ['Names', 'Namen', 'Noms', 'Nombres', 'Nomi', '名前'],
@@ -74,7 +75,76 @@ const all_words = {
   key_zoom: ['nearer, farther', 'näher, weiter', 'plus près, plus loin', 'más cerca, más lejos', 'più vicino, più lontano', '近く・遠く'],
   drag_omega: ['Drag the tip of ω to choose another polhode.', 'Ziehen Sie die Spitze von ω, um eine andere Polhodie zu wählen.',
     'Tirez la pointe de ω pour choisir une autre polhodie.', 'Arrastre la punta de ω para elegir otra polhodia.',
-    'Trascinate la punta di ω per scegliere un’altra poloide.', 'ω の先を引くと別のポルホードを選べます。'],
+    'Trascinate la punta di ω per scegliere un’altra polodia.', 'ω の先を引くと別のポルホードを選べます。'],
+  drag_plane: ['Drag the foot of L to move the plane to another polhode.', 'Ziehen Sie den Fußpunkt von L, um die Ebene zu einer anderen Polhodie zu verschieben.',
+    'Tirez le pied de L pour déplacer le plan vers une autre polhodie.', 'Arrastre el pie de L para llevar el plano a otra polodia.',
+    'Trascinate il piede di L per portare il piano a un’altra polodia.', 'L の足を引くと平面が別のポルホードに移ります。'],
+};
+
+/** Names of elements and overlays. @type {Record<string, string[]>} */
+const element_words = {
+  plane: ['invariable plane', 'invariable Ebene', 'plan invariable', 'plano invariable', 'piano invariabile', '不変平面'],
+  tangent: ['tangent plane', 'Tangentialebene', 'plan tangent', 'plano tangente', 'piano tangente', '接平面'],
+  ellipsoid: ['inertia ellipsoid', 'Trägheits­ellipsoid', 'ellipsoïde d’inertie', 'elipsoide de inercia', 'ellissoide d’inerzia', '慣性楕円体'],
+  body: ['body', 'Körper', 'corps', 'cuerpo', 'corpo', '物体'],
+  annulus: ['ring of the herpolhode', 'Ring der Herpolhodie', 'anneau de l’herpolhodie', 'anillo de la herpolodia', 'anello dell’erpolodia', 'ハーポルホードの環'],
+  polhode: ['polhode', 'Polhodie', 'polhodie', 'polodia', 'polodia', 'ポルホード'],
+  herpolhode: ['herpolhode', 'Herpolhodie', 'herpolhodie', 'herpolodia', 'erpolodia', 'ハーポルホード'],
+  cones: ['cones', 'Polkegel', 'cônes', 'conos', 'coni', '円錐'],
+  'spin-axis': ['axis of rotation', 'Drehachse', 'axe de rotation', 'eje de rotación', 'asse di rotazione', '回転軸'],
+  momentum: ['angular momentum L', 'Drehimpuls L', 'moment cinétique L', 'momento angular L', 'momento angolare L', '角運動量 L'],
+  omega: ['angular velocity ω', 'Winkel­geschwindigkeit ω', 'vitesse angulaire ω', 'velocidad angular ω', 'velocità angolare ω', '角速度 ω'],
+  axes: ['principal axes', 'Hauptachsen', 'axes principaux', 'ejes principales', 'assi principali', '慣性主軸'],
+  'given-axes': ['given axes', 'gegebene Achsen', 'axes donnés', 'ejes dados', 'assi dati', '与えられた軸'],
+  turn: ['turn to the principal axes', 'Drehung zu den Hauptachsen', 'rotation vers les axes principaux', 'giro a los ejes principales', 'rotazione agli assi principali', '主軸への回転'],
+  'half-axes': ['half-axes', 'Halbachsen', 'demi-axes', 'semiejes', 'semiassi', '半軸'],
+  direction: ['direction n', 'Richtung n', 'direction n', 'dirección n', 'direzione n', '方向 n'],
+  radius: ['radius vector ρ', 'Ortsvektor ρ', 'rayon vecteur ρ', 'radio vector ρ', 'raggio vettore ρ', '動径 ρ'],
+  gradient: ['gradient ∇F', 'Gradient ∇F', 'gradient ∇F', 'gradiente ∇F', 'gradiente ∇F', '勾配 ∇F'],
+  projection: ['projection of ρ on L', 'Projektion von ρ auf L', 'projection de ρ sur L', 'proyección de ρ sobre L', 'proiezione di ρ su L', 'ρ の L への射影'],
+  distance: ['distance of the plane', 'Abstand der Ebene', 'distance du plan', 'distancia del plano', 'distanza del piano', '平面までの距離'],
+  levels: ['marks along L', 'Marken auf L', 'repères sur L', 'marcas sobre L', 'tacche su L', 'L 上の目盛り'],
+  velocity: ['velocity', 'Geschwindigkeit', 'vitesse', 'velocidad', 'velocità', '速度'],
+  precession: ['precession', 'Präzession', 'précession', 'precesión', 'precessione', '歳差運動'],
+  contact: ['contact point', 'Berührpunkt', 'point de contact', 'punto de contacto', 'punto di contatto', '接触点'],
+  ghost: ['second method', 'zweites Verfahren', 'seconde méthode', 'segundo método', 'secondo metodo', '第二の解法'],
+  drift: ['path of the second method', 'Spur des zweiten Verfahrens', 'trajet de la seconde méthode', 'trayecto del segundo método', 'percorso del secondo metodo', '第二の解法の軌跡'],
+  title: ['title', 'Titel', 'titre', 'título', 'titolo', 'タイトル'],
+  chapter: ['chapter', 'Abschnitt', 'chapitre', 'capítulo', 'capitolo', '章'],
+  caption: ['caption', 'Legende', 'légende', 'leyenda', 'didascalia', '説明文'],
+  clock: ['clock', 'Uhr', 'horloge', 'reloj', 'orologio', '時計'],
+};
+
+/** Labels of keys of the scene that viewers may change. @type {Record<string, string[]>} */
+const key_words = {
+  'start.omega_rad_s': ['Angular velocity ω at t = 0', 'Winkelgeschwindigkeit ω bei t = 0', 'Vitesse angulaire ω à t = 0', 'Velocidad angular ω en t = 0', 'Velocità angolare ω a t = 0', 't = 0 での角速度 ω'],
+  'start.energy_J': ['Kinetic energy T', 'Kinetische Energie T', 'Énergie cinétique T', 'Energía cinética T', 'Energia cinetica T', '運動エネルギー T'],
+  'start.momentum_kg_m2_s': ['Angular momentum |L|', 'Drehimpuls |L|', 'Moment cinétique |L|', 'Momento angular |L|', 'Momento angolare |L|', '角運動量 |L|'],
+  'start.plane_distance': ['Distance of the plane', 'Abstand der Ebene', 'Distance du plan', 'Distancia del plano', 'Distanza del piano', '平面までの距離'],
+  'start.attitude': ['Attitude at t = 0', 'Lage bei t = 0', 'Orientation à t = 0', 'Orientación en t = 0', 'Assetto a t = 0', 't = 0 での姿勢'],
+  'start.theta_rad': ['Tilt θ', 'Neigung θ', 'Inclinaison θ', 'Inclinación θ', 'Inclinazione θ', '傾き θ'],
+  'start.theta_dot_rad_s': ['Rate of the tilt', 'Änderung der Neigung', 'Vitesse de l’inclinaison', 'Velocidad de la inclinación', 'Velocità dell’inclinazione', '傾きの速さ'],
+  'start.phi_dot_rad_s': ['Rate of precession', 'Präzessionsgeschwindigkeit', 'Vitesse de précession', 'Velocidad de precesión', 'Velocità di precessione', '歳差の速さ'],
+  'start.omega3_rad_s': ['Spin ω₃', 'Eigendrehung ω₃', 'Rotation propre ω₃', 'Rotación propia ω₃', 'Rotazione propria ω₃', '自転 ω₃'],
+  'body.moments_kg_m2': ['Principal moments of inertia', 'Hauptträgheitsmomente', 'Moments principaux d’inertie', 'Momentos principales de inercia', 'Momenti principali d’inerzia', '主慣性モーメント'],
+  'body.tensor_kg_m2': ['Inertia tensor', 'Trägheitstensor', 'Tenseur d’inertie', 'Tensor de inercia', 'Tensore d’inerzia', '慣性テンソル'],
+  'body.shape': ['Solid', 'Körper', 'Solide', 'Sólido', 'Solido', '立体'],
+  'body.object': ['Body', 'Körper', 'Corps', 'Cuerpo', 'Corpo', '物体'],
+  'body.size_m': ['Dimensions', 'Abmessungen', 'Dimensions', 'Dimensiones', 'Dimensioni', '寸法'],
+  'body.mass_kg': ['Mass', 'Masse', 'Masse', 'Masa', 'Massa', '質量'],
+  'body.density_kg_m3': ['Density', 'Dichte', 'Masse volumique', 'Densidad', 'Densità', '密度'],
+  'body.masses.mass_kg': ['Mass of the point', 'Masse des Punktes', 'Masse du point', 'Masa del punto', 'Massa del punto', '質点の質量'],
+  'body.masses.at_m': ['Position of the point', 'Ort des Punktes', 'Position du point', 'Posición del punto', 'Posizione del punto', '質点の位置'],
+  'torque.mgl_N_m': ['Weight times distance mgl', 'Gewicht mal Abstand mgl', 'Poids fois distance mgl', 'Peso por distancia mgl', 'Peso per distanza mgl', '重さ × 距離 mgl'],
+  'torque.torque_body_N_m': ['Torque in body axes', 'Drehmoment in Körperachsen', 'Couple dans les axes du corps', 'Par en los ejes del cuerpo', 'Coppia negli assi del corpo', '物体軸でのトルク'],
+  'torque.torque_space_N_m': ['Torque in space axes', 'Drehmoment in Raumachsen', 'Couple dans les axes fixes', 'Par en los ejes fijos', 'Coppia negli assi fissi', '空間軸でのトルク'],
+  'torque.half_life_s': ['Half-life of the energy', 'Halbwertszeit der Energie', 'Demi-vie de l’énergie', 'Semivida de la energía', 'Emivita dell’energia', 'エネルギーの半減期'],
+  'motion.method': ['Method', 'Verfahren', 'Méthode', 'Método', 'Metodo', '解法'],
+  'motion.step_s': ['Time step', 'Zeitschritt', 'Pas de temps', 'Paso de tiempo', 'Passo temporale', '時間刻み'],
+  'beside.method': ['Second method', 'Zweites Verfahren', 'Seconde méthode', 'Segundo método', 'Secondo metodo', '第二の解法'],
+  'beside.step_s': ['Time step of the second method', 'Zeitschritt des zweiten Verfahrens', 'Pas de la seconde méthode', 'Paso del segundo método', 'Passo del secondo metodo', '第二の解法の時間刻み'],
+  'construction.plane': ['Place of the plane', 'Lage der Ebene', 'Place du plan', 'Lugar del plano', 'Posto del piano', '平面の位置'],
+  'film.speed': ['Speed of the film', 'Tempo des Films', 'Vitesse du film', 'Velocidad de la película', 'Velocità del film', '映像の速さ'],
 };
 
 /** The words in one language. */
@@ -87,5 +157,13 @@ class Words {
   of(name) {
     const row = all_words[name];
     return row?.[languages.indexOf(this.code)] ?? name;
+  }
+  /** The name of an element or overlay. @param {string} name */
+  element(name) {
+    return element_words[name]?.[languages.indexOf(this.code)] ?? name.replaceAll('-', ' ');
+  }
+  /** The label of a key of the scene, without its index; undefined: there is none. @param {string} key */
+  label(key) {
+    return key_words[key.replace(/\[\d+\]/g, '')]?.[languages.indexOf(this.code)];
   }
 }

@@ -58,7 +58,7 @@ class Workbench {
   #name() {
     for (const [id, word] of [['gallery-open', 'gallery'], ['file-open', 'open'], ['file-save', 'save_scene'], ['export-page', 'export_page'],
       ['export-csv', 'export_csv']]) part(/** @type {string} */ (id)).textContent = this.words.of(/** @type {string} */ (word));
-    part('text').setAttribute('aria-label', this.words.of('text'));
+    for (const id of ['text', 'writing']) part(id).setAttribute('aria-label', this.words.of('text'));
     part('gallery-close').setAttribute('aria-label', this.words.of('close'));
     const heading = part('gallery').querySelector('h2');
     if (heading) heading.textContent = this.words.of('gallery');
@@ -181,14 +181,11 @@ class Workbench {
     if (!program) return '';
     const {length_s, frames_per_s} = figure.film.plan;
     const n = Math.min(most_rows, Math.max(1, Math.round(length_s * frames_per_s)));
-    const rows = [];
-    for (let k = 0; k < n; ++k) {
-      const state = program.at(figure.time_of(k / frames_per_s));
-      rows.push([state.time_s, ...state.omega_body, ...state.space_from_body, ...(state.herpolhode ?? [])].join(','));
-    }
-    const has_herpolhode = program.at(figure.time_of(0)).herpolhode !== null;
+    const states = Array.from({length: n}, (_, k) => program.at(figure.time_of(k / frames_per_s)));
+    const rows = states.map((state) =>
+      [state.time_s, ...state.omega_body, ...state.space_from_body, ...state.herpolhode, ...(state.angles ?? [])].join(','));
     const names = ['time_s', 'omega_body_1', 'omega_body_2', 'omega_body_3', 'q_w', 'q_x', 'q_y', 'q_z',
-      ...(has_herpolhode ? ['herpolhode_x', 'herpolhode_y', 'herpolhode_z'] : [])];
+      'herpolhode_x', 'herpolhode_y', 'herpolhode_z', ...(states[0]?.angles ? ['theta_rad', 'phi_rad', 'psi_rad'] : [])];
     return `${names.join(',')}\n${rows.join('\n')}\n`;
   }
 

@@ -18,6 +18,7 @@
 #include "production/session/scene_summary.h"
 #include "scene/parse_scene.h"
 #include "shapes/projection.h"
+#include "shapes/solids.h"
 #include "text/json_text.h"
 #include "text/languages.h"
 #include "text/printable.h"
@@ -31,7 +32,7 @@ namespace {
 
 constexpr double deg = 180.0 / std::numbers::pi;
 
-Scene read(const LectureFiles& files, int width_px, int height_px) {
+Scene read(const LectureFiles& files, const CanvasSize& size) {
     const SceneFiles bytes_of = [&files](const NamedFile& named) {
         const auto found = files.files.find(named.name);
         if (found == files.files.end())
@@ -42,8 +43,8 @@ Scene read(const LectureFiles& files, int width_px, int height_px) {
         return FileBytes{named.name, found->second};
     };
     Scene scene = parse_scene(files.text, files.name, files.overrides, bytes_of);
-    scene.film.width_px = width_px;
-    scene.film.height_px = height_px;
+    scene.film.width_px = size.width_px;
+    scene.film.height_px = size.height_px;
     return scene;
 }
 
@@ -137,23 +138,26 @@ Camera changed(const Camera& camera, const PanelView& view) {
     return made;
 }
 
-Lecture::Lecture(const LectureFiles& files, FontSource fonts, int width_px, int height_px)
-    : session_(session_with(read(files, width_px, height_px), std::move(fonts))),
+Lecture::Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size)
+    : session_(session_with(read(files, size), std::move(fonts))),
+      type_scale_(session_.scene.type_scale),
       film_(film_plan(session_)) {
-    resize(width_px, height_px);
+    resize(size);
 }
 
-Stage Lecture::stage_of_size(int width_px, int height_px) {
-    session_.scene.film.width_px = width_px;
-    session_.scene.film.height_px = height_px;
+Stage Lecture::stage_of_size(const CanvasSize& size) {
+    session_.scene.film.width_px = size.width_px;
+    session_.scene.film.height_px = size.height_px;
+    session_.scene.type_scale = type_scale_ * size.type_scale;
     session_.accuracy = accuracy_of(session_.scene);
     PictureSetting setting = setting_of(session_.scene);
     setting.samples = 1;
     return stage_of(session_, {film_.time_of(0), film_.last_time_s(), {}}, setting);
 }
 
-void Lecture::resize(int width_px, int height_px) {
-    stage_.emplace(stage_of_size(width_px, height_px));
+void Lecture::resize(const CanvasSize& size) {
+    stage_.emplace(stage_of_size(size));
+    size_ = size;
 }
 
 void Lecture::set_views(const std::vector<PanelView>& views) {
@@ -174,25 +178,25 @@ FilmTime Lecture::moment_of(double time_s, double film_s) const {
 Drawing Lecture::drawing_at(const FilmTime& moment) const { return stage_->at(moment, cameras_); }
 
 Drawing Lecture::drawing_of_size(const FilmTime& moment, int width_px, int height_px) {
-    const int own_width = session_.scene.film.width_px, own_height = session_.scene.film.height_px;
-    picture_stage_.emplace(stage_of_size(width_px, height_px));
-    session_.scene.film.width_px = own_width;
-    session_.scene.film.height_px = own_height;
+    picture_stage_.emplace(stage_of_size({width_px, height_px}));
+    session_.scene.film.width_px = size_.width_px;
+    session_.scene.film.height_px = size_.height_px;
+    session_.scene.type_scale = type_scale_ * size_.type_scale;
     session_.accuracy = accuracy_of(session_.scene);
     return picture_stage_->at(moment, cameras_);
 }
 
 std::vector<double> Lecture::digits_at(double time_s) const {
-    const bool has_herpolhode =
-        std::holds_alternative<NoTorque>(session_.motion.problem().torque) &&
-        session_.motion.regime() != Regime::at_rest;
-    const MotionSample sample =
-        session_.motion.sample(time_s, {.attitude = true, .herpolhode = has_herpolhode});
-    const Eigen::Vector3d& omega = sample.state.omega_body;
+    const bool is_top = session_.motion.regime() == Regime::heavy_top;
+    const MotionSample sample = session_.motion.sample(
+        time_s, {.attitude = true, .herpolhode = true, .euler_angles = is_top});
+    const Eigen::Vector3d &omega = sample.state.omega_body, &herpolhode = sample.herpolhode_space;
     const Eigen::Quaterniond& q = sample.state.space_from_body;
-    std::vector<double> digits{omega[0], omega[1], omega[2], q.w(), q.x(), q.y(), q.z()};
-    if (has_herpolhode)
-        for (int k = 0; k < 3; ++k) digits.push_back(sample.herpolhode_space[k]);
+    std::vector<double> digits{omega[0], omega[1], omega[2],      q.w(),         q.x(),
+                               q.y(),    q.z(),    herpolhode[0], herpolhode[1], herpolhode[2]};
+    if (is_top)
+        digits.insert(digits.end(),
+                      {sample.euler.theta_rad, sample.euler.phi_rad, sample.euler.psi_rad});
     return digits;
 }
 
@@ -228,6 +232,28 @@ std::string Lecture::svg_at(const FilmTime& moment) const {
     return vector::svg_of(vector::page_of(drawing, choices), plain_text(session_.scene.title), "");
 }
 
+namespace {
+
+// The ellipsoid of inertia of a view; null: it has none.
+const Ellipsoid* inertia_ellipsoid_of(const View& view) {
+    const auto found =
+        std::find_if(view.ellipsoids.begin(), view.ellipsoids.end(),
+                     [](const Ellipsoid& e) { return e.name.element == "ellipsoid"; });
+    return found != view.ellipsoids.end() ? &*found : nullptr;
+}
+
+// The invariable plane under the ellipsoid of a view; null: it has none. Its centre is the foot of
+// the perpendicular from the ellipsoid's.
+const Plane* invariable_plane_of(const View& view) {
+    if (inertia_ellipsoid_of(view) == nullptr) return nullptr;
+    const auto found = std::find_if(view.planes.begin(), view.planes.end(), [](const Plane& plane) {
+        return plane.name.element == "plane" && plane.opacity > 0.0;
+    });
+    return found != view.planes.end() ? &*found : nullptr;
+}
+
+}  // namespace
+
 std::string Lecture::picked_at(const FilmTime& moment, const Eigen::Vector2d& px) const {
     constexpr double reach_px = 12.0;
     const Drawing drawing = drawing_at(moment);
@@ -237,15 +263,18 @@ std::string Lecture::picked_at(const FilmTime& moment, const Eigen::Vector2d& px
     for (std::size_t k = 0; k < stage_->panels().size(); ++k) {
         const View& view = drawing.views[k];
         const Projection projection(view);
+        const auto offer = [&](const Eigen::Vector3d& point, std::string_view thing) {
+            if (projection.perspective && projection.depth(point) <= projection.near_depth) return;
+            const double off_px = (projection.place(point) - px).norm();
+            if (off_px > nearest_px) return;
+            nearest_px = off_px;
+            picked = JsonObject().add("panel", k).add("thing", thing).line();
+        };
+        if (const Plane* plane = invariable_plane_of(view)) offer(plane->centre, "plane");
         for (const Arrow& arrow : view.arrows) {
             const bool is_rate = arrow.name.element == "omega" || arrow.name.element == "radius";
             if (!is_rate || arrow.opacity <= 0.0) continue;
-            if (projection.perspective && projection.depth(arrow.tip) <= projection.near_depth)
-                continue;
-            const double off_px = (projection.place(arrow.tip) - px).norm();
-            if (off_px > nearest_px) continue;
-            nearest_px = off_px;
-            picked = JsonObject().add("panel", k).add("thing", "omega").line();
+            offer(arrow.tip, "omega");
         }
     }
     return picked;
@@ -257,10 +286,8 @@ std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int 
     if (panel < 0 || number >= stage_->panels().size()) return std::nullopt;
     const Drawing drawing = drawing_at(moment);
     const View& view = drawing.views[number];
-    const auto ellipsoid =
-        std::find_if(view.ellipsoids.begin(), view.ellipsoids.end(),
-                     [](const Ellipsoid& e) { return e.name.element == "ellipsoid"; });
-    if (ellipsoid == view.ellipsoids.end()) return std::nullopt;
+    const Ellipsoid* ellipsoid = inertia_ellipsoid_of(view);
+    if (ellipsoid == nullptr) return std::nullopt;
     // The line of sight in the axes in which the ellipsoid is the unit sphere: its nearer crossing,
     // or else its point nearest to the sphere.
     const Projection projection(view);
@@ -277,6 +304,36 @@ std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int 
     const Eigen::Vector3d rate =
         std::sqrt(twice_energy) * u.cwiseQuotient(inertia.moments_kg_m2().cwiseSqrt().eval());
     return inertia.body_from_principal() * rate;
+}
+
+std::optional<double> Lecture::energy_of_plane_at(const FilmTime& moment, int panel,
+                                                  const Eigen::Vector2d& px) const {
+    const auto number = static_cast<std::size_t>(panel);
+    if (panel < 0 || number >= stage_->panels().size()) return std::nullopt;
+    const Drawing drawing = drawing_at(moment);
+    const View& view = drawing.views[number];
+    const Plane* plane = invariable_plane_of(view);
+    if (plane == nullptr) return std::nullopt;
+    // The point of the perpendicular that is nearest to the line of sight.
+    const Eigen::Vector3d centre = inertia_ellipsoid_of(view)->centre;
+    const Eigen::Vector3d foot = plane->centre - centre;
+    const double distance = foot.norm();
+    if (!(distance > 0.0)) return std::nullopt;
+    const Projection projection(view);
+    const Eigen::Vector3d along = foot / distance, ray = projection.ray(px).normalized();
+    const Eigen::Vector3d from = projection.ray_origin(px) - centre;
+    const double cosine = along.dot(ray);
+    const double sine2 = 1.0 - cosine * cosine;
+    if (sine2 < 1e-6) return std::nullopt;
+    const double met = (along.dot(from) - cosine * ray.dot(from)) / sine2;
+    // The plane's distance is √(2T)/L.
+    const MotionProblem& problem = session_.motion.problem();
+    const Eigen::Vector3d omega = session_.motion.at(moment.time_s).omega_body;
+    const Eigen::Vector3d momentum = problem.inertia.matrix_body() * omega;
+    const double energy = 0.5 * omega.dot(momentum), ratio = std::max(met, 0.0) / distance;
+    const Eigen::Array3d bounds =
+        0.5 * momentum.squaredNorm() / problem.inertia.moments_kg_m2().array();
+    return std::clamp(energy * ratio * ratio, bounds.minCoeff(), bounds.maxCoeff());
 }
 
 std::string Lecture::panels_text() const {

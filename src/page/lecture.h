@@ -35,6 +35,12 @@ struct PanelView {
     double shift_right = none, shift_up = none;       // of the picture, in heights of the panel
 };
 
+// Of the canvas. `type_scale`: factor on the size of all type, for small screens.
+struct CanvasSize {
+    int width_px = 0, height_px = 0;
+    double type_scale = 1.0;
+};
+
 // From eight numbers in this order.
 PanelView panel_view(std::span<const double> numbers);
 
@@ -44,12 +50,12 @@ Camera changed(const Camera& camera, const PanelView& view);
 class Lecture {
  public:
     // Throws InputError.
-    Lecture(const LectureFiles& files, FontSource fonts, int width_px, int height_px);
+    Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size);
     Lecture(const Lecture&) = delete;
     Lecture& operator=(const Lecture&) = delete;
 
     // Lays out anew for a canvas of this size.
-    void resize(int width_px, int height_px);
+    void resize(const CanvasSize& size);
     void set_views(const std::vector<PanelView>& views);
 
     // `film_s`: second of the film; NaN: the first that shows the instant.
@@ -60,8 +66,8 @@ class Lecture {
     // The same for a picture of another size. The drawing is valid until the next call.
     Drawing drawing_of_size(const FilmTime& moment, int width_px, int height_px);
 
-    // ω in body axes, the attitude as w, x, y, z and, if the motion has one, the herpolhode's point
-    // in space axes: the digits of `poinsot sample`.
+    // The digits of `poinsot sample`: ω in body axes, the attitude as w, x, y, z, the component of
+    // ω perpendicular to L in space axes and, of a heavy top, θ, φ and ψ.
     std::vector<double> digits_at(double time_s) const;
 
     // The state as one sentence, in the scene's language.
@@ -70,7 +76,8 @@ class Lecture {
     // The instant as an SVG file, with all type as paths.
     std::string svg_at(const FilmTime& moment) const;
 
-    // What lies under a pixel of the canvas, as JSON: {"panel": 0, "thing": "omega"}, or null.
+    // What can be dragged at a pixel of the canvas, as JSON, or null: {"panel": 0, "thing":
+    // "omega"} at the tip of ω or ρ, "plane" where L or the normal meets the invariable plane.
     std::string picked_at(const FilmTime& moment, const Eigen::Vector2d& px) const;
 
     // The ω in body axes, with the energy of the instant, whose tip is seen at a pixel of the
@@ -79,14 +86,22 @@ class Lecture {
     std::optional<Eigen::Vector3d> omega_under(const FilmTime& moment, int panel,
                                                const Eigen::Vector2d& px) const;
 
+    // The kinetic energy with which the invariable plane, moved along L at constant |L|, meets L
+    // as near as possible to a pixel of the canvas; within the energies that this |L| allows.
+    // Empty where the panel has no such plane.
+    std::optional<double> energy_of_plane_at(const FilmTime& moment, int panel,
+                                             const Eigen::Vector2d& px) const;
+
     // The scene, its film and its panels, as JSON.
     std::string description() const;
     std::string panels_text() const;
 
  private:
-    Stage stage_of_size(int width_px, int height_px);
+    Stage stage_of_size(const CanvasSize& size);
 
     Session session_;
+    double type_scale_;  // of the scene
+    CanvasSize size_;
     FilmPlan film_;
     std::optional<Stage> stage_, picture_stage_;
     std::vector<CameraChange> cameras_;  // by panel

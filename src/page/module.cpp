@@ -108,7 +108,8 @@ void add_file(const char* name, std::uint32_t name_size, const char* bytes, std:
 // `overrides`: each followed by a NUL. The answer describes the scene as JSON.
 POINSOT_EXPORT(load)
 int load(const char* text, std::uint32_t text_size, const char* name, std::uint32_t name_size,
-         const char* overrides, std::uint32_t overrides_size, int width_px, int height_px) {
+         const char* overrides, std::uint32_t overrides_size, int width_px, int height_px,
+         double type_scale) {
     return answered([&] {
         std::vector<std::string> given;
         for (std::string_view rest = text_at(overrides, overrides_size); !rest.empty();) {
@@ -120,15 +121,15 @@ int load(const char* text, std::uint32_t text_size, const char* name, std::uint3
         auto loaded = std::make_unique<Lecture>(
             LectureFiles{text_at(text, text_size), std::string(text_at(name, name_size)), given,
                          program().files},
-            kept_fonts(), width_px, height_px);
+            kept_fonts(), CanvasSize{width_px, height_px, type_scale});
         program().answer = loaded->description();
         program().lecture = std::move(loaded);
     });
 }
 
-POINSOT_EXPORT(resize) int resize(int width_px, int height_px) {
+POINSOT_EXPORT(resize) int resize(int width_px, int height_px, double type_scale) {
     return answered([&] {
-        lecture().resize(width_px, height_px);
+        lecture().resize({width_px, height_px, type_scale});
         program().answer = lecture().panels_text();
     });
 }
@@ -199,6 +200,15 @@ int omega_at(double time_s, double film_s, int panel, double x_px, double y_px) 
         if (const auto omega =
                 lecture().omega_under(lecture().moment_of(time_s, film_s), panel, {x_px, y_px}))
             program().numbers.assign(omega->begin(), omega->end());
+    });
+}
+POINSOT_EXPORT(energy_at)
+int energy_at(double time_s, double film_s, int panel, double x_px, double y_px) {
+    return answered([&] {
+        program().numbers.clear();
+        if (const auto energy_J = lecture().energy_of_plane_at(lecture().moment_of(time_s, film_s),
+                                                               panel, {x_px, y_px}))
+            program().numbers.push_back(*energy_J);
     });
 }
 POINSOT_EXPORT(n_numbers) std::uint32_t n_numbers() {

@@ -40,14 +40,15 @@ async function main() {
     const csv = execFileSync(poinsot, ['sample', file, '--times', times.map(String).join(',')], {maxBuffer: 1 << 27});
     const [heads, ...rows] = csv.toString().trim().split('\n').filter((line) => !line.startsWith('#')).map((line) => line.split(','));
     const column = (head) => heads.findIndex((each) => each.replace(/_(rad_s|s)$/, '') === head);
-    const names = ['omega_body_1', 'omega_body_2', 'omega_body_3', 'q_w', 'q_x', 'q_y', 'q_z', 'herpolhode_x', 'herpolhode_y', 'herpolhode_z'];
+    const names = ['omega_body_1', 'omega_body_2', 'omega_body_3', 'q_w', 'q_x', 'q_y', 'q_z', 'herpolhode_x', 'herpolhode_y', 'herpolhode_z',
+      'theta_rad', 'phi_rad', 'psi_rad'];
     const columns = names.map(column);
     let n_differ = 0;
     let worst = 0;
     let n_compared = 0;
     rows.forEach((row, k) => {
       const digits = program.at(times[k]);
-      const own = [...digits.omega_body, ...digits.space_from_body, ...(digits.herpolhode || [])];
+      const own = [...digits.omega_body, ...digits.space_from_body, ...digits.herpolhode, ...(digits.angles ?? [])];
       let differs = false;
       const scale = [0, 0, 0].fill(Math.max(...digits.omega_body.map(Math.abs)));
       own.forEach((value, i) => {
@@ -56,7 +57,7 @@ async function main() {
         const native = Number(row[columns[i]]);
         if (Object.is(value, native) || value === native) return;
         differs = true;
-        worst = Math.max(worst, Math.abs(value - native) / (i < 3 || i > 6 ? scale[0] || 1 : 1));
+        worst = Math.max(worst, Math.abs(value - native) / (i > 9 ? Math.max(1, Math.abs(native)) : i < 3 || i > 6 ? scale[0] || 1 : 1));
       });
       n_differ += differs ? 1 : 0;
     });

@@ -1,14 +1,21 @@
-// Chromium for the tests of the page: opens a page, and collects what goes wrong in it.
+// Browsers for the tests of the page: opens a page, and collects what goes wrong in it. POINSOT_BROWSER=firefox takes
+// Firefox in place of Chromium; it needs a display, as xvfb-run gives one.
 'use strict';
 const fs = require('node:fs');
 const {skip, needed} = require('./skip.js');
 
 const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
+const is_firefox = process.env['POINSOT_BROWSER'] === 'firefox';
+
 async function launched() {
-  const file = ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'].find((name) => fs.existsSync(name));
-  if (!file) skip('there is no Chromium');
+  const files = is_firefox ? ['/usr/bin/firefox-esr', '/usr/bin/firefox'] : ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
+  const file = files.find((name) => fs.existsSync(name));
+  if (!file) skip(`there is no ${is_firefox ? 'Firefox' : 'Chromium'}`);
   const puppeteer = require(needed('puppeteer-core'));
+  // Firefox has WebGL only with a display, and by Mesa's software renderer only if it is told so.
+  if (is_firefox)
+    return puppeteer.launch({browser: 'firefox', executablePath: file, headless: false, extraPrefsFirefox: {'webgl.force-enabled': true}});
   return puppeteer.launch({executablePath: file, headless: true,
     args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--allow-file-access-from-files']});
 }
@@ -34,14 +41,21 @@ async function opened_file(browser, file, {fragment = '', size = {width: 640, he
   });
   if (before) await tab.evaluateOnNewDocument(before);
   await tab.setViewport(size);
-  await tab.goto(`file://${file}${fragment}`);
+  await tab.goto(`file://${file}${fragment}`, {timeout: 120000});
   return {tab, faults};
 }
 
 const ready = (tab) => tab.evaluate(() => window.poinsot.ready);
 
 /** Waits until code of the tab is true. */
-const until = (tab, code, ms = 20000) => tab.waitForFunction(code, {timeout: ms});
+const until = (tab, code, ms = 60000) => tab.waitForFunction(code, {timeout: ms});
+
+/** Waits until the picture fits the window and no frame is asked for. */
+const settled = (tab) => until(tab, `(() => {
+  const {figure} = the_page;
+  const {width, height} = figure.size();
+  return figure.frame === 0 && !figure.is_resized && figure.canvas.width === width && figure.canvas.height === height;
+})()`, 60000);
 
 /** Presses a key, and lets the page draw. */
 async function press(tab, key) {
@@ -68,4 +82,4 @@ async function run_checks(checks, only) {
   process.exit(n_failed > 0 ? 1 : 0);
 }
 
-module.exports = {opened_file, press, ready, run_checks, until, wait};
+module.exports = {is_firefox, launched, opened_file, press, ready, run_checks, settled, until, wait};
