@@ -369,30 +369,33 @@ class SvgWriter {
         return fmt::format(" fill=\"url(#{})\"", id);
     }
 
-    // SVG has no gradients over meshes.
+    // SVG has no gradients over meshes. Between two spokes of the disc, triangles' sides are
+    // chords, which cut off the steep tones at the limb: more spokes.
     void shade(const Path& path, const ShadedDisc& disc) {
+        constexpr int finer = 3;
+        const int n_spokes = finer * disc.n_spokes;
         std::vector<ShadedTriangle> triangles;
         const auto add = [&](const std::array<std::pair<int, int>, 3>& corners) {
             ShadedTriangle& triangle = triangles.emplace_back();
             for (std::size_t k = 0; k < 3; ++k) {
                 const auto& [ring, spoke] = corners[k];
-                const double angle = 2.0 * std::numbers::pi * spoke / disc.n_spokes;
-                triangle.corners[k] =
-                    disc.page_from_disc *
-                    (disc.radius(ring) * Eigen::Vector2d(std::cos(angle), std::sin(angle)));
-                triangle.colours[k] = disc.at(ring, spoke);
+                const double angle = 2.0 * std::numbers::pi * spoke / n_spokes;
+                const Eigen::Vector2d place =
+                    disc.radius(ring) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+                triangle.corners[k] = disc.page_from_disc * place;
+                triangle.colours[k] = disc.at(place);
             }
         };
         for (int ring = 0; ring < disc.n_rings; ++ring)
-            for (int spoke = 0; spoke < disc.n_spokes; ++spoke) {
+            for (int spoke = 0; spoke < n_spokes; ++spoke) {
                 // The same places for the last spoke and the first.
-                const int next = (spoke + 1) % disc.n_spokes;
+                const int next = (spoke + 1) % n_spokes;
                 add({{{ring, spoke}, {ring + 1, spoke}, {ring + 1, next}}});
                 if (ring > 0) add({{{ring, spoke}, {ring + 1, next}, {ring, next}}});
             }
         body() += fmt::format("<g clip-path=\"url(#{})\" opacity=\"{:.3g}\">\n",
                               clip_id(path, false), disc.alpha);
-        constexpr std::size_t most_fills = 50;
+        constexpr std::size_t most_fills = 100;
         for (const Fill& fill : gradient_fills(triangles, least_shade, most_fills)) (*this)(fill);
         body() += group_end;
     }

@@ -30,7 +30,7 @@ duration_s = 16.0
 class Trial:
     def __init__(self, program, guide):
         self.program, self.n_wrong = program, 0
-        section = guide.read_text().split("**Other engines**")[1].split("\n## ")[0]
+        section = guide.read_text().split("**Other workflow tools**")[1].split("\n## ")[0]
         self.blocks = dict(re.findall(r"```(sh|python|yaml)\n(.*?)```", section, re.S))
 
     def place(self, folder):
