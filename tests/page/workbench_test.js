@@ -41,6 +41,17 @@ const write = (tab, text) => tab.evaluate((text) => {
   field.dispatchEvent(new Event('input'));
 }, text);
 
+/** What "Data (CSV)" saves, by rows. @returns {Promise<string[]>} */
+const rows_of_csv = async (tab) => (await tab.evaluate(() => new Promise((resolve) => {
+  const url = URL.createObjectURL;
+  URL.createObjectURL = (blob) => {
+    void blob.text().then(resolve);
+    return url(blob);
+  };
+  HTMLAnchorElement.prototype.click = () => {};
+  document.getElementById('export-csv').click();
+}))).trim().split('\n');
+
 check('shows the scene of the text beside it', async (browser) => {
   const {tab, faults} = await opened(browser);
   const text = await tab.$eval('#text', (field) => field.value);
@@ -146,18 +157,17 @@ check('writes a page of the scene that runs, and its data', async (browser) => {
   assert.deepEqual(await made.tab.evaluate(() => window.poinsot.at(1)), await tab.evaluate(() => window.poinsot.at(1)));
   assert.deepEqual([...faults, ...made.faults], []);
   await made.tab.close();
-  const csv = await tab.evaluate(() => new Promise((resolve) => {
-    const url = URL.createObjectURL;
-    URL.createObjectURL = (blob) => {
-      void blob.text().then(resolve);
-      return url(blob);
-    };
-    document.getElementById('export-csv').click();
-  }));
-  const rows = csv.trim().split('\n');
-  assert.equal(rows[0], 'time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,herpolhode_x,herpolhode_y,herpolhode_z');
+  const columns = 'time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,herpolhode_x,herpolhode_y,herpolhode_z';
+  const rows = await rows_of_csv(tab);
+  assert.equal(rows[0], columns);
   const state = await tab.evaluate(() => window.poinsot.at(0));
   assert.deepEqual(rows[1].split(',').map(Number), [0, ...state.omega_body, ...state.space_from_body, ...state.herpolhode]);
+  // Of a top, its angles follow.
+  await tab.evaluate(() => document.querySelectorAll('#scenes button')[2].click());
+  await until(tab, 'document.getElementById("text").value.includes("theta_rad")');
+  const of_top = await rows_of_csv(tab);
+  assert.equal(of_top[0], `${columns},theta_rad,phi_rad,psi_rad`);
+  assert.equal(of_top[1].split(',').length, 14);
   await tab.close();
 });
 
