@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <functional>
 
 #include "error/error.h"
@@ -48,6 +49,28 @@ RC_GTEST_PROP(Png, RoundTripPreservesEveryPixel, ()) {
     PngOptions options;
     options.deflate_level = *rc::gen::inRange(1, 13);
     RC_ASSERT(decode_png(encode_png(image, options), "x") == image);
+}
+
+RC_GTEST_PROP(Png, APalettePngHoldsTheNearestColourOfEveryPixel, ()) {
+    const Image image = random_image(true);
+    std::vector<Rgba8> palette(*rc::gen::inRange<std::size_t>(1, 257));
+    for (Rgba8& colour : palette)
+        colour = {*rc::gen::arbitrary<std::uint8_t>(), *rc::gen::arbitrary<std::uint8_t>(),
+                  *rc::gen::arbitrary<std::uint8_t>()};
+    const Image read = decode_png(encode_palette_png(image, palette), "x");
+    RC_ASSERT(read.width() == image.width());
+    RC_ASSERT(read.height() == image.height());
+    const auto distance = [](const Rgba8& a, const Rgba8& b) {
+        return std::hypot(a.r - b.r, a.g - b.g, a.b - b.b);
+    };
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            RC_ASSERT(std::ranges::find(palette, read.at(x, y)) != palette.end());
+            for (const Rgba8& colour : palette)
+                RC_ASSERT(distance(image.at(x, y), read.at(x, y)) <=
+                          distance(image.at(x, y), colour));
+        }
+    }
 }
 
 // A ramp compresses to almost nothing as differences and hardly at all as samples: the size shows
