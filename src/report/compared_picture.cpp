@@ -350,7 +350,7 @@ void compare_two_films(const CompareRequest& request, const Gates& gates, Machin
 enum class Kind { picture, page, film };
 Kind kind_of_name(const fs::path& file) {
     if (is_film_name(file) || is_sequence_name(file)) return Kind::film;
-    return is_page_name(file) ? Kind::page : Kind::picture;
+    return is_vector_page_name(file) ? Kind::page : Kind::picture;
 }
 
 FileKind kind_of_compared(const fs::path& file) {
@@ -361,7 +361,7 @@ FileKind kind_of_compared(const fs::path& file) {
 }  // namespace
 
 bool is_comparable(const fs::path& file) {
-    return is_picture_name(file) || is_page_name(file) || is_film_name(file);
+    return is_picture_name(file) || is_vector_page_name(file) || is_film_name(file);
 }
 
 std::string ComparedPicture::line() const {

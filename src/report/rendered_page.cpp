@@ -35,7 +35,7 @@ Rasteriser rasteriser_of(const std::filesystem::path& page, const std::filesyste
 
 }  // namespace
 
-bool is_page_name(const std::filesystem::path& file) {
+bool is_vector_page_name(const std::filesystem::path& file) {
     return suffix_of(file) == ".pdf" || suffix_of(file) == ".svg";
 }
 

@@ -8,7 +8,7 @@
 namespace poinsot {
 
 // Whether a file is a page: .pdf or .svg.
-bool is_page_name(const std::filesystem::path& file);
+bool is_vector_page_name(const std::filesystem::path& file);
 
 // The program that renders a page is not installed.
 class NoRasteriser : public EnvironmentError {
