@@ -18,11 +18,9 @@ function block(id) {
   return document.getElementById(id)?.textContent ?? '';
 }
 
-/** Unpacks a gzipped block. @param {string} id @returns {Promise<Uint8Array<ArrayBuffer>>} */
-async function unpacked(id) {
-  const packed = new Blob([bytes_of_base64(block(id))]).stream();
-  const plain = packed.pipeThrough(new DecompressionStream('gzip'));
-  return new Uint8Array(await new Response(plain).arrayBuffer());
+/** Unpacks a block of the program. @param {string} id */
+function unpacked(id) {
+  return unpacked_lzma(bytes_of_base85(block(id)));
 }
 
 /** @returns {SceneData} */

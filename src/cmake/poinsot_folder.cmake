@@ -34,13 +34,13 @@ function(poinsot_folder name)
 endfunction()
 
 # poinsot_embed(OUTPUT HEADER h TYPE t FUNCTION f FILES files…) makes OUTPUT, which defines f() of h: a vector of t,
-# each of a file's name and text.
+# each of a file's name and text. A page's module carries shaders without their comments, a third of their length.
 function(poinsot_embed output)
     cmake_parse_arguments(arg "" "HEADER;TYPE;FUNCTION" "FILES" ${ARGN})
     set(script ${CMAKE_SOURCE_DIR}/src/cmake/embed_files.cmake)
     add_custom_command(OUTPUT ${output}
         COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} "-DFILES=${arg_FILES}" -DHEADER=${arg_HEADER}
-                -DTYPE=${arg_TYPE} -DFUNCTION=${arg_FUNCTION} -P ${script}
+                -DTYPE=${arg_TYPE} -DFUNCTION=${arg_FUNCTION} -DWITHOUT_COMMENTS=${POINSOT_IS_PAGE} -P ${script}
         DEPENDS ${arg_FILES} ${script} VERBATIM)
 endfunction()
 

@@ -27,9 +27,13 @@ file(COPY_FILE ${CMAKE_BINARY_DIR}/libc++/__config_site.new ${CMAKE_BINARY_DIR}/
 file(COPY ${CMAKE_SOURCE_DIR}/src/page/single_thread/boost DESTINATION ${CMAKE_BINARY_DIR}/libc++)
 
 target_include_directories(poinsot_options SYSTEM BEFORE INTERFACE ${CMAKE_BINARY_DIR}/libc++ ${page_headers})
+# Small: one thread, which never ends, and no names of types.
 target_compile_options(poinsot_options INTERFACE -Oz -fwasm-exceptions -fvisibility=hidden -ffunction-sections -fdata-sections
-    -mbulk-memory -mnontrapping-fptoint -msign-ext)
+    -mbulk-memory -mnontrapping-fptoint -msign-ext -fno-threadsafe-statics -fmerge-all-constants
+    $<$<COMPILE_LANGUAGE:CXX>:-fno-rtti> $<$<COMPILE_LANGUAGE:CXX>:-fno-c++-static-destructors>)
 target_compile_definitions(poinsot_options INTERFACE FMT_HEADER_ONLY BOOST_DISABLE_THREADS
+    # fmt without the locales of the C++ library.
+    FMT_STATIC_THOUSANDS_SEPARATOR=','
     # Boost 1.74 derives from std::unary_function.
     _LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION)
 

@@ -3,7 +3,7 @@
 
 namespace poinsot {
 
-std::string_view page_module_gzip() { return {}; }
-std::string_view page_fonts_gzip() { return {}; }
+std::string_view page_module_lzma() { return {}; }
+std::string_view page_fonts_lzma() { return {}; }
 
 }  // namespace poinsot

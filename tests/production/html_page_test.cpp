@@ -2,9 +2,15 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <filesystem>
 #include <string>
 
+#include "places.h"
+#include "production/pages/compact_script.h"
+#include "production/pages/page_job.h"
 #include "production/pages/page_parts.h"
+#include "system/faults.h"
 #include "system/sha256.h"
 
 namespace poinsot {
@@ -113,9 +119,50 @@ TEST(HtmlPage, CarriesEveryScriptOfThePage) {
         if (!file.name.ends_with(".js") && !file.name.ends_with(".css")) continue;
         const bool is_of_workbench =
             file.name.starts_with("workbench.") || file.name == "editor.js";
-        EXPECT_EQ(page.find(file.text) != std::string::npos, !is_of_workbench) << file.name;
-        EXPECT_NE(workbench.find(file.text), std::string::npos) << file.name;
+        const std::string code = compact_script(file.text);
+        EXPECT_EQ(page.find(code) != std::string::npos, !is_of_workbench) << file.name;
+        EXPECT_NE(workbench.find(code), std::string::npos) << file.name;
     }
+}
+
+TEST(HtmlPage, ScriptsLoseCommentsAndIndentsOnly) {
+    EXPECT_EQ(compact_script("// a\n/**\n * b\n */\nf();\n\n  g();  // c\n"), "f();\ng();  // c\n");
+    EXPECT_EQ(compact_script("/** @type {T} */ (x).y = /** @type {U} */ (z);"), "(x).y =  (z);\n");
+    EXPECT_EQ(compact_script("/* a\n   b */\n.c {\n  d: e; /* f */\n}"), ".c {\nd: e; \n}\n");
+    EXPECT_EQ(compact_script("accept = 'image/*,.obj'; /** a */ f('*/');"),
+              "accept = 'image/*,.obj';  f('*/');\n");
+    EXPECT_EQ(compact_script("f(); /** without an end"), "f(); \n");
+    EXPECT_EQ(compact_script(""), "");
+}
+
+// What compact_script asks of the scripts: it would change a text that goes over lines.
+TEST(HtmlPage, NoTextOfAScriptGoesOverLines) {
+    for (const PageFile& file : page_files()) {
+        if (!file.name.ends_with(".js")) continue;
+        const std::string code = compact_script(file.text);
+        for (std::size_t at = 0; at < code.size();) {
+            const std::string line = code.substr(at, code.find('\n', at) - at);
+            EXPECT_EQ(std::ranges::count(line, '`') % 2, 0) << file.name << ": " << line;
+            at += line.size() + 1;
+        }
+    }
+}
+
+TEST(HtmlPage, ThePageOfEverySceneTakesAtMost1200000Bytes) {
+    if (page_module_lzma().empty()) GTEST_SKIP() << "this program was built without its module";
+    const TemporaryFolder folder;
+    LazyRenderer renderer;
+    int n_pages = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
+        if (entry.path().extension() != ".toml") continue;
+        SceneRequest request;
+        request.file = entry.path().string();
+        const std::string page = folder / (entry.path().stem().string() + ".html");
+        write_page(request, page, renderer, {});
+        EXPECT_LE(std::filesystem::file_size(page), 1'200'000u) << entry.path();
+        ++n_pages;
+    }
+    EXPECT_GT(n_pages, 30);
 }
 
 TEST(HtmlPage, TheWorkbenchCarriesTheTemplateOfAPage) {

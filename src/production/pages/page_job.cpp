@@ -9,7 +9,9 @@
 #include <utility>
 
 #include "error/error.h"
+#include "image/alpha.h"
 #include "image/png.h"
+#include "output/palette.h"
 #include "production/jobs/output_place.h"
 #include "production/pages/html_page.h"
 #include "production/pages/page_parts.h"
@@ -27,8 +29,8 @@ namespace {
 constexpr std::size_t most_page_bytes = 1'200'000;
 
 // Widths of the poster, of which the first that leaves room for the rest is taken.
-constexpr int poster_widths_px[] = {960, 640, 480};
-constexpr std::size_t most_poster_bytes = 110'000;
+constexpr int poster_widths_px[] = {960, 640, 480, 320};
+constexpr std::size_t most_poster_bytes = 64'000;
 
 // Width of a picture in the gallery.
 constexpr int thumbnail_px = 240;
@@ -69,7 +71,11 @@ std::vector<std::uint8_t> still_png(const SceneRequest& request, PageContents& c
     contents.ground = hex(session.theme.background.bottom);
     PngOptions png;
     png.deflate_level = 12;
-    return encode_png(image, png);
+    if (!is_opaque(image)) return encode_png(image, png);
+    // A third of the size: the poster is seen until the page draws.
+    ColourCount colours;
+    colours.add(image);
+    return encode_palette_png(image, palette_for(colours, 256));
 }
 
 // All but the poster.
@@ -87,7 +93,7 @@ PageContents contents_of(const SceneRequest& request) {
 }
 
 void need_module() {
-    if (!page_module_gzip().empty()) return;
+    if (!page_module_lzma().empty()) return;
     throw EnvironmentError(
         "this program was built without its module for browsers, so it cannot write .html; install "
         "clang-19, lld-19, libc++-19-dev-wasm32, libc++abi-19-dev-wasm32, wasi-libc, "

@@ -16,8 +16,8 @@ struct PageFile {
 const std::vector<PageFile>& page_files();
 
 // The program for browsers as WebAssembly, and the glyphs that its pictures need, both compressed
-// by gzip; empty if the program was built without them.
-std::string_view page_module_gzip();
-std::string_view page_fonts_gzip();
+// by LZMA; empty if the program was built without them.
+std::string_view page_module_lzma();
+std::string_view page_fonts_lzma();
 
 }  // namespace poinsot
