@@ -1,9 +1,9 @@
 // One segment of a curve as a rectangle around it, with four corners per segment. The points are in
-// a buffer texture that is filled once; only the drawn range changes. For cached curves: rectangles
+// a texture that is filled once; only the drawn range changes. For cached curves: rectangles
 // given by their corners, for the cached part and one more segment.
 #include "clip.glsl"
 #include "view.glsl"
-uniform samplerBuffer texture_0;  // xyz: point; w: length of the curve up to it
+uniform sampler2D texture_0;  // in rows of 1024: xyz: point; w: length of the curve up to it
 uniform int n_points;
 uniform bool closed;
 uniform vec4 stroke[8];
@@ -13,17 +13,18 @@ uniform vec4 stroke[8];
 //   7: eye, or direction towards it, in the sphere's axes; 1 if perspective
 uniform bool on_ellipsoid;
 uniform bool in_rectangles;
-//   then the buffer contains the rectangles, and 0: the segment px; 1: depths at both ends, cosine by which they face the eye; 2: lengths up to them
-uniform vec4 constants[N_FLAT];
-flat out vec4 flat_constants[N_FLAT];
+//   then the texture contains the rectangles, and 0: the segment px; 1: depths at both ends, cosine by which they face the eye; 2: lengths up to them
+#include "pass_constants.glsl"
 flat out vec4 ends;        // this segment, px: from, to
 flat out vec4 neighbours;  // beginning of the previous and end of the next segment, px
 flat out vec4 along;       // point number and length at both ends
 flat out vec4 depths;      // at both ends; then the cosine by which the surface faces the eye
 
+vec4 stored_texel(int i) { return texelFetch(texture_0, ivec2(i & 1023, i >> 10), 0); }
+
 vec4 point_number(int i) {
     int wrapped = closed ? (i + n_points) % n_points : clamp(i, 0, n_points - 1);
-    vec4 stored = texelFetch(texture_0, wrapped);
+    vec4 stored = stored_texel(wrapped);
     float turn = closed && i >= n_points ? stroke[0].w : 0.0;
     vec4 x = vec4(stored.xyz, 1.0);
     return vec4(dot(stroke[1], x), dot(stroke[2], x), dot(stroke[3], x), stored.w + turn);
@@ -53,13 +54,13 @@ vec2 direction_of(vec2 a, vec2 b, vec2 otherwise) {
 }
 
 void main() {
-    for (int i = 0; i < N_FLAT; ++i) flat_constants[i] = constants[i];
+    pass_constants();
     if (in_rectangles) {
         ends = stroke[0];
         neighbours = stroke[0];
         depths = stroke[1];
         along = vec4(0.0, 0.0, stroke[2].xy);
-        vec4 box = texelFetch(texture_0, gl_VertexID >> 2);
+        vec4 box = stored_texel(gl_VertexID >> 2);
         gl_Position = clip_from_pixel(vec2((gl_VertexID & 1) == 0 ? box.x : box.z,
                                            (gl_VertexID & 2) == 0 ? box.y : box.w));
         return;

@@ -2,9 +2,8 @@
 // sight, with unit component along the view axis.
 #include "clip.glsl"
 uniform vec2 corners[34];
-uniform vec4 constants[N_FLAT];
+#include "pass_constants.glsl"
 uniform vec3 sights[3];  // at pixel 0, and the derivatives in x and y
-flat out vec4 flat_constants[N_FLAT];
 noperspective out vec3 sight;
 #if !RIM
 noperspective out vec3 direction;  // direction and moment of the line of sight, as in quadric.glsl
@@ -12,7 +11,7 @@ noperspective out vec3 moment;
 #endif
 
 void main() {
-    for (int i = 0; i < N_FLAT; ++i) flat_constants[i] = constants[i];
+    pass_constants();
     vec2 pixel = corners[gl_VertexID];
     sight = sights[0] + pixel.x * sights[1] + pixel.y * sights[2];
 #if !RIM

@@ -7,7 +7,15 @@
 //   0: corner of the layer px; its size px   1: the depth buffer holds x + y/depth (orthographic:
 //      x + y·depth); opacity
 #if N_MESHES > 0
+#ifdef GL_ES  // four pictures beside and below each other, one for each sample
+uniform sampler2D texture_1;
+float depth_sample(ivec2 texel, int k) {
+    return texelFetch(texture_1, texel + ivec2(k & 1, k >> 1) * (textureSize(texture_1, 0) / 2), 0).r;
+}
+#else
 uniform sampler2DMS texture_1;  // depth of the meshes, four samples per pixel
+float depth_sample(ivec2 texel, int k) { return texelFetch(texture_1, texel, k).r; }
+#endif
 #endif
 
 // A step from 1 (in front) to 0 (behind), one pixel wide. ahead: depth difference, positive in
@@ -64,7 +72,7 @@ vec4 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
     vec2 scale = constant(at_mesh + 1).xy;
     float covered = 0.0;
     for (int k = 0; k < 4; ++k) {
-        float stored = texelFetch(texture_1, within ? texel : ivec2(0), k).r;
+        float stored = depth_sample(within ? texel : ivec2(0), k);
         float offset = stored - scale.x;
         float front = v[0].w > 0.5 ? scale.y / (abs(offset) < 1e-12 ? 1e-12 : offset) : offset / scale.y;
         // The buffer is cleared to 1: no mesh at this pixel.

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include "cli/command.h"
@@ -14,9 +15,12 @@
 #include "cli/sweep.h"
 #include "error/error.h"
 #include "output/frame_name.h"
+#include "output/frame_sink.h"
 #include "production/jobs/film_job.h"
+#include "production/pages/page_job.h"
 #include "production/parts/jobs.h"
 #include "system/files/file_kind.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -48,8 +52,12 @@ bool certified(const Session& session, const FilmPlan& film, const ProgressSink&
 int render(const SceneJob& job, const RenderChoices& choices, LazyRenderer& renderer) {
     ProgressBar bar(choices.quiet);
     const ProgressSink progress = bar.sink();
-    const Session session =
-        open_session(scene_request_of(job.scene, choices.scene, job.overrides), progress);
+    const SceneRequest scene = scene_request_of(job.scene, choices.scene, job.overrides);
+    if (is_page_name(job.output)) {
+        write_page(scene, job.output, renderer, progress);
+        return 0;
+    }
+    const Session session = open_session(scene, progress);
     FilmRequest request{job.output, choices.frames};
     request.part = choices.part;
     const FilmJob film(session, request);
@@ -71,7 +79,22 @@ std::string output_of(const RenderChoices& choices) {
     return frame_name(output, choices.part->first).string();
 }
 
+// Options that choose or divide frames, which a page does not have.
+void check_page(const RenderChoices& choices) {
+    if (!is_page_name(choices.output)) return;
+    const std::pair<bool, std::string_view> options[] = {{choices.frames.has_value(), "--frames"},
+                                                         {choices.part.has_value(), "--part"},
+                                                         {choices.n_jobs.has_value(), "--jobs"},
+                                                         {choices.certify, "--certify"}};
+    for (const auto& [is_given, option] : options)
+        if (is_given)
+            throw InputError(
+                fmt::format("{}: a page has no frames, it shows every instant; leave {} out",
+                            printable(choices.output), option));
+}
+
 void check(const RenderChoices& choices) {
+    check_page(choices);
     constexpr int most = 4096;
     if (choices.n_jobs && (*choices.n_jobs < 1 || *choices.n_jobs > most))
         throw InputError(fmt::format("--jobs {}: not a number of processes; give 1 to {}",
@@ -126,7 +149,8 @@ extern const Command render_command{
     "SCENE",
     1,
     any_number,
-    "write a film (.mp4, .webm, .gif) or a PNG sequence (#### in the name) of each scene",
+    "write a film (.mp4, .webm, .gif), a PNG sequence (#### in the name) or a page (.html) of each "
+    "scene",
     render_line,
     {{{"poinsot render generic -o generic.mp4", "a film of a scene that comes with the program"},
       {"poinsot render generic -o frame_####.png --frames 0-59",

@@ -1,18 +1,26 @@
 # One CMake target per folder: every .cpp of the folder and its subfolders, without a list of files. A
 # subfolder that has a CMakeLists.txt is a target of its own.
 
-# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…]) makes poinsot_NAME from
-# ./**.cpp. FUZZED: it reads untrusted input and is instrumented for coverage in fuzzing builds. The
+# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…] [NATIVE files…]) makes poinsot_NAME from
+# ./**.cpp. NATIVE: regular expressions of the files that a page in a browser does without: it has neither threads, nor
+# files, nor the libraries that they use. FUZZED: it reads untrusted input and is instrumented for coverage in fuzzing builds. The
 # instrumentation slows rendering by a factor of three, so other folders do without.
 function(poinsot_folder name)
-    cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE" ${ARGN})
+    cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE;NATIVE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     file(GLOB libraries ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
     foreach(library ${libraries})
         cmake_path(GET library PARENT_PATH library)
         list(FILTER sources EXCLUDE REGEX "^${library}/")
-        add_subdirectory(${library})
+        if(NOT POINSOT_IS_PAGE OR NOT library MATCHES "/files$")
+            add_subdirectory(${library})
+        endif()
     endforeach()
+    if(POINSOT_IS_PAGE)
+        foreach(file ${arg_NATIVE})
+            list(FILTER sources EXCLUDE REGEX "^${CMAKE_CURRENT_SOURCE_DIR}/${file}$")
+        endforeach()
+    endif()
     if(NOT sources)
         add_library(poinsot_${name} INTERFACE)
         target_link_libraries(poinsot_${name} INTERFACE poinsot_options ${arg_PUBLIC} ${arg_PRIVATE})
@@ -26,13 +34,13 @@ function(poinsot_folder name)
 endfunction()
 
 # poinsot_embed(OUTPUT HEADER h TYPE t FUNCTION f FILES files…) makes OUTPUT, which defines f() of h: a vector of t,
-# each of a file's name and text.
+# each of a file's name and text. A page's module carries shaders without their comments, a third of their length.
 function(poinsot_embed output)
     cmake_parse_arguments(arg "" "HEADER;TYPE;FUNCTION" "FILES" ${ARGN})
     set(script ${CMAKE_SOURCE_DIR}/src/cmake/embed_files.cmake)
     add_custom_command(OUTPUT ${output}
         COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} "-DFILES=${arg_FILES}" -DHEADER=${arg_HEADER}
-                -DTYPE=${arg_TYPE} -DFUNCTION=${arg_FUNCTION} -P ${script}
+                -DTYPE=${arg_TYPE} -DFUNCTION=${arg_FUNCTION} -DWITHOUT_COMMENTS=${POINSOT_IS_PAGE} -P ${script}
         DEPENDS ${arg_FILES} ${script} VERBATIM)
 endfunction()
 

@@ -73,6 +73,10 @@ class PngEncoder {
 // Encodes one picture with a temporary PngEncoder.
 std::vector<std::uint8_t> encode_png(const Image& image, const PngOptions& options = {});
 
+// Encodes the picture by the nearest of 1 to 256 colours, as small as it can be; ignores alpha.
+// throws: InputError for an empty picture, or one that is too large.
+std::vector<std::uint8_t> encode_palette_png(const Image& image, std::span<const Rgba8> palette);
+
 // Decodes any PNG to 8-bit RGBA: palettes and greys are expanded, 16 bits rounded to 8, other
 // samples unchanged. `name` is used in messages. Throws: InputError for an incomplete or invalid
 // PNG, an animation, or more than most_png_pixels.

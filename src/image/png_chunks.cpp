@@ -83,7 +83,7 @@ Bytes description(const PngOptions& options) {
 }
 
 Bytes front(const Format& format, int largest_side_px, std::span<const std::uint8_t> description) {
-    const auto [width_px, height_px, opaque, bit_depth] = format;
+    const auto [width_px, height_px, opaque, bit_depth, has_palette] = format;
     if (width_px <= 0 || height_px <= 0) throw InputError("an empty picture cannot be a PNG");
     if (width_px > largest_side_px || height_px > largest_side_px)
         throw InputError(
@@ -93,7 +93,7 @@ Bytes front(const Format& format, int largest_side_px, std::span<const std::uint
     Bytes header;
     append_u32(header, static_cast<std::uint32_t>(width_px));
     append_u32(header, static_cast<std::uint32_t>(height_px));
-    const std::uint8_t colour_type = opaque ? 2 : 6;
+    const std::uint8_t colour_type = has_palette ? 3 : opaque ? 2 : 6;
     header.insert(header.end(), {static_cast<std::uint8_t>(bit_depth), colour_type, 0, 0, 0});
     append_chunk(out, "IHDR", header);
     out.insert(out.end(), description.begin(), description.end());

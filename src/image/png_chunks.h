@@ -28,6 +28,7 @@ struct Format {
     int width_px = 0, height_px = 0;
     bool opaque = false;
     int bit_depth = 8;  // or 16
+    bool has_palette = false;
 
     // Bytes of a row of samples, including the filter byte.
     std::size_t row_size() const;

@@ -8,7 +8,7 @@ namespace {
 
 using Solution = std::variant<FreeRotation, HeavyTop, IntegratedRotation>;
 
-Solution solve(const MotionProblem& problem, const std::stop_token& stop) {
+Solution solve(const MotionProblem& problem, const StopCheck& stop) {
     const Method& method = check_method(problem.method, problem.inertia, problem.torque);
     if (method.make != nullptr) return IntegratedRotation(problem, stop);
     const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
@@ -20,7 +20,7 @@ Solution solve(const MotionProblem& problem, const std::stop_token& stop) {
 
 }  // namespace
 
-Motion::Motion(const MotionProblem& problem, const std::stop_token& stop)
+Motion::Motion(const MotionProblem& problem, const StopCheck& stop)
     : problem_(problem), solution_(solve(problem, stop)) {}
 
 RotationState Motion::at(double time_s) const {

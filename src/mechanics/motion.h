@@ -2,7 +2,6 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <stop_token>
 #include <variant>
 
 #include "mechanics/free/free_rotation.h"
@@ -10,6 +9,7 @@
 #include "mechanics/regime.h"
 #include "mechanics/rotation_state.h"
 #include "mechanics/stepped/integrated_rotation.h"
+#include "mechanics/stop_check.h"
 #include "mechanics/top/heavy_top.h"
 
 namespace poinsot {
@@ -21,7 +21,7 @@ class Motion {
     // Throws InputError for what cannot be computed: an unknown method (with the nearest), exact
     // with a torque that has no closed form (with the list of methods that can), a step that is not
     // positive, overflow of L or ω t; and if a stop is requested while it steps.
-    explicit Motion(const MotionProblem& problem, const std::stop_token& stop = {});
+    explicit Motion(const MotionProblem& problem, const StopCheck& stop = {});
 
     RotationState at(double time_s) const;
     MotionSample sample(double time_s, const Quantities& wanted) const;

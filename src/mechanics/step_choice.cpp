@@ -69,7 +69,7 @@ double n_adaptive_steps(const Motion& motion) {
 // half the step or a tenth of the tolerance. If that tolerance is too small, ten times the
 // tolerance is measured against this one: an upper bound.
 double error_of(const MotionProblem& problem, const std::optional<Motion>& truth,
-                std::span<const double> times, const std::stop_token& stop) {
+                std::span<const double> times, const StopCheck& stop) {
     const auto error = [&](const MotionProblem& coarse, const Motion& fine) {
         return worst_errors(Motion(coarse, stop), fine, times).attitude_rad;
     };
@@ -101,7 +101,7 @@ MethodChoice coarsest_choice(const MotionProblem& problem) {
 }
 
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
-                       double most_steps, const std::stop_token& stop) {
+                       double most_steps, const StopCheck& stop) {
     StepChoice choice{problem.method, 0.0, true};
     const Method& method = find_method(problem.method.name);
     const bool given = problem.method.step_s || problem.method.tolerance;

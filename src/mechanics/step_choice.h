@@ -1,10 +1,10 @@
 // Chooses the step or tolerance of a stepped method from how accurate its attitude must be.
 #pragma once
 
-#include <stop_token>
 #include <string>
 
 #include "mechanics/motion.h"
+#include "mechanics/stop_check.h"
 
 namespace poinsot {
 
@@ -25,7 +25,7 @@ struct StepChoice {
 // it, the finest is returned with reached = false. Steps are counted, not timed: every machine
 // chooses alike. Throws InputError as Motion does.
 StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_rad,
-                       double most_steps = most_chosen_steps, const std::stop_token& stop = {});
+                       double most_steps = most_chosen_steps, const StopCheck& stop = {});
 
 // The coarsest rung, for a choice that names neither step nor tolerance. Precondition: the body
 // turns, and the method steps.

@@ -30,10 +30,9 @@ const MeshFormat& format_of(const std::string& name) {
     std::ranges::transform(extension, extension.begin(), [](char c) {
         return static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     });
-    const auto* const format = std::ranges::find(formats, extension, &MeshFormat::extension);
-    if (format == formats.end())
-        refuse(name, "not a mesh that can be read; export it as .obj or .stl");
-    return *format;
+    for (const MeshFormat& format : formats)
+        if (format.extension == extension) return format;
+    refuse(name, "not a mesh that can be read; export it as .obj or .stl");
 }
 
 }  // namespace

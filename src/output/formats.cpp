@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
 #include <vector>
 
 #include "error/error.h"
@@ -98,6 +99,18 @@ constexpr OutputFormat format_table[] = {
      .join = nullptr,
      .has_parts = false,
      .n_cores_a_job = 0},
+    {.name = "html",
+     .suffix = ".html",
+     .summary = "page to turn, play and change in any browser; one file, without a network",
+     .film = false,
+     .alpha = false,
+     .n_chunk_frames = 1,
+     .open = nullptr,
+     .recover = nullptr,
+     .join = nullptr,
+     .has_parts = false,
+     .n_cores_a_job = 0,
+     .is_page = true},
     {.name = "md5",
      .suffix = ".md5",
      .summary = "the MD5 hash of every frame, one per line",
@@ -206,6 +219,14 @@ const OutputFormat& format_for(const std::filesystem::path& path) {
         "{}: there is no output format for {}; {}the formats are {}", path.string(),
         suffix.empty() ? "a name without a suffix" : fmt::format("the suffix \"{}\"", suffix),
         way.empty() ? "" : way + "; ", known_suffixes()));
+}
+
+bool is_page_name(const std::filesystem::path& path) {
+    const std::string suffix = suffix_of(path);
+    return std::any_of(std::begin(format_table), std::end(format_table),
+                       [&suffix](const OutputFormat& format) {
+                           return format.is_page && format.suffix == suffix;
+                       });
 }
 
 std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell) {

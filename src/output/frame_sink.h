@@ -120,6 +120,9 @@ struct OutputFormat {
     // single process is faster, because only one process encodes.
     int n_cores_a_job;
     double most_fps = 0.0;  // 0: any rate
+    // It holds the scene itself in place of frames; production/pages/ writes it, and `open` is
+    // null.
+    bool is_page = false;
 };
 
 // Throws InputError for more frames per second than the format can show.
@@ -130,6 +133,9 @@ std::span<const OutputFormat> output_formats();
 // Returns the format for a file name, by suffix; a PNG name with "####" is a sequence. Throws
 // InputError that lists the known formats.
 const OutputFormat& format_for(const std::filesystem::path& path);
+
+// Whether a file name is that of a page.
+bool is_page_name(const std::filesystem::path& path);
 
 // Makes a film under its final name from the log of an interrupted run, up to the first gap, and
 // returns its number of frames. The rest of the log is removed. Throws: InputError if there is no

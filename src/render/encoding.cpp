@@ -42,6 +42,13 @@ Encoder::Encoder() : levels_(65536), deep_levels_(65536) {
     }
 }
 
+std::vector<std::uint16_t> Encoder::table() const {
+    std::vector<std::uint16_t> table = levels_;
+    for (const auto& row : thresholds) table.insert(table.end(), row.begin(), row.end());
+    table.resize(levels_.size() + 256);
+    return table;
+}
+
 void Encoder::encode_opaque(const std::uint16_t* linear, int x, int y, int n,
                             std::uint8_t* out) const {
     const std::uint16_t* levels = levels_.data();

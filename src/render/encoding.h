@@ -14,6 +14,10 @@ class Encoder {
  public:
     Encoder();
 
+    // The same as a table for shaders/screen.frag: 65536 levels in 1/256 of a level, then the 64
+    // thresholds of the dither, by rows, in a last row of 256.
+    std::vector<std::uint16_t> table() const;
+
     // Encodes n pixels of a row that begins at pixel (x, y) of the picture.
     void encode_opaque(const std::uint16_t* linear, int x, int y, int n, std::uint8_t* out) const;
     // The same with alpha; the output has linear, non-premultiplied alpha.

@@ -18,6 +18,7 @@
 #include "render/passes/label_pass.h"
 #include "render/passes/mesh_pass.h"
 #include "render/passes/plane_pass.h"
+#include "render/passes/screen_pass.h"
 #include "render/view_scene.h"
 
 namespace poinsot {
@@ -39,10 +40,15 @@ bool same(const StillView& a, const StillView& b) {
 }  // namespace
 
 struct Renderer::Impl {
-    explicit Impl(int largest) : largest_picture_px(largest), empty_(GlVertexArray::make()) {}
+    explicit Impl(const ContextInfo& context)
+        : largest_picture_px(context.largest_picture_px),
+          canvas_(context.light),
+          mesh_(context.light),
+          empty_(GlVertexArray::make()) {}
 
     void render(const Drawing& drawing, Image& image);
     void render(const Drawing& drawing, DeepImage& image);
+    void render_to(const Drawing& drawing, GLuint framebuffer, ScreenAlpha alpha);
 
     PictureCounts counts() const;
 
@@ -56,6 +62,7 @@ struct Renderer::Impl {
     void draw_still(const Drawing& drawing);
     void keep_still(const Drawing& drawing);
     void draw_views(bool only_marked);
+    void render_whole(const Drawing& drawing);
     void mark_labels();
     void mark_all();
     void mark_moving(const ViewScene& scene);
@@ -75,7 +82,8 @@ struct Renderer::Impl {
     ConePass cone_;
     LabelPass label_;
     MeshPass mesh_;
-    GlVertexArray empty_;  // for shapes whose corners are uniforms
+    std::optional<ScreenPass> screen_;  // made when first needed
+    GlVertexArray empty_;               // for shapes whose corners are uniforms
 
     std::vector<ViewScene> scenes_;
     std::vector<bool> overlaps_;         // whether static content of a view covers an earlier view
@@ -293,13 +301,27 @@ bool Renderer::Impl::begin(const Drawing& drawing) {
     return known;
 }
 
-void Renderer::Impl::render(const Drawing& drawing, DeepImage& image) {
-    begin(drawing);
+void Renderer::Impl::render_whole(const Drawing& drawing) {
     still_is_kept_ = false;
     marks_.fill();
     canvas_.begin_whole();
     draw_still(drawing);
     draw_views(false);
+}
+
+void Renderer::Impl::render_to(const Drawing& drawing, GLuint framebuffer, ScreenAlpha alpha) {
+    begin(drawing);
+    render_whole(drawing);
+    glBindVertexArray(empty_.id());
+    if (!screen_) screen_.emplace();
+    // The alpha of an opaque picture is rounded.
+    if (drawing.background.alpha >= 1.0) alpha = ScreenAlpha::opaque;
+    screen_->draw(canvas_.light(), drawing.width_px, drawing.height_px, framebuffer, alpha);
+}
+
+void Renderer::Impl::render(const Drawing& drawing, DeepImage& image) {
+    begin(drawing);
+    render_whole(drawing);
     canvas_.read_whole(image, drawing.background.alpha < 1.0);
 }
 
@@ -312,11 +334,7 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
     // Static content that was the same in the previous picture will probably stay the same: cache
     // it.
     if (!known) {
-        still_is_kept_ = false;
-        marks_.fill();
-        canvas_.begin_whole();
-        draw_still(drawing);
-        draw_views(false);
+        render_whole(drawing);
         canvas_.read_whole(image, transparent);
         return;
     }
@@ -338,8 +356,7 @@ void Renderer::Impl::render(const Drawing& drawing, Image& image) {
             canvas_.keep_tile(marks_, k, stamps_[k], image);
 }
 
-Renderer::Renderer(const OffscreenContext& context)
-    : impl_(std::make_unique<Impl>(context.info().largest_picture_px)) {}
+Renderer::Renderer(const ContextInfo& context) : impl_(std::make_unique<Impl>(context)) {}
 Renderer::~Renderer() = default;
 Renderer::Renderer(Renderer&&) noexcept = default;
 Renderer& Renderer::operator=(Renderer&&) noexcept = default;
@@ -356,6 +373,10 @@ void Renderer::render_into(const Drawing& drawing, Image& image) { impl_->render
 
 void Renderer::render_into(const Drawing& drawing, DeepImage& image) {
     impl_->render(drawing, image);
+}
+
+void Renderer::render_to(const Drawing& drawing, unsigned framebuffer, ScreenAlpha alpha) {
+    impl_->render_to(drawing, framebuffer, alpha);
 }
 
 }  // namespace poinsot

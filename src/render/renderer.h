@@ -8,6 +8,7 @@
 #include "image/deep_image.h"
 #include "image/image.h"
 #include "render/context/offscreen_context.h"
+#include "render/screen_alpha.h"
 #include "shapes/views.h"
 
 namespace poinsot {
@@ -23,7 +24,9 @@ struct PictureCounts {
 // between calls. Move-only.
 class Renderer {
  public:
-    explicit Renderer(const OffscreenContext& context);
+    explicit Renderer(const OffscreenContext& context) : Renderer(context.info()) {}
+    // On a context that is current already.
+    explicit Renderer(const ContextInfo& context);
     ~Renderer();
     Renderer(Renderer&&) noexcept;
     Renderer& operator=(Renderer&&) noexcept;
@@ -33,6 +36,10 @@ class Renderer {
     void render_into(const Drawing& drawing, Image& image);  // reuses the image's memory
     // Draws with 16 bits per component.
     void render_into(const Drawing& drawing, DeepImage& image);
+
+    // Draws into a framebuffer of the context, with the bytes that render gives an opaque picture.
+    // 0: the context's own. Its first row is the lowest.
+    void render_to(const Drawing& drawing, unsigned framebuffer, ScreenAlpha alpha);
 
     PictureCounts counts() const;
 

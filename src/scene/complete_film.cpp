@@ -12,6 +12,7 @@
 #include "scene/camera_views.h"
 #include "scene/draft_checks.h"
 #include "scene/film_clock.h"
+#include "scene/scene_keys.h"
 
 namespace poinsot {
 
@@ -160,6 +161,63 @@ void check_chapters(const SceneDraft& draft) {
     }
 }
 
+// Stops are a frame apart, within the film; a loop lies between its stop and the one before.
+void check_stops(const SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    need(draft, "stops", scene.stops.size(), {"at_s"});
+    need_order(scene, "stops", scene.stops);
+    const double length_s = FilmClock(scene).length_s().value_or(0.0);
+    const double frame_s = static_cast<double>(scene.film.fps_denominator) /
+                           static_cast<double>(scene.film.fps_numerator);
+    // Of decimal numbers such as 0.1 and 0.4 at 10 frames a second.
+    constexpr double rounding = 1e-9;
+    for (std::size_t i = 0; i < scene.stops.size(); ++i) {
+        const StopSpec& stop = scene.stops[i];
+        const std::string item = item_name("stops", i);
+        const double since_s = i == 0 ? 0.0 : scene.stops[i - 1].at_s;
+        const double apart_s = stop.at_s - since_s;
+        if (i > 0 && apart_s == 0.0)
+            refuse(scene, item + ".at_s",
+                   fmt::format("{} and {} are both at {} s; remove one of them",
+                               item_name("stops", i - 1), item, stop.at_s));
+        if (i > 0 && apart_s < frame_s * (1.0 - rounding))
+            refuse(scene, item + ".at_s",
+                   fmt::format("{} is {:.3g} s after {}, less than a frame ({:.3g} s); move one of "
+                               "them",
+                               item, apart_s, item_name("stops", i - 1), frame_s));
+        // The length of a loop is known only with its motion.
+        if (scene.film.loop.empty() && stop.at_s > length_s)
+            refuse(scene, item + ".at_s",
+                   fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; put it earlier", item,
+                               stop.at_s, length_s));
+        if (stop.loop_s.value_or(0.0) > apart_s * (1.0 + rounding))
+            refuse(scene, item + ".loop_s",
+                   fmt::format("{}.loop_s is {}, but {} {:.6g} s lie before that stop; make the "
+                               "loop shorter",
+                               item, *stop.loop_s, i == 0 ? "only" : "since the last stop only",
+                               apart_s));
+    }
+}
+
+// A control of an item of an array needs that item.
+void check_controls(const SceneDraft& draft) {
+    const Scene& scene = draft.scene;
+    for (std::size_t i = 0; i < scene.page.controls.size(); ++i) {
+        const std::string& control = scene.page.controls[i];
+        const std::string path = path_of_assignment(control);
+        for (const SceneArray& array : scene_arrays()) {
+            if (!path.starts_with(fmt::format("{}[]", array.path))) continue;
+            const std::size_t close = control.find(']');
+            if (close != std::string::npos && draft.has(control.substr(0, close + 1))) continue;
+            refuse(
+                scene, "page.controls",
+                fmt::format("page.controls[{}] is \"{}\", but the scene has {} [[{}]], counted "
+                            "from 0; give the number of one of them, as in {}[0]",
+                            i, printable(control), array.n_items(scene), array.path, array.path));
+        }
+    }
+}
+
 // Each caption begins within the film and has a duration; those of one place do not overlap.
 void check_captions(const SceneDraft& draft) {
     const Scene& scene = draft.scene;
@@ -276,6 +334,8 @@ void complete_film(SceneDraft& draft) {
     }
     check_chapters(draft);
     check_captions(draft);
+    check_stops(draft);
+    check_controls(draft);
 }
 
 }  // namespace poinsot

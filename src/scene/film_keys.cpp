@@ -2,12 +2,14 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cstdio>
+#include <cstdint>
 #include <string>
+#include <string_view>
 
 #include "scene/frame_rate.h"
 #include "scene/loop_text.h"
 #include "scene/scene_key_rows.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -45,11 +47,12 @@ void read_size(const GivenValue& given, SceneDraft& draft) {
     std::string written;
     if (value.type == TomlValue::Type::text) {
         written = printable(given.text());
-        int used = 0;
         const std::string text = given.text();
-        const bool digits = text.find_first_not_of("0123456789x") == std::string::npos;
-        const int n = std::sscanf(text.c_str(), "%9ldx%9ld%n", &size[0], &size[1], &used);
-        if (!digits || n != 2 || used != static_cast<int>(text.size())) {
+        std::string_view rest = text;
+        const bool has_width = take_count(rest, size[0], 'x');
+        const auto height = number_of<std::int64_t>(rest);
+        size[1] = height.value_or(0);
+        if (!has_width || !height || rest.starts_with('-')) {
             given.refuse(fmt::format("\"{}\"", written),
                          "give width and height in pixels, as in \"1920x1080\"");
         }

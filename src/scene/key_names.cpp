@@ -58,6 +58,18 @@ std::string nearest(std::string_view given, const std::vector<std::string_view>&
     return by_ending.empty() ? "" : fmt::format("; did you mean \"{}\"?", by_ending);
 }
 
+// "body.masses[0].mass_kg" → "body.masses[].mass_kg", the path of a row.
+std::string without_indices(std::string_view key) {
+    std::string path;
+    bool inside = false;
+    for (const char c : key) {
+        inside = inside && c >= '0' && c <= '9';
+        if (!inside) path += c;
+        if (c == '[') inside = true;
+    }
+    return path;
+}
+
 }  // namespace
 
 const SceneKey* find_scene_key(std::string_view path) {
@@ -65,6 +77,14 @@ const SceneKey* find_scene_key(std::string_view path) {
     const auto found = std::find_if(keys.begin(), keys.end(),
                                     [path](const SceneKey& key) { return key.path == path; });
     return found == keys.end() ? nullptr : &*found;
+}
+
+std::string path_of_assignment(std::string_view key) {
+    std::string path = without_indices(key);
+    // An item of an array of values: start.omega_rad_s[1].
+    if (path.ends_with("[]") && find_scene_key(path.substr(0, path.size() - 2)) != nullptr)
+        path.resize(path.size() - 2);
+    return path;
 }
 
 bool is_scene_table(std::string_view path) {

@@ -8,8 +8,8 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> values{"omega_1", "omega_2", "omega_3"};
-constexpr int most = 1000;
+constexpr std::array<std::string_view, 3> changes{"omega_1", "omega_2", "omega_3"};
+constexpr int most_in_ratio = 1000;
 
 }  // namespace
 
@@ -23,13 +23,14 @@ std::optional<LoopRatio> loop_ratio_of(std::string_view text) {
         const auto [last, no_periods] = std::from_chars(slash + 1, end, ratio.periods);
         if (no_periods != std::errc{} || last != end) return std::nullopt;
     }
-    if (ratio.turns < 1 || ratio.turns > most || ratio.periods < 1 || ratio.periods > most) {
+    if (ratio.turns < 1 || ratio.turns > most_in_ratio || ratio.periods < 1 ||
+        ratio.periods > most_in_ratio) {
         return std::nullopt;
     }
     const int common = std::gcd(ratio.turns, ratio.periods);
     return LoopRatio{ratio.turns / common, ratio.periods / common};
 }
 
-std::span<const std::string_view> loop_values() { return values; }
+std::span<const std::string_view> loop_values() { return changes; }
 
 }  // namespace poinsot

@@ -25,18 +25,6 @@ struct Override {
     TomlValue value;
 };
 
-// "body.masses[0].mass_kg" → "body.masses[].mass_kg", the path of a row.
-std::string without_indices(std::string_view key) {
-    std::string path;
-    bool inside = false;
-    for (const char c : key) {
-        inside = inside && c >= '0' && c <= '9';
-        if (!inside) path += c;
-        if (c == '[') inside = true;
-    }
-    return path;
-}
-
 // Sets the location of every part of an override's value to the command line.
 void locate(TomlValue& value, const SourceLocation& where) {
     value.where = where;
@@ -66,10 +54,7 @@ Override parse_override(const std::string& given) {
     std::string key = text.substr(0, equals);
     key.erase(key.find_last_not_of(" \t") + 1);
     key.erase(0, key.find_first_not_of(" \t"));
-    std::string path = without_indices(key);
-    // An item of an array of values: start.omega_rad_s[1].
-    if (path.ends_with("[]") && find_scene_key(path.substr(0, path.size() - 2)) != nullptr)
-        path.resize(path.size() - 2);
+    const std::string path = path_of_assignment(key);
     const SceneKey* row = find_scene_key(path);
     if (row == nullptr && find_scene_array(path) == nullptr) {
         throw SceneError(where, is_scene_table(path)

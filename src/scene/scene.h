@@ -188,6 +188,20 @@ struct ChapterSpec {
     std::string title;
 };
 
+// [[stops]]: instants of the film at which a page waits.
+struct StopSpec {
+    double at_s = 0.0;  // of the film
+    std::string title;
+    std::optional<double> loop_s;  // of the film, before the stop: repeated while the page waits
+    std::string note;              // for the lecturer
+};
+
+// [page]: what a page lets its viewers change.
+struct PageSpec {
+    std::vector<std::string> controls;                 // keys as in --set
+    std::optional<std::vector<std::string>> elements;  // absent: all that are shown
+};
+
 // [[captions]]: text shown for some seconds of the film.
 struct TimedCaptionSpec {
     double at_s = 0.0;             // of the film
@@ -279,6 +293,8 @@ struct Scene {
     std::vector<FadeSpec> fades;             // in order of at_s
     std::vector<ChapterSpec> chapters;       // in order of at_s
     std::vector<TimedCaptionSpec> captions;  // in order of at_s
+    std::vector<StopSpec> stops;             // in order of at_s
+    PageSpec page;
     SymbolsSpec symbols;
     std::vector<std::string> units;  // units for displayed numbers; SI for all other quantities
     std::string language = "en";     // of the built-in words, of languages()

@@ -45,6 +45,8 @@ const SceneArray arrays[] = {
      [](const Scene& s) { return s.captions.size(); }},
     {"chapters", [](SceneDraft& d) { d.scene.chapters.emplace_back(); },
      [](const Scene& s) { return s.chapters.size(); }},
+    {"stops", [](SceneDraft& d) { d.scene.stops.emplace_back(); },
+     [](const Scene& s) { return s.stops.size(); }},
 };
 
 }  // namespace

@@ -97,6 +97,10 @@ std::span<const SceneArray> scene_arrays();
 // The row of a path, or null.
 const SceneKey* find_scene_key(std::string_view path);
 
+// The path of the row for a key as it is typed for --set: "body.masses[].mass_kg" for
+// "body.masses[0].mass_kg", "start.omega_rad_s" for "start.omega_rad_s[1]".
+std::string path_of_assignment(std::string_view key);
+
 // Returns a suggestion for an unknown path, to be appended to a message: `; did you mean "x"?`, or
 // the keys of its table. `in_file`: keys are named as written below their [table]; otherwise by
 // their whole path.

@@ -1,10 +1,17 @@
-// Keys of the events of the film: keyframes, fades, captions and chapters.
+// Keys of the events of the film (keyframes, fades, captions, chapters and stops) and of its page.
+#include <fmt/format.h>
+
 #include <array>
+#include <string>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 #include "scene/camera_views.h"
 #include "scene/easing.h"
+#include "scene/scene_error.h"
 #include "scene/scene_key_rows.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -24,8 +31,42 @@ constexpr auto fade(Value FadeSpec::*member) {
     return in(&Scene::fades, member);
 }
 template <typename Value>
+constexpr auto stop(Value StopSpec::*member) {
+    return in(&Scene::stops, member);
+}
+template <typename Value>
 constexpr auto timed_caption(Value TimedCaptionSpec::*member) {
     return in(&Scene::captions, member);
+}
+
+// Whether a slider, a field or a choice can hold the values of a key.
+bool is_controllable(const ValueType& type) {
+    const bool is_list = type.size && type.size->least != type.size->most;
+    const bool is_text = type.kind == ValueType::Kind::text;
+    return !is_list && type.n_rows == 0 && (!is_text || (!type.names.empty() && !type.size));
+}
+
+// Throws SceneError for a name that is no key, or whose values no control can hold.
+void read_controls(const GivenValue& given, SceneDraft& draft) {
+    std::vector<std::string> controls = given.texts();
+    for (std::size_t i = 0; i < controls.size(); ++i) {
+        // An item of a list on the command line has no place of its own.
+        const bool has_place = i < given.value().items.size();
+        const SourceLocation& where =
+            has_place ? given.value().items[i].where : given.value().where;
+        const std::string is =
+            fmt::format("{}[{}] is \"{}\"", given.name(), i, printable(controls[i]));
+        const SceneKey* const key = find_scene_key(path_of_assignment(controls[i]));
+        if (key == nullptr)
+            throw SceneError(where, fmt::format("{}, which is no key{}", is,
+                                                scene_key_remedy(controls[i], false)));
+        if (!is_controllable(key->type))
+            throw SceneError(where,
+                             fmt::format("{}, which takes {}; name a key that takes numbers, "
+                                         "true and false, or one of a few names",
+                                         is, key->type.words()));
+    }
+    draft.scene.page.controls = std::move(controls);
 }
 
 }  // namespace
@@ -102,6 +143,29 @@ std::span<const SceneKey> story_keys() {
         text("chapters[].title", in(&Scene::chapters, &ChapterSpec::title),
              R"("The invariable plane")", "title of the chapter")
             .without_default(),
+
+        // Stops.
+        number("stops[].at_s", stop(&StopSpec::at_s), film_seconds, "s", "4.0",
+               "time at which a page waits for its viewer, in seconds of film")
+            .without_default(),
+        text("stops[].title", stop(&StopSpec::title), R"("Which axis is unstable?")",
+             "title of the stop"),
+        number("stops[].loop_s", stop(&StopSpec::loop_s), positive, "s", "2.0",
+               "the page repeats this many seconds of film before the stop while it waits; it goes "
+               "on from the stop, at the end of a repetition")
+            .default_is("the page stands still"),
+        text("stops[].note", stop(&StopSpec::note), R"("Ask before you go on.")",
+             "note for the lecturer, shown in a window of its own"),
+
+        // The page.
+        texts("page.controls", in(&Scene::page, &PageSpec::controls), R"(["start.omega_rad_s"])",
+              "keys of this scene that the viewers of a page can change; each takes numbers, true "
+              "and false, or one of a few names")
+            .read_by(read_controls),
+        texts("page.elements", in(&Scene::page, &PageSpec::elements), R"(["plane", "momentum"])",
+              "elements and overlays that the viewers of a page can show and hide")
+            .from_list("elements")
+            .default_is("all"),
     };
     return rows;
 }

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdlib>
+#include <string>
 
 namespace poinsot {
 
@@ -21,11 +23,47 @@ bool is_too_small(std::string_view decimal) {
     return exponent ? *exponent < -place : power.starts_with('-');
 }
 
+#ifdef __cpp_lib_to_chars
+std::from_chars_result decimal_at_front(std::string_view text, double& number) {
+    return std::from_chars(text.data(), text.data() + text.size(), number);
+}
+#else
+// For a library whose from_chars lacks doubles, as libc++ 19: strtod, which musl rounds to the
+// nearest as well, of the text that from_chars would take.
+std::from_chars_result decimal_at_front(std::string_view text, double& number) {
+    const auto n_digits_at = [text](std::size_t from) {
+        return std::min(text.find_first_not_of("0123456789", from), text.size()) - from;
+    };
+    std::size_t end = text.starts_with('-') ? 1 : 0;
+    std::size_t n_digits = n_digits_at(end);
+    end += n_digits;
+    if (end < text.size() && text[end] == '.') {
+        const std::size_t n_decimals = n_digits_at(end + 1);
+        if (n_digits + n_decimals > 0) end += 1 + n_decimals;
+        n_digits += n_decimals;
+    }
+    if (n_digits == 0) return {text.data(), std::errc::invalid_argument};
+    if (end < text.size() && (text[end] == 'e' || text[end] == 'E')) {
+        const std::size_t sign =
+            end + 1 < text.size() && (text[end + 1] == '-' || text[end + 1] == '+');
+        const std::size_t n_power = n_digits_at(std::min(end + 1 + sign, text.size()));
+        if (n_power > 0) end += 1 + sign + n_power;
+    }
+    const char* const last = text.data() + end;
+    const double value = std::strtod(std::string(text.substr(0, end)).c_str(), nullptr);
+    const std::string_view digits = text.substr(0, text.substr(0, end).find_first_of("eE"));
+    const bool is_zero = digits.find_first_of("123456789") == std::string_view::npos;
+    if (std::isinf(value) || (value == 0.0 && !is_zero))
+        return {last, std::errc::result_out_of_range};
+    number = value;
+    return {last, std::errc{}};
+}
+#endif
+
 }  // namespace
 
 std::from_chars_result read_double(std::string_view text, double& number) {
-    const char* const last = text.data() + text.size();
-    std::from_chars_result read = std::from_chars(text.data(), last, number);
+    std::from_chars_result read = decimal_at_front(text, number);
     if (read.ec != std::errc::result_out_of_range) return read;
     const std::string_view decimal =
         text.substr(0, static_cast<std::size_t>(read.ptr - text.data()));

@@ -4,8 +4,6 @@
 #include <ft2build.h>
 #include <hb.h>
 
-#include <algorithm>
-#include <cmath>
 #include <utility>
 
 #include "error/error.h"
@@ -197,68 +195,26 @@ double FontFile::constant(hb_ot_math_constant_t which) const {
     return hb_ot_math_get_constant(handles_->font.get(), which);
 }
 
-TallGlyph FontFile::tall_glyph(GlyphId glyph, double min_extent) {
+TallForms FontFile::tall_forms(GlyphId glyph) const {
+    hb_font_t* font = handles_->font.get();
+    TallForms forms;
     std::array<hb_ot_math_glyph_variant_t, 32> variants{};
     auto n = static_cast<unsigned>(variants.size());
-    hb_ot_math_get_glyph_variants(handles_->font.get(), glyph, HB_DIRECTION_TTB, 0, &n,
-                                  variants.data());
-    const auto whole = [this](GlyphId variant) {
-        const GlyphMetrics& ink = metrics(variant);
-        return TallGlyph{{{variant, 0.0, ink.depth}}, ink.height + ink.depth};
-    };
-    TallGlyph tallest = whole(glyph);
-    for (unsigned i = 0; i < n && tallest.extent < min_extent; ++i) {
-        tallest = whole(variants.at(i).glyph);
-    }
-    if (tallest.extent >= min_extent) return tallest;
-    TallGlyph built = assembled(glyph, min_extent);
-    return built.extent > tallest.extent ? built : tallest;
-}
-
-// Repeats the extender pieces as often as needed. Joints overlap by the font's minimum or more, so
-// that the extent is exactly min_extent if possible.
-TallGlyph FontFile::assembled(GlyphId glyph, double min_extent) {
-    hb_font_t* font = handles_->font.get();
+    hb_ot_math_get_glyph_variants(font, glyph, HB_DIRECTION_TTB, 0, &n, variants.data());
+    for (unsigned i = 0; i < n; ++i) forms.variants.push_back(variants.at(i).glyph);
     std::array<hb_ot_math_glyph_part_t, 16> parts{};
-    auto n = static_cast<unsigned>(parts.size());
+    n = static_cast<unsigned>(parts.size());
     hb_position_t italic = 0;
     hb_ot_math_get_glyph_assembly(font, glyph, HB_DIRECTION_TTB, 0, &n, parts.data(), &italic);
-    if (n == 0) return {};
-    const double least = hb_ot_math_get_min_connector_overlap(font, HB_DIRECTION_TTB);
-    constexpr int most_repeats = 1000;
-    for (int repeats = 0; repeats <= most_repeats; ++repeats) {
-        std::vector<const hb_ot_math_glyph_part_t*> row;
-        for (unsigned i = 0; i < n; ++i) {
-            const bool extender = (parts[i].flags & HB_OT_MATH_GLYPH_PART_FLAG_EXTENDER) != 0;
-            for (int k = 0; k < (extender ? repeats : 1); ++k) row.push_back(&parts[i]);
-        }
-        if (row.empty()) continue;
-        double longest = 0.0, most_overlap = 0.0;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            longest += row[i]->full_advance;
-            if (i == 0) continue;
-            longest -= least;
-            most_overlap +=
-                std::min<double>(row[i - 1]->end_connector_length, row[i]->start_connector_length) -
-                least;
-        }
-        if (longest < min_extent && repeats < most_repeats) continue;
-        const double excess = std::clamp(longest - min_extent, 0.0, std::max(0.0, most_overlap));
-        TallGlyph built;
-        for (std::size_t i = 0; i < row.size(); ++i) {
-            if (i > 0) {
-                const double room = std::min<double>(row[i - 1]->end_connector_length,
-                                                     row[i]->start_connector_length) -
-                                    least;
-                built.extent -= least + (most_overlap > 0.0 ? excess * room / most_overlap : 0.0);
-            }
-            const double depth = metrics(row[i]->glyph).depth;
-            built.pieces.push_back({row[i]->glyph, 0.0, built.extent + depth});
-            built.extent += row[i]->full_advance;
-        }
-        return built;
+    for (unsigned i = 0; i < n; ++i) {
+        const hb_ot_math_glyph_part_t& part = parts.at(i);
+        forms.pieces.push_back({part.glyph, static_cast<double>(part.full_advance),
+                                static_cast<double>(part.start_connector_length),
+                                static_cast<double>(part.end_connector_length),
+                                (part.flags & HB_OT_MATH_GLYPH_PART_FLAG_EXTENDER) != 0});
     }
-    return {};
+    forms.least_overlap = hb_ot_math_get_min_connector_overlap(font, HB_DIRECTION_TTB);
+    return forms;
 }
 
 }  // namespace poinsot

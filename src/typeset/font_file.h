@@ -46,6 +46,21 @@ struct TallGlyph {
     double extent = 0.0;
 };
 
+// A piece from which taller forms of a glyph are assembled, bottom first; its connectors may overlap
+// those of its neighbours.
+struct GlyphPiece {
+    GlyphId glyph = 0;
+    double advance = 0.0, start_connector = 0.0, end_connector = 0.0;
+    bool repeats = false;
+};
+
+// The taller forms that a font has of a glyph: whole glyphs, by size, and pieces.
+struct TallForms {
+    std::vector<GlyphId> variants;
+    std::vector<GlyphPiece> pieces;
+    double least_overlap = 0.0;
+};
+
 struct FreeBlob {
     void operator()(hb_blob_t* blob) const { hb_blob_destroy(blob); }
 };
@@ -79,12 +94,14 @@ class FontFile {
 
     // A constant of the font's MATH table (OpenType specification, "MathConstants").
     double constant(hb_ot_math_constant_t which) const;
+    // What the font has for tall_glyph.
+    TallForms tall_forms(GlyphId glyph) const;
     // The smallest vertical variant of at least min_extent, else a glyph assembled from parts, else
     // the tallest variant ("MathVariants").
     TallGlyph tall_glyph(GlyphId glyph, double min_extent);
 
  private:
-    TallGlyph assembled(GlyphId glyph, double min_extent);
+    TallGlyph assembled(const TallForms& forms, double min_extent);
 
     struct Handles;
     std::unique_ptr<Handles> handles_;

@@ -93,13 +93,11 @@ char32_t in_alphabet(char32_t c, MathAlphabet alphabet) {
     }
     if (!origin.greek_small) return c;
     if (c >= U'α' && c <= U'ω') return origin.greek_small + c - U'α';
-    const auto* variant = std::ranges::find(after_omega, c);
-    if (variant == after_omega.end()) {
-        return c == U'∇' && origin.greek_capital && alphabet != MathAlphabet::italic
-                   ? origin.greek_capital + 25
-                   : c;
-    }
-    return origin.greek_small + 25 + static_cast<char32_t>(variant - after_omega.begin());
+    for (std::size_t k = 0; k < after_omega.size(); ++k)
+        if (after_omega[k] == c) return origin.greek_small + 25 + static_cast<char32_t>(k);
+    return c == U'∇' && origin.greek_capital && alphabet != MathAlphabet::italic
+               ? origin.greek_capital + 25
+               : c;
 }
 
 }  // namespace poinsot

@@ -66,6 +66,47 @@ TEST(Render, FilmHasItsFramesSizeRateAndColours) {
     EXPECT_LT(difference, 2.0);
 }
 
+TEST(Render, RefusesOptionsOfFramesForPages) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    for (const std::string option : {"--frames 0-1", "--part 1/2", "--jobs 2", "--certify"}) {
+        const ProgramRun run = run_program_in(folder, "render scene.toml -o a.html " + option);
+        EXPECT_EQ(run.code, 2) << option;
+        EXPECT_EQ(run.err, "a.html: a page has no frames, it shows every instant; leave " +
+                               option.substr(0, option.find(' ')) + " out\n");
+    }
+    EXPECT_EQ(folder.listing(), "scene.toml\n");
+}
+
+// One file with the scene, its options and its files; or what to install, where the program was
+// built without the module.
+TEST(Render, PageIsOneFile) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", racket);
+    folder.write("bad.toml", racket + "[[stops]]\nat_s = 1e6\n");
+    const ProgramRun run = run_program_in(
+        folder, "render scene.toml -o a.html --set 'title=</script>\"b' --theme dark -q");
+    if (run.code == 3) {
+        EXPECT_TRUE(contains(run.err, "clang-19"));
+        EXPECT_EQ(run_program_in(folder, "render bad.toml -o b.html").code, 3);
+        EXPECT_EQ(std::filesystem::exists(folder.path() / "a.html"), false);
+        return;
+    }
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string page = text_of(folder.path() / "a.html");
+    EXPECT_LE(page.size(), 1'200'000U);
+    EXPECT_TRUE(contains(page, "<title>&lt;/script&gt;"));
+    EXPECT_TRUE(contains(page, "--theme theme=dark"));
+    EXPECT_EQ(run_program_in(folder, "render bad.toml -o b.html").code, 2);
+    EXPECT_EQ(std::filesystem::exists(folder.path() / "b.html"), false);
+    // The same scene and options give the same bytes.
+    ASSERT_EQ(run_program_in(
+                  folder, "render scene.toml -o c.html --set 'title=</script>\"b' --theme dark -q")
+                  .code,
+              0);
+    EXPECT_EQ(text_of(folder.path() / "c.html"), page);
+}
+
 TEST(Render, InterruptedLeavesNothingUnderTheFinalName) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);

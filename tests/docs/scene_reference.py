@@ -29,6 +29,9 @@ TABLES = {
     "fades[]": "Elements that appear, disappear or change their opacity, one table for each fade.",
     "captions[]": "Text that is shown during a part of the film, one table for each text. Captions are also subtitles, in the film and in a file beside it.",
     "chapters[]": "Sections of the film, one table for each section.",
+    "stops[]": "Instants at which a page waits for its viewer, one table for each stop. They come in order of time, at least a frame apart; a "
+               "loop is not longer than the time since the last stop.",
+    "page": "What the viewers of a page can change.",
     "symbols": "Symbols of quantities in labels. Each value is a formula.",
     "labels": "Labels moved by hand, as in `omega.offset_pt = [6.0, -4.0]`.",
     "style": "Values that override the theme. A theme file contains such lines without the header, and `extends = \"dark\"` at the top.",

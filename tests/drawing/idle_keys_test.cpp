@@ -70,6 +70,8 @@ TEST(IdleKeys, ElementsAndStylesNeedTheirPanels) {
     EXPECT_EQ(idle_in("show = [\"title\", \"clock\"]\n", plot), Keys{});
     EXPECT_EQ(idle_in("show = [\"title\", \"levels\"]\n", plot), Keys{"show"});
     EXPECT_EQ(idle_in("show = [\"title\", \"levels\"]\n", ""), Keys{});
+    EXPECT_EQ(idle_in("[page]\nelements = [\"plane\"]\n" + plot), Keys{"page.elements"});
+    EXPECT_EQ(idle_in("[page]\nelements = [\"plane\"]\n"), Keys{});
     EXPECT_EQ(idle_in("[object]\nname = \"book\"\n" + plot), Keys{"object.name"});
     EXPECT_EQ(idle_in("[object]\nname = \"book\"\n[[panels]]\nkind = \"object\"\n"), Keys{});
 }

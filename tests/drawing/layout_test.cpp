@@ -40,6 +40,32 @@ TEST(Layout, PanelsLeaveSpaceForTitleAndCaption) {
     }
 }
 
+TEST(Layout, TitlesEndBeforeTheClockInUprightPictures) {
+    Scene scene = free_scene(generic_moments, generic_omega, "body");
+    scene.title = "Sphere and ellipsoid of momentum";
+    scene.clock = true;
+    const auto place = [&scene](int width_px, int height_px) {
+        scene.film.width_px = width_px;
+        scene.film.height_px = height_px;
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(1.0);
+        const Label *title = nullptr, *clock = nullptr;
+        for (const Label& label : drawing.views.back().labels) {
+            if (label.rank == rank_of_title) title = &label;
+            if (label.rank == rank_of_clock) clock = &label;
+        }
+        EXPECT_TRUE(title != nullptr && clock != nullptr);
+        if (title == nullptr || clock == nullptr) return std::pair(0.0, 0.0);
+        return std::pair(title->top_left_px.x() + title->mask->width - clock->top_left_px.x(),
+                         title->mask->height / static_cast<double>(height_px));
+    };
+    const auto [wide_px, wide_share] = place(1280, 720);
+    const auto [upright_px, upright_share] = place(780, 1280);
+    EXPECT_LT(wide_px, 0.0);
+    EXPECT_LT(upright_px, 0.0);
+    EXPECT_LT(upright_share, wide_share);
+}
+
 // In reading order, whatever the order of the list.
 TEST(Layout, LettersOfPanelsFollowTheirPlaces) {
     Scene scene = free_scene(generic_moments, generic_omega, "body");

@@ -43,6 +43,10 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"production",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "vector", "image", "output"}},
+    // The module of a page in a browser.
+    {"page",
+     {"error", "text", "mechanics", "image", "typeset", "scene", "construction", "shapes",
+      "drawing", "render", "vector", "production"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},
@@ -72,6 +76,8 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"production/jobs",
      {"production/session", "production/sampling", "production/sidecars", "production/provenance",
       "production/vectors"}},
+    {"production/pages",
+     {"production/session", "production/provenance", "production/vectors", "production/jobs"}},
     {"production/parts",
      {"production/session", "production/sidecars", "production/provenance", "production/jobs"}},
     {"drawing/style", {}},
@@ -82,6 +88,7 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"drawing/figures/panels",
      {"drawing/style", "drawing/stage", "drawing/stage/type", "drawing/figures/charts",
       "drawing/figures/elements"}},
+    {"page/webgl/glad", {}},
     {"render/context", {}},
     {"render/passes", {"render/context", "render/cache"}},
     {"render/cache", {"render/context", "render/passes"}},
@@ -120,7 +127,7 @@ constexpr int most_headers = 20;
 
 // Beginning of a library's header → the folders that may include it.
 const std::map<std::string, std::set<std::string>> library_owners{
-    {"glad/", {"render"}},         {"glm/", {"render"}},
+    {"glad/", {"render", "page"}}, {"glm/", {"render"}},
     {"GL/", {"render"}},           {"EGL/", {"render"}},
     {"libav", {"output"}},         {"libsw", {"output"}},
     {"toml", {"scene"}},           {"CLI/", {"cli"}},

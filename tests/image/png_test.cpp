@@ -50,6 +50,29 @@ RC_GTEST_PROP(Png, RoundTripPreservesEveryPixel, ()) {
     RC_ASSERT(decode_png(encode_png(image, options), "x") == image);
 }
 
+RC_GTEST_PROP(Png, APalettePngHoldsTheNearestColourOfEveryPixel, ()) {
+    const Image image = random_image(true);
+    std::vector<Rgba8> palette(*rc::gen::inRange<std::size_t>(1, 257));
+    for (Rgba8& colour : palette)
+        colour = {*rc::gen::arbitrary<std::uint8_t>(), *rc::gen::arbitrary<std::uint8_t>(),
+                  *rc::gen::arbitrary<std::uint8_t>()};
+    const Image read = decode_png(encode_palette_png(image, palette), "x");
+    RC_ASSERT(read.width() == image.width());
+    RC_ASSERT(read.height() == image.height());
+    const auto squared_distance = [](const Rgba8& a, const Rgba8& b) {
+        const int r = a.r - b.r, g = a.g - b.g, blue = a.b - b.b;
+        return r * r + g * g + blue * blue;
+    };
+    for (int y = 0; y < image.height(); ++y) {
+        for (int x = 0; x < image.width(); ++x) {
+            RC_ASSERT(std::ranges::find(palette, read.at(x, y)) != palette.end());
+            for (const Rgba8& colour : palette)
+                RC_ASSERT(squared_distance(image.at(x, y), read.at(x, y)) <=
+                          squared_distance(image.at(x, y), colour));
+        }
+    }
+}
+
 // A ramp compresses to almost nothing as differences and hardly at all as samples: the size shows
 // that the filter was used, the pixels that it was reversed.
 TEST(Png, SmoothPicturesAreFilteredAndRoundTrip) {

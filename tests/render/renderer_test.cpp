@@ -14,6 +14,7 @@
 
 #include "error/error.h"
 #include "pictures.h"
+#include "render/context/gl_handles.h"
 
 namespace poinsot::testing {
 namespace {
@@ -52,6 +53,31 @@ TEST(Renderer, IsReproducible) {
     // The second picture caches the static content, the third uses the cache.
     EXPECT_EQ(renderer().render(lecture()), first);
     EXPECT_EQ(renderer().render(lecture()), first);
+}
+
+// What a browser's canvas shows: the same bytes, encoded by a shader, from the lowest row up.
+TEST(Renderer, ShowsTheBytesThatItReturns) {
+    const Drawing drawing = lecture();
+    const Image image = renderer().render(drawing);
+    const GlRenderbuffer colours = GlRenderbuffer::make();
+    const GlFramebuffer framebuffer = GlFramebuffer::make();
+    glBindRenderbuffer(GL_RENDERBUFFER, colours.id());
+    glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, drawing.width_px, drawing.height_px);
+    glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
+    glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours.id());
+    renderer().render_to(drawing, framebuffer.id(), ScreenAlpha::opaque);
+    std::vector<std::uint8_t> shown(image.bytes().size());
+    glReadPixels(0, 0, drawing.width_px, drawing.height_px, GL_RGBA, GL_UNSIGNED_BYTE,
+                 shown.data());
+    const auto row = 4 * static_cast<std::size_t>(drawing.width_px);
+    const auto n_rows = static_cast<std::size_t>(drawing.height_px);
+    for (std::size_t y = 0; y < n_rows; ++y)
+        EXPECT_TRUE(std::equal(shown.begin() + static_cast<std::ptrdiff_t>((n_rows - 1 - y) * row),
+                               shown.begin() + static_cast<std::ptrdiff_t>((n_rows - y) * row),
+                               image.bytes().begin() + static_cast<std::ptrdiff_t>(y * row)))
+            << y;
+    // The next picture is not disturbed.
+    EXPECT_EQ(renderer().render(drawing), image);
 }
 
 TEST(Renderer, FilmFramesEqualSeparatePictures) {

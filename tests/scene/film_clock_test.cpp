@@ -163,6 +163,68 @@ TEST(BadFilm, IsRefusedInOneLine) {
               "or give film.loop as turns/periods, as in \"5/3\"");
 }
 
+std::string with_stops(const std::string& first, const std::string& second) {
+    return a_scene + "[[stops]]\n" + first + "[[stops]]\n" + second;
+}
+
+TEST(FilmClock, RefusesStopsThatNoPageCanKeep) {
+    // The film of this scene has 10 s at 30 frames a second.
+    EXPECT_EQ(refusal(a_scene + "[[stops]]\ntitle = \"x\"\n"),
+              "scenes/a.toml:6:1: stops[0].at_s is missing; give it");
+    EXPECT_EQ(
+        refusal(with_stops("at_s = 3\n", "at_s = 2\n")),
+        "scenes/a.toml:9:1: stops[1].at_s is 2, before the 3 s of stops[0]; put them in order "
+        "of time");
+    EXPECT_EQ(refusal(with_stops("at_s = 3\n", "at_s = 3\n")),
+              "scenes/a.toml:9:1: stops[0] and stops[1] are both at 3 s; remove one of them");
+    EXPECT_EQ(refusal(with_stops("at_s = 3\n", "at_s = 3.02\n")),
+              "scenes/a.toml:9:1: stops[1] is 0.02 s after stops[0], less than a frame (0.0333 s); "
+              "move one of them");
+    EXPECT_EQ(
+        refusal(a_scene + "[[stops]]\nat_s = 10.5\n"),
+        "scenes/a.toml:7:1: stops[0].at_s is 10.5, but the film ends at 10 s; put it earlier");
+    EXPECT_EQ(refusal(a_scene + "[[stops]]\nat_s = 2\nloop_s = -1\n"),
+              "scenes/a.toml:8:10: stops[0].loop_s is -1; give a number greater than 0");
+    EXPECT_EQ(refusal(a_scene + "[[stops]]\nat_s = 2\nloop_s = 2.5\n"),
+              "scenes/a.toml:8:1: stops[0].loop_s is 2.5, but only 2 s lie before that stop; make "
+              "the loop shorter");
+    EXPECT_EQ(refusal(with_stops("at_s = 3\n", "at_s = 4\nloop_s = 1.5\n")),
+              "scenes/a.toml:10:1: stops[1].loop_s is 1.5, but since the last stop only 1 s lie "
+              "before that stop; make the loop shorter");
+}
+
+TEST(FilmClock, AcceptsStopsAtTheirLimits) {
+    const Scene scene = scene_of(with_stops("at_s = 0\n", "at_s = 10\nloop_s = 10\n"));
+    EXPECT_EQ(scene.stops.at(1).loop_s, 10.0);
+    // 3 · 0.1 is not the double of 0.3, a frame after 0.2 at 10 frames a second.
+    EXPECT_EQ(
+        scene_of(with_stops("at_s = 0.2\n", "at_s = 0.3\nloop_s = 0.1\n") + "[film]\nfps = 10\n")
+            .stops.size(),
+        2U);
+}
+
+TEST(FilmClock, RefusesControlsThatNoSliderCanHold) {
+    const auto refusal_of = [](const std::string& control) {
+        return refusal(a_scene + "[page]\ncontrols = [\"film.speed\", \"" + control + "\"]\n");
+    };
+    EXPECT_EQ(refusal_of("start.omega"),
+              "scenes/a.toml:7:27: page.controls[1] is \"start.omega\", which is no key; did you "
+              "mean \"start.omega_rad_s\"?");
+    EXPECT_EQ(refusal_of("title"),
+              "scenes/a.toml:7:27: page.controls[1] is \"title\", which takes a string; name a key "
+              "that takes numbers, true and false, or one of a few names");
+    EXPECT_EQ(refusal_of("show").substr(0, 66),
+              "scenes/a.toml:7:27: page.controls[1] is \"show\", which takes a list");
+    EXPECT_EQ(refusal_of("stops[0].at_s"),
+              "scenes/a.toml:7:1: page.controls[1] is \"stops[0].at_s\", but the scene has 0 "
+              "[[stops]], counted from 0; give the number of one of them, as in stops[0]");
+    // A number, an item of a vector, a switch and a choice.
+    for (const char* good : {"film.speed", "start.omega_rad_s[2]", "body.allow_unphysical",
+                             "camera.projection", "body.moments_kg_m2"})
+        EXPECT_EQ(scene_of(a_scene + "[page]\ncontrols = [\"" + good + "\"]\n").page.controls.at(0),
+                  good);
+}
+
 }  // namespace
 
 }  // namespace poinsot

@@ -453,6 +453,19 @@ inline void write_what_is_told(Dice& dice, Text& text) {
         at_s += dice.between(0.5, 1.0);
         text.set_text(item + "title", dice.text());
     }
+    at_s = -0.0;
+    // Two stops in a film of less than 1 frame a second may be closer than a frame.
+    for (int k = 0, n = dice.below(2); k < n; ++k) {
+        const std::string item = fmt::format("stops[{}].", k);
+        at_s += dice.between(0.5, 1.0);
+        text.set_number(item + "at_s", at_s);
+        if (dice.one_in(2)) text.set_text(item + "title", dice.text());
+        if (dice.one_in(2)) text.set_number(item + "loop_s", dice.between(0.01, 0.5));
+        if (dice.one_in(2)) text.set_text(item + "note", dice.text());
+    }
+    if (dice.one_in(3)) text.set("page.elements", some_texts(dice));
+    if (dice.one_in(3))
+        text.set("page.controls", R"(["film.speed", "start.omega_rad_s[2]", "camera.motion"])");
 }
 
 inline void write_style(Dice& dice, Text& text) {

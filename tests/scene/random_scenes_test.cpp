@@ -84,6 +84,7 @@ std::string text_by_default(const SceneKey& key) {
         scene.fades.emplace_back();
         scene.captions.emplace_back();
         scene.chapters.emplace_back();
+        scene.stops.emplace_back();
         return scene;
     }();
     return key.write(plain, 0);
@@ -100,6 +101,8 @@ bool goes_without_saying(const std::string& row, const std::string& value) {
         {"torque.kind", "\"none\""},
         {"marks[].name", "\"\""},
         {"panels[].quantity", "\"\""},
+        {"stops[].title", "\"\""},
+        {"stops[].note", "\"\""},
         {"captions[].place", "\"bottom\""},
         {"camera.projection", "\"perspective\""},
         {"trail.axis", "\"history\""}};

@@ -251,7 +251,7 @@ TEST(SceneKeys, EveryDefaultIsTheValueOfASceneWithoutTheKey) {
         a_picture +
         "[[panels]]\n[[marks]]\nat = [1, 2, 3]\n[[keyframes]]\nat_s = 1\nspeed = 2\n"
         "[[fades]]\nat_s = 1\nelements = [\"plane\"]\n[[captions]]\nat_s = 1\ntext = \"a\"\n"
-        "[[chapters]]\nat_s = 1\ntitle = \"b\"\n";
+        "[[chapters]]\nat_s = 1\ntitle = \"b\"\n[[stops]]\nat_s = 1\n";
     const std::array scenes{scene_of(a_scene + items), scene_of(a_top + gravity)};
     int n_defaults = 0;
     for (const SceneKey& key : scene_keys()) {

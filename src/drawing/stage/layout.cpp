@@ -214,26 +214,22 @@ void give_camera(Panel& panel, const PanelKind& kind, std::size_t index) {
         panel.stage->rolling ? panel.stage->rolling->foot() : Eigen::Vector3d::Zero().eval());
 }
 
-void check_fades(const Scene& scene, const StageStore& store) {
-    for (std::size_t i = 0; i < scene.fades.size(); ++i) {
-        for (const std::string& name : scene.fades[i].elements) {
-            if (store.names().contains(name)) continue;
-            const std::vector<std::string_view> known(store.names().begin(), store.names().end());
-            throw SceneError(scene.location_of(fmt::format("fades[{}].elements", i)),
-                             fmt::format("no element shown is called \"{}\"{}", printable(name),
-                                         choose_instead(name, known)));
-        }
-    }
-}
-
-void check_unlabelled(const Scene& scene, const StageStore& store) {
-    for (const std::string& name : scene.unlabelled) {
+// Requires that the picture shows everything that a key names.
+void check_names_of(const Scene& scene, const StageStore& store, const std::string& key,
+                    const std::vector<std::string>& names) {
+    for (const std::string& name : names) {
         if (store.names().contains(name)) continue;
         const std::vector<std::string_view> known(store.names().begin(), store.names().end());
-        throw SceneError(scene.location_of("unlabelled"),
+        throw SceneError(scene.location_of(key),
                          fmt::format("no element shown is called \"{}\"{}", printable(name),
                                      choose_instead(name, known)));
     }
+}
+
+void check_named_elements(const Scene& scene, const StageStore& store) {
+    for (std::size_t i = 0; i < scene.fades.size(); ++i)
+        check_names_of(scene, store, fmt::format("fades[{}].elements", i), scene.fades[i].elements);
+    check_names_of(scene, store, "unlabelled", scene.unlabelled);
 }
 
 void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels) {
@@ -337,8 +333,7 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
 
 void check_targets(const StageContext& stage, const StageStore& store,
                    const std::deque<Panel>& panels) {
-    check_fades(stage.scene, store);
-    check_unlabelled(stage.scene, store);
+    check_named_elements(stage.scene, store);
     check_keyframes(stage, panels);
 }
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <functional>
 #include <optional>
 #include <utility>
 
@@ -104,13 +105,75 @@ TypeStyle text_style(const StageContext& stage, double size) {
     return text_style(stage.scene, OverlayRoom(stage), size);
 }
 
+using ClockFace = std::function<std::string(double time_s)>;
+ClockFace clock_face(const StageContext& stage) {
+    return [text = ClockText(stage.film_first_s, stage.film_last_s),
+            mark = decimal_mark_of(stage.scene.language)](double time_s) {
+        return with_decimal_mark(text.at(time_s), mark);
+    };
+}
+
+// The left end of the clock. There is space for its widest text, so that it does not move as digits
+// change: all digits have the same width.
+double left_of_clock(const StageContext& stage, StageStore& store) {
+    double widest_px = 160.0 * stage.px;
+    for (const double time_s : {stage.film_first_s, stage.film_last_s}) {
+        const TextBlock type =
+            store.set(clock_face(stage)(time_s), text_style(stage, caption_size));
+        widest_px = std::max(widest_px, static_cast<double>(type.left_px + type.mask->width));
+    }
+    return stage.options.width_px - margin(stage) - widest_px;
+}
+
+bool wants(const Scene& scene, const char* name) {
+    const auto& show = scene.show;
+    if (!scene.overlays) return false;
+    return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
+}
+
+// By default a loop has no clock, since it has no first instant.
+bool wants_clock(const Scene& scene) {
+    if (scene.clock && scene.overlays) return *scene.clock;
+    if (!scene.film.loop.empty() && scene.show.empty()) return false;
+    return wants(scene, "clock");
+}
+
+// The style of the title. Where the clock stands beside it, its type is smaller if it is too long,
+// as in an upright picture.
+TypeStyle title_style(const StageContext& stage, StageStore& store) {
+    TypeStyle style = text_style(stage, title_size);
+    if (!wants_clock(stage.scene) || is_on_paper(stage)) return style;
+    constexpr double least_share = 0.55;  // still larger than the headings of panels
+    const double gap_px = 0.8 * style.size_px;
+    const double room_px = left_of_clock(stage, store) - margin(stage) - gap_px;
+    TypeStyle one_line = style;
+    one_line.max_width_px = 0.0;
+    const double width_px = store.set(stage.scene.title, one_line).width_px();
+    if (width_px <= room_px) return style;
+    style.size_px *= std::max(least_share, room_px / width_px);
+    style.max_width_px = std::max(64.0 * stage.options.samples, room_px + 0.5 * gap_px);
+    return style;
+}
+
 Drawer make_title(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     const TextBlock type = at_scene_key(stage.scene, "title", [&] {
-        return store.set(stage.scene.title, text_style(stage, title_size));
+        return store.set(stage.scene.title, title_style(stage, store));
     });
     return [&stage, type, halo](const FrameInput& instant, ViewBuilder& builder) {
         add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, rank_of_title,
                  halo.presence(instant.film_s), builder);
+    };
+}
+
+Drawer make_clock(const StageContext& stage, StageStore& store, const WideHalo& halo) {
+    const ClockFace clock = clock_face(stage);
+    const TypeStyle style = text_style(stage, caption_size);
+    const double pen = left_of_clock(stage, store);
+    const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
+    return [&stage, halo, clock, style, pen, baseline, &text = std::as_const(store).text()](
+               const FrameInput& instant, ViewBuilder& builder) {
+        const TextBlock type = text.set_live(clock(instant.time_s), style, builder.view);
+        add_text(stage, type, pen, baseline, rank_of_clock, halo.presence(instant.film_s), builder);
     };
 }
 
@@ -137,34 +200,6 @@ Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo
                             builder.view),
               instant, builder);
     };
-}
-
-Drawer make_clock(const StageContext& stage, StageStore& store, const WideHalo& halo) {
-    const auto clock = [text = ClockText(stage.film_first_s, stage.film_last_s),
-                        mark = decimal_mark_of(stage.scene.language)](double time_s) {
-        return with_decimal_mark(text.at(time_s), mark);
-    };
-    const TypeStyle style = text_style(stage, caption_size);
-    // Its left end is fixed, with space for the widest text, so that it does not move as digits
-    // change: all digits have the same width.
-    double widest_px = 160.0 * stage.px;
-    for (const double time_s : {stage.film_first_s, stage.film_last_s}) {
-        const TextBlock type = store.set(clock(time_s), style);
-        widest_px = std::max(widest_px, static_cast<double>(type.left_px + type.mask->width));
-    }
-    const double pen = stage.options.width_px - margin(stage) - widest_px;
-    const double baseline = margin(stage) + std::max(style.size_px, stage.options.least.type_px);
-    return [&stage, halo, clock, style, pen, baseline, &text = std::as_const(store).text()](
-               const FrameInput& instant, ViewBuilder& builder) {
-        const TextBlock type = text.set_live(clock(instant.time_s), style, builder.view);
-        add_text(stage, type, pen, baseline, rank_of_clock, halo.presence(instant.film_s), builder);
-    };
-}
-
-bool wants(const Scene& scene, const char* name) {
-    const auto& show = scene.show;
-    if (!scene.overlays) return false;
-    return show.empty() || std::find(show.begin(), show.end(), name) != show.end();
 }
 
 // A caption or a chapter's title, and the part of the film in which it is shown.
@@ -286,13 +321,6 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store, const W
                 builder.view.labels.back().opacity *= presence;
         }
     };
-}
-
-// By default a loop has no clock, since it has no first instant.
-bool wants_clock(const Scene& scene) {
-    if (scene.clock && scene.overlays) return *scene.clock;
-    if (!scene.film.loop.empty() && scene.show.empty()) return false;
-    return wants(scene, "clock");
 }
 
 }  // namespace

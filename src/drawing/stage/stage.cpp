@@ -37,9 +37,11 @@ ViewBuilder begun(const Panel& panel, const FilmTime& moment) {
 }
 
 // A panel's view at an instant, and the labels that it wants.
-ViewBuilder drawn(const Panel& panel, const FilmTime& moment, const FrameInput& instant) {
+ViewBuilder drawn(const Panel& panel, const FilmTime& moment, const FrameInput& instant,
+                  const CameraChange& camera = {}) {
     ViewBuilder builder = begun(panel, moment);
     View& view = builder.view;
+    if (camera) view.camera = camera(view.camera);
     panel.draw(instant, builder);
     const auto n_dots = static_cast<std::ptrdiff_t>(view.dots.size());
     mark_arrows_at_viewer(panel, view);
@@ -174,7 +176,7 @@ LineRules line_rules(const StageContext& stage, const StageStore& store) {
 
 }  // namespace
 
-Drawing Stage::at(const FilmTime& moment) const {
+Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras) const {
     const StageContext& context = contents_->context;
     const FrameInput instant =
         context.instant_at(moment, contents_->needs, contents_->shows_comparison);
@@ -192,7 +194,8 @@ Drawing Stage::at(const FilmTime& moment) const {
     drawing.views.reserve(contents_->panels.size() + 1);
     for (std::size_t i = 0; i < contents_->panels.size(); ++i) {
         const Panel& panel = contents_->panels[i];
-        ViewBuilder builder = drawn(panel, moment, instant);
+        ViewBuilder builder =
+            drawn(panel, moment, instant, i < cameras.size() ? cameras[i] : CameraChange());
         View& view = builder.view;
         // Several panels share the picture's background.
         view.background = ground;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <span>
 #include <string>
@@ -12,6 +13,7 @@
 #include "scene/film_clock.h"
 #include "scene/scene.h"
 #include "shapes/arrow_separation.h"
+#include "shapes/camera.h"
 #include "shapes/views.h"
 #include "typeset/font_source.h"
 
@@ -22,6 +24,9 @@ struct Panel;
 struct StageContext;
 struct Theme;
 class StageStore;
+
+// Returns what replaces the camera that a panel has at an instant.
+using CameraChange = std::function<Camera(const Camera& camera)>;
 
 // Holds the geometry that all video frames share and makes the drawing of an instant. Immutable
 // once constructed; drawings refer to it and must not outlive it. Move-only.
@@ -38,7 +43,9 @@ class Stage {
 
     // The drawing of an instant, at the film time of this instant.
     Drawing at(double time_s) const;
-    Drawing at(const FilmTime& moment) const;
+    // `cameras`: changes of the panels' cameras, for viewers who turn them; labels are laid out for
+    // the changed ones. Empty, or an empty function: the scene's own.
+    Drawing at(const FilmTime& moment, std::span<const CameraChange> cameras = {}) const;
 
     // The arrows of all panels at an instant, without the rest of the drawing.
     std::vector<PlacedArrow> arrows_at(const FilmTime& moment) const;

@@ -96,7 +96,7 @@ MethodStart IntegratedRotation::prepare(const MotionProblem& problem) {
     return start;
 }
 
-IntegratedRotation::IntegratedRotation(const MotionProblem& problem, const std::stop_token& stop) {
+IntegratedRotation::IntegratedRotation(const MotionProblem& problem, const StopCheck& stop) {
     MethodStart start = prepare(problem);
     const double span_s = last_time_s_ - first_time_s_;
     if (method_->takes_step && span_s / step_s_ > max_steps) {
@@ -150,7 +150,7 @@ StepNode IntegratedRotation::advanced(const Propagator& propagator, const StepNo
 // Steps to the end and stores every stride-th state; if there are too many, every second one is
 // dropped.
 void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double end_s,
-                               const std::stop_token& stop) {
+                               const StopCheck& stop) {
     branch.propagator = method_->make(start);
     StepNode node;
     node.step_s = start.step_s;
@@ -167,7 +167,7 @@ void IntegratedRotation::cover(Branch& branch, const MethodStart& start, double 
     while (std::abs(node.time_s) < std::abs(end_s)) {
         node = advanced(branch.propagator, node);
         constexpr std::int64_t steps_between_looks = 1024;
-        if (node.index % steps_between_looks == 0 && stop.stop_requested())
+        if (node.index % steps_between_looks == 0 && stop && stop())
             throw InputError(
                 fmt::format("stepping by {} had come to t = {:g} s when its time was over; give a "
                             "larger step or "

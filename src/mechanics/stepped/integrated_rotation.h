@@ -1,12 +1,12 @@
 // A motion computed step by step by a method of the table, as an immutable value over a time span.
 #pragma once
 
-#include <stop_token>
 #include <vector>
 
 #include "mechanics/methods.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/rotation_state.h"
+#include "mechanics/stop_check.h"
 
 namespace poinsot {
 
@@ -26,7 +26,7 @@ class IntegratedRotation {
     // than the time span or than friction allows, a step that the method finds no solution for or
     // that is too short for the time to advance, and a span of more than max_steps steps; and soon
     // after a stop is requested.
-    explicit IntegratedRotation(const MotionProblem& problem, const std::stop_token& stop = {});
+    explicit IntegratedRotation(const MotionProblem& problem, const StopCheck& stop = {});
 
     // Takes at most this many steps, on the longer side of the span, and stores nothing. Throws
     // like the constructor, except for too many steps.
@@ -60,7 +60,7 @@ class IntegratedRotation {
     IntegratedRotation() = default;
     // Checks the problem and sets all but the branches.
     MethodStart prepare(const MotionProblem& problem);
-    void cover(Branch& branch, const MethodStart& start, double end_s, const std::stop_token& stop);
+    void cover(Branch& branch, const MethodStart& start, double end_s, const StopCheck& stop);
     // One step on, checked.
     StepNode advanced(const Propagator& propagator, const StepNode& node);
 

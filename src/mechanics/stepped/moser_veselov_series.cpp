@@ -18,6 +18,14 @@ namespace poinsot {
 
 namespace {
 
+double beta(double a, double b) {
+#ifdef __cpp_lib_math_special_functions
+    return std::beta(a, b);
+#else  // libc++
+    return std::exp(std::lgamma(a) + std::lgamma(b) - std::lgamma(a + b));
+#endif
+}
+
 constexpr std::size_t n_coefficients = 5;
 
 // c[0] + c[1] h² + … + c[4] h⁸.
@@ -116,7 +124,8 @@ Residual residual_of(const Polhode& p, const Series& s, const Series& d) {
     for (std::size_t n = 0; n < n_coefficients; ++n) {
         Series power = 1.0;
         for (std::size_t j = 0; j < n_coefficients; ++j) {
-            const double moment = 0.5 * std::beta(static_cast<double>(j) + 0.5, n + 1.0);
+            const double moment =
+                0.5 * beta(static_cast<double>(j) + 0.5, static_cast<double>(n) + 1.0);
             if (j == 0) time = time + root[n] * moment;
             weighted = weighted + root[n] * power * moment;
             power = power * end_squared;

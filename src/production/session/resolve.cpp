@@ -11,7 +11,7 @@
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "production/session/paper_layout.h"
-#include "production/session/slow_work_notice.h"
+#include "production/session/stepping_estimate.h"
 #include "scene/scene_keys.h"
 #include "scene/write_scene.h"
 

@@ -5,7 +5,6 @@
 #include <functional>
 #include <optional>
 #include <span>
-#include <stop_token>
 #include <string>
 #include <vector>
 
@@ -13,6 +12,7 @@
 #include "drawing/style/theme.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/step_choice.h"
+#include "mechanics/stop_check.h"
 #include "production/session/loop.h"
 #include "production/session/print_size.h"
 #include "scene/scene.h"
@@ -41,7 +41,7 @@ struct ResolvedScene {
 // Long stepping: receives the estimate of its time, and may stop it.
 struct SteppingWatch {
     std::function<void(double estimate_s)> expect = [](double) {};
-    std::stop_token stop{};
+    StopCheck stop{};
 };
 
 // Throws SceneError, also for stepping that would take longer than longest_stepping_s.

@@ -168,10 +168,14 @@ std::optional<HeavyTop> heavy_top_of(const Session& session) {
     return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
 }
 
+std::string top_regime_in_words(const HeavyTop& top) {
+    return fmt::format("{}: {}", name_of(top.regime()), meaning_of(top.regime()));
+}
+
 // Adds a heavy top's conserved momenta and energy, and the limits and rates of its nutation.
 void add_heavy_top(const HeavyTop& top, std::vector<SummaryLine>& lines) {
     lines.push_back({"top_regime", json_string(name_of(top.regime())), "kind of its motion",
-                     fmt::format("{}: {}", name_of(top.regime()), meaning_of(top.regime()))});
+                     top_regime_in_words(top)});
     const TopInvariants& kept = top.invariants();
     add_number(lines, "p_phi_kg_m2_s", "p_φ, along the vertical", kept.p_phi_kg_m2_s, "kg m²/s");
     add_number(lines, "p_psi_kg_m2_s", "p_ψ = Cω₃, along the axis", kept.p_psi_kg_m2_s, "kg m²/s");
@@ -298,6 +302,15 @@ void add_certificate(const Certificate& certificate, std::vector<SummaryLine>& l
 }
 
 }  // namespace
+
+std::string regime_sentence(const Session& session) {
+    const MotionProblem& problem = session.motion.problem();
+    const Regime regime = session.motion.regime();
+    if (std::holds_alternative<NoTorque>(problem.torque))
+        return regime_in_words(problem, regime, session.motion.free_constants());
+    const auto top = heavy_top_of(session);
+    return top ? top_regime_in_words(*top) : std::string(name_of(regime));
+}
 
 SceneSummary summarise(const Session& session, bool plan, const ProgressSink& progress) {
     SceneSummary summary;

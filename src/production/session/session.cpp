@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "production/session/slow_work_notice.h"
+#include "production/session/stepping_estimate.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -17,7 +18,8 @@ Session session_of(const Scene& scene, const SessionRequest& request,
     if (is_stepped(scene.method) || (scene.beside && is_stepped(*scene.beside))) {
         notice.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)), progress,
                        longest_stepping_s);
-        watch = {[&notice](double estimate_s) { notice->expect(estimate_s); }, notice->token()};
+        watch = {[&notice](double estimate_s) { notice->expect(estimate_s); },
+                 [&notice] { return notice->is_over(); }};
     }
     ResolvedScene resolved = resolve(scene, request, watch);
 

@@ -3,24 +3,38 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <atomic>
 #include <chrono>
-#include <cmath>
-#include <ctime>
-#include <limits>
+#include <condition_variable>
+#include <functional>
+#include <mutex>
 #include <system_error>
+#include <thread>
 #include <utility>
 
-#include "error/error.h"
-#include "mechanics/stepped/integrated_rotation.h"
+#include "system/interrupt.h"
 
 namespace poinsot {
 
+struct SlowWorkNotice::Teller {
+    void tell(const std::string& what, double limit_s,
+              const std::function<void(const std::string&)>& say);
+
+    std::mutex mutex;
+    std::condition_variable ended;
+    bool done = false;
+    std::atomic<double> estimate_s = 0.0;
+    std::atomic<bool> is_over = false;
+    std::thread thread;
+    EndsAtOnce ends_at_once;
+};
+
 SlowWorkNotice::SlowWorkNotice(std::string what, const ProgressSink& progress, double limit_s) {
     stop_if_interrupted();
+    teller_ = std::make_unique<Teller>();
     try {
-        teller_ = std::thread([this, what = std::move(what), limit_s, say = progress.say] {
-            tell(what, limit_s, say);
-        });
+        teller_->thread = std::thread([teller = teller_.get(), what = std::move(what), limit_s,
+                                       say = progress.say] { teller->tell(what, limit_s, say); });
     } catch (const std::system_error&) {
         // If no thread can be started, the work is done without messages.
     }
@@ -28,83 +42,30 @@ SlowWorkNotice::SlowWorkNotice(std::string what, const ProgressSink& progress, d
 
 SlowWorkNotice::~SlowWorkNotice() {
     {
-        const std::lock_guard lock(mutex_);
-        done_ = true;
+        const std::lock_guard lock(teller_->mutex);
+        teller_->done = true;
     }
-    ended_.notify_all();
-    if (teller_.joinable()) teller_.join();
+    teller_->ended.notify_all();
+    if (teller_->thread.joinable()) teller_->thread.join();
 }
 
-void SlowWorkNotice::tell(const std::string& what, double limit_s,
-                          const std::function<void(const std::string&)>& say) {
+void SlowWorkNotice::expect(double estimate_s) { teller_->estimate_s = estimate_s; }
+
+bool SlowWorkNotice::is_over() const { return teller_->is_over; }
+
+void SlowWorkNotice::Teller::tell(const std::string& what, double limit_s,
+                                  const std::function<void(const std::string&)>& say) {
     using namespace std::chrono_literals;
     const auto started = std::chrono::steady_clock::now();
-    std::unique_lock lock(mutex_);
-    for (auto wait = 1s; !ended_.wait_for(lock, wait, [this] { return done_; }); wait = 10s) {
+    std::unique_lock lock(mutex);
+    for (auto wait = 1s; !ended.wait_for(lock, wait, [this] { return done; }); wait = 10s) {
         const double spent_s =
             std::chrono::duration<double>(std::chrono::steady_clock::now() - started).count();
-        const double estimate_s = estimate_s_;
+        const double expected_s = estimate_s;
         const std::string of =
-            estimate_s > 0.0 ? fmt::format(" of about {:.0f}", std::max(estimate_s, spent_s)) : "";
+            expected_s > 0.0 ? fmt::format(" of about {:.0f}", std::max(expected_s, spent_s)) : "";
         say(fmt::format("{}: {:.0f}{} s", what, spent_s, of));
-        if (spent_s > limit_s) stop_.request_stop();
-    }
-}
-
-namespace {
-
-struct TimedProbe {
-    double timed_s = std::numeric_limits<double>::infinity();
-    double share = 0.0;
-};
-
-// The least of three, as a virtual machine counts what its host takes away as time of the thread.
-TimedProbe probe_timed(const MotionProblem& problem, std::int64_t most_steps, double (*clock_s)(),
-                       double enough_s) {
-    TimedProbe least;
-    for (int k = 0; k < 3 && !(least.timed_s < enough_s); ++k) {
-        const double before_s = clock_s();
-        least.share = IntegratedRotation::probe(problem, most_steps).share;
-        least.timed_s = std::min(least.timed_s, clock_s() - before_s);
-    }
-    return least;
-}
-
-}  // namespace
-
-double thread_processor_s() {
-    timespec now{};
-    clock_gettime(CLOCK_THREAD_CPUTIME_ID, &now);
-    return static_cast<double>(now.tv_sec) + 1e-9 * static_cast<double>(now.tv_nsec);
-}
-
-double stepping_estimate_s(const MotionProblem& problem, double (*clock_s)()) {
-    const Method& method = find_method(problem.method.name);
-    const double span_s = problem.last_time_s - problem.first_time_s;
-    if (method.make == nullptr || !(span_s > 0.0)) return 0.0;
-
-    // Takes more and more steps from the start until they can be timed. The setup time is not
-    // extrapolated, so the timed steps must take much longer than the setup. The largest number of
-    // steps takes seconds on any machine and ends the measurement, whatever the clock says.
-    constexpr double least_timed_s = 3e-3;
-    constexpr double most_setups = 3.0;
-    constexpr std::int64_t least_probe = 64;
-    constexpr std::int64_t most_probe = 1 << 18;
-    // Steps go to both sides of the start, a probe along the longer.
-    const double after_s = problem.last_time_s + problem.overshoot_s - problem.start.time_s;
-    const double before_s = problem.start.time_s - problem.first_time_s;
-    const double both_sides =
-        (std::max(after_s, 0.0) + std::max(before_s, 0.0)) / std::max(after_s, before_s);
-    try {
-        const double setup_s = probe_timed(problem, 0, clock_s, least_timed_s).timed_s;
-        const double enough_s = most_setups * setup_s + least_timed_s;
-        for (std::int64_t n = least_probe;; n *= 2) {
-            const TimedProbe probe = probe_timed(problem, n, clock_s, enough_s);
-            if (probe.share >= 1.0 || probe.timed_s >= enough_s || n >= most_probe)
-                return setup_s + std::max(0.0, probe.timed_s - setup_s) * both_sides / probe.share;
-        }
-    } catch (const InputError&) {
-        return 0.0;  // said by the one who steps over all of it
+        if (spent_s > limit_s) is_over = true;
     }
 }
 

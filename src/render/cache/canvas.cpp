@@ -19,7 +19,8 @@ Canvas::Layer Canvas::make_layer(bool with_depth) const {
     layer.texture = GlTexture::make();
     layer.framebuffer = GlFramebuffer::make();
     glBindTexture(GL_TEXTURE_2D, layer.texture.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16, width_px_, height_px_, 0, GL_RGBA, GL_UNSIGNED_SHORT,
+    const LightFormat format = light_format(light_);
+    glTexImage2D(GL_TEXTURE_2D, 0, format.internal, width_px_, height_px_, 0, GL_RGBA, format.type,
                  nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);

@@ -8,6 +8,7 @@
 #include "image/deep_image.h"
 #include "image/image.h"
 #include "render/context/gl_handles.h"
+#include "render/context/light_format.h"
 #include "render/encoding.h"
 #include "render/tile_mask.h"
 
@@ -17,6 +18,8 @@ namespace poinsot {
 // does not change, only the marked tiles are restored, read back and encoded.
 class Canvas {
  public:
+    explicit Canvas(LightBits light) : light_(light) {}
+
     // Resizes the layers to the picture; returns true if they are new.
     bool resize(int width_px, int height_px);
 
@@ -41,6 +44,8 @@ class Canvas {
     // Reads the picture: all of it, or the marked tiles over the static content.
     void read_whole(Image& image, bool transparent);
     void read_whole(DeepImage& image, bool transparent);
+    // The whole picture, for a pass that reads it.
+    const GlTexture& light() const { return picture_.texture; }
     // If the image is unchanged since one of the last calls, writes only the differences.
     void read_over_still(const TileMask& marks, Image& image, bool transparent);
 
@@ -59,6 +64,7 @@ class Canvas {
     void copy(const PixelRect& rect, const Image& from, Image& to) const;
     void read_all(const Layer& layer, Image& image, bool transparent);
 
+    LightBits light_;
     Encoder encoder_;
     Layer still_, picture_;
     Image still_image_;

@@ -8,6 +8,19 @@ namespace {
 // Geometry that was not drawn for this many pictures is removed.
 constexpr std::uint64_t kept_pictures = 120;
 
+// Fills a texture with texels, in rows as shaders/curve.vert reads them. Pads the last row.
+void fill(const GlTexture& texture, std::vector<Eigen::Vector4f>& texels) {
+    constexpr std::size_t row = 1024;
+    const std::size_t n_rows = (texels.size() + row - 1) / row;
+    if (n_rows > 1) texels.resize(n_rows * row, Eigen::Vector4f::Zero());
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(std::min(texels.size(), row)),
+                 static_cast<GLsizei>(n_rows), 0, GL_RGBA, GL_FLOAT, texels.data());
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
+}
+
 void upload(const CurveGeometry& geometry, StoredCurve& stored) {
     // The points, with the length of the curve up to each.
     const std::vector<Eigen::Vector3d>& points = geometry.points;
@@ -24,14 +37,8 @@ void upload(const CurveGeometry& geometry, StoredCurve& stored) {
     }
     if (geometry.closed) length += (points.front() - points.back()).norm();
     stored.length = length;
-    stored.buffer = GlBuffer::make();
     stored.texture = GlTexture::make();
-    glBindBuffer(GL_TEXTURE_BUFFER, stored.buffer.id());
-    glBufferData(GL_TEXTURE_BUFFER,
-                 static_cast<GLsizeiptr>(texels.size() * sizeof(Eigen::Vector4f)), texels.data(),
-                 GL_STATIC_DRAW);
-    glBindTexture(GL_TEXTURE_BUFFER, stored.texture.id());
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, stored.buffer.id());
+    fill(stored.texture, texels);
 }
 
 // Bounding spheres of stretches, to find the part of a picture that the curve may touch.
@@ -65,7 +72,7 @@ void CurveStore::begin_picture() {
 const StoredCurve& CurveStore::of(const CurveGeometry& geometry) {
     StoredCurve& stored = curves_[geometry.id];
     stored.last_picture = picture_;
-    if (!stored.buffer) {
+    if (!stored.texture) {
         upload(geometry, stored);
         stored.stretches = stretches_of(geometry);
         n_points_uploaded_ += stored.n_points;
@@ -94,17 +101,9 @@ void CurveStore::bind_rectangles(const std::vector<PixelRect>& rects) {
     corners_px_.clear();
     for (const PixelRect& r : rects)
         corners_px_.push_back(Eigen::Vector4i(r.left, r.top, r.right, r.bottom).cast<float>());
-    if (!corners_) {
-        corners_ = GlBuffer::make();
-        corners_texture_ = GlTexture::make();
-    }
-    glBindBuffer(GL_TEXTURE_BUFFER, corners_.id());
-    glBufferData(GL_TEXTURE_BUFFER,
-                 static_cast<GLsizeiptr>(corners_px_.size() * sizeof(Eigen::Vector4f)),
-                 corners_px_.data(), GL_STREAM_DRAW);
+    if (!corners_) corners_ = GlTexture::make();
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_BUFFER, corners_texture_.id());
-    glTexBuffer(GL_TEXTURE_BUFFER, GL_RGBA32F, corners_.id());
+    fill(corners_, corners_px_);
     bind_elements(static_cast<int>(rects.size()));
 }
 

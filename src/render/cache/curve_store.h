@@ -19,8 +19,7 @@ struct CurveStretch {
 };
 
 struct StoredCurve {
-    GlBuffer buffer;
-    GlTexture texture;  // xyz: point; w: length of the curve up to this point
+    GlTexture texture;  // in rows; xyz: point; w: length of the curve up to this point
     int n_points = 0;
     std::vector<float> lengths;  // of the curve up to each point
     double length = 0.0;         // of the whole curve
@@ -49,8 +48,7 @@ class CurveStore {
     GlVertexArray vertex_array_;
     GlBuffer indices_;
     int n_rectangles_ = 0;
-    GlBuffer corners_;
-    GlTexture corners_texture_;
+    GlTexture corners_;
     std::vector<Eigen::Vector4f> corners_px_;
     std::unordered_map<std::uint64_t, StoredCurve> curves_;
     std::uint64_t picture_ = 0;

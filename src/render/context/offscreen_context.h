@@ -2,7 +2,8 @@
 #pragma once
 
 #include <memory>
-#include <string>
+
+#include "render/context/context_info.h"
 
 namespace poinsot {
 
@@ -17,15 +18,6 @@ enum class ShaderCompilation { thorough, quick };
 // `egl` is Mesa's software renderer with EGL; `gpu` is a graphics card with EGL, which `automatic`
 // never selects.
 enum class Backend { automatic, osmesa, egl, gpu };
-
-// Properties of the context.
-struct ContextInfo {
-    std::string backend;     // "OSMesa" or "EGL"
-    std::string renderer;    // GL_RENDERER
-    std::string version;     // GL_VERSION
-    int largest_picture_px;  // largest side of a framebuffer
-    std::string device;      // "software", or a graphics card's device file
-};
 
 // Owns an off-screen OpenGL 3.3 core context, current on this thread during its lifetime.
 // Move-only.

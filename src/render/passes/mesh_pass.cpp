@@ -7,40 +7,63 @@
 
 #include "colour/srgb.h"
 #include "error/error.h"
+#include "render/context/dialect.h"
 #include "render/passes/colour.h"
 
 namespace poinsot {
 namespace {
 
-constexpr std::uint64_t kept_pictures = 120;
+constexpr std::uint64_t kept_mesh_pictures = 120;
 constexpr GLsizei n_samples = 4;
+constexpr GLenum multisampled = 0x9100;  // GL_TEXTURE_2D_MULTISAMPLE, which OpenGL ES 3.0 lacks
 
 bool has_picture(const MeshGeometry& geometry) {
     return !geometry.picture.rgb.empty() && geometry.places.size() == geometry.positions.size();
 }
 
 // A picture as a texture in linear light, with mipmaps.
-GlTexture texture_of(const SurfacePicture& picture) {
+GlTexture texture_of(const SurfacePicture& picture, const LightFormat& format) {
     std::array<std::uint16_t, 256> light{};
     for (std::size_t level = 0; level < light.size(); ++level)
         light[level] = static_cast<std::uint16_t>(
             std::lround(65535.0 * linear_from_srgb(static_cast<double>(level) / 255.0)));
+    // With a fourth component, of which OpenGL ES makes mipmaps.
     std::vector<std::uint16_t> samples;
-    samples.reserve(picture.rgb.size());
-    for (const std::uint8_t level : picture.rgb) samples.push_back(light[level]);
+    samples.reserve(picture.rgb.size() / 3 * 4);
+    for (std::size_t k = 0; k < picture.rgb.size(); ++k) {
+        samples.push_back(light[picture.rgb[k]]);
+        if (k % 3 == 2) samples.push_back(65535);
+    }
     GlTexture texture = GlTexture::make();
     glActiveTexture(GL_TEXTURE0);
     glBindTexture(GL_TEXTURE_2D, texture.id());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 2);
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB16, picture.width_px, picture.height_px, 0, GL_RGB,
-                 GL_UNSIGNED_SHORT, samples.data());
-    glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
+    const auto upload = [&](GLenum type, const void* pixels) {
+        glTexImage2D(GL_TEXTURE_2D, 0, format.internal, picture.width_px, picture.height_px, 0,
+                     GL_RGBA, type, pixels);
+    };
+    if (format.type == GL_UNSIGNED_SHORT) {
+        upload(GL_UNSIGNED_SHORT, samples.data());
+    } else {
+        std::vector<float> numbers;
+        numbers.reserve(samples.size());
+        for (const std::uint16_t sample : samples)
+            numbers.push_back(static_cast<float>(sample) / 65535.0f);
+        upload(GL_FLOAT, numbers.data());
+    }
     glGenerateMipmap(GL_TEXTURE_2D);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_LINEAR);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_S, GL_CLAMP_TO_EDGE);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_WRAP_T, GL_CLAMP_TO_EDGE);
     return texture;
+}
+
+void make_texture(const GlTexture& texture, GLint format, GLenum components, GLenum type,
+                  int width_px, int height_px) {
+    glBindTexture(GL_TEXTURE_2D, texture.id());
+    glTexImage2D(GL_TEXTURE_2D, 0, format, width_px, height_px, 0, components, type, nullptr);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
+    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
 }
 
 bool shows(const Mesh& mesh) {
@@ -95,12 +118,13 @@ MeshPass::Drawer::Drawer(const std::vector<std::string>& defines)
       depth_map(program.at("depth_map")),
       look(program.at("look")) {}
 
-MeshPass::MeshPass() : plain_({}), over_("layer.frag", 1) {}
+MeshPass::MeshPass(LightBits light)
+    : light_(light_format(light)), plain_({}), over_("layer.frag", 1) {}
 
 void MeshPass::begin_picture() {
     ++picture_number_;
     std::erase_if(uploads_, [this](const auto& entry) {
-        return entry.second.last_picture + kept_pictures < picture_number_;
+        return entry.second.last_picture + kept_mesh_pictures < picture_number_;
     });
 }
 
@@ -140,7 +164,7 @@ MeshPass::Uploaded& MeshPass::uploaded(const MeshGeometry& geometry) {
                  geometry.places.data(), GL_STATIC_DRAW);
     glEnableVertexAttribArray(2);
     glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
-    upload.picture = texture_of(geometry.picture);
+    upload.picture = texture_of(geometry.picture, light_);
     return upload;
 }
 
@@ -152,30 +176,43 @@ void MeshPass::resize(int width_px, int height_px) {
     height_px_ = std::max(height_px_, rounded(height_px));
     samples_ = GlTexture::make();
     depth_ = GlTexture::make();
-    resolved_ = GlTexture::make();
     sampled_ = GlFramebuffer::make();
-    single_ = GlFramebuffer::make();
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, samples_.id());
-    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, n_samples, GL_RGBA16, width_px_, height_px_,
-                            GL_TRUE);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth_.id());
-    glTexImage2DMultisample(GL_TEXTURE_2D_MULTISAMPLE, n_samples, GL_DEPTH_COMPONENT32F, width_px_,
-                            height_px_, GL_TRUE);
-    glBindTexture(GL_TEXTURE_2D, resolved_.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA16, width_px_, height_px_, 0, GL_RGBA, GL_UNSIGNED_SHORT,
-                 nullptr);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
-    glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
-    glBindFramebuffer(GL_FRAMEBUFFER, single_.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_.id(), 0);
-    glBindFramebuffer(GL_FRAMEBUFFER, sampled_.id());
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D_MULTISAMPLE,
-                           samples_.id(), 0);
-    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D_MULTISAMPLE,
-                           depth_.id(), 0);
+    if constexpr (dialect == Dialect::desktop)
+        make_multisampled();
+    else
+        make_side_by_side();
     if (glCheckFramebufferStatus(GL_FRAMEBUFFER) != GL_FRAMEBUFFER_COMPLETE)
         throw EnvironmentError("OpenGL gives no layer of four samples a pixel for meshes");
 }
+
+void MeshPass::make_side_by_side() {
+    make_texture(samples_, light_.internal, GL_RGBA, light_.type, 2 * width_px_, 2 * height_px_);
+    make_texture(depth_, GL_DEPTH_COMPONENT32F, GL_DEPTH_COMPONENT, GL_FLOAT, 2 * width_px_,
+                 2 * height_px_);
+    glBindFramebuffer(GL_FRAMEBUFFER, sampled_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, samples_.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, GL_TEXTURE_2D, depth_.id(), 0);
+}
+
+#ifdef GL_TEXTURE_2D_MULTISAMPLE
+void MeshPass::make_multisampled() {
+    resolved_ = GlTexture::make();
+    single_ = GlFramebuffer::make();
+    glBindTexture(multisampled, samples_.id());
+    glTexImage2DMultisample(multisampled, n_samples, GL_RGBA16, width_px_, height_px_, GL_TRUE);
+    glBindTexture(multisampled, depth_.id());
+    glTexImage2DMultisample(multisampled, n_samples, GL_DEPTH_COMPONENT32F, width_px_, height_px_,
+                            GL_TRUE);
+    make_texture(resolved_, light_.internal, GL_RGBA, light_.type, width_px_, height_px_);
+    glBindFramebuffer(GL_FRAMEBUFFER, single_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_TEXTURE_2D, resolved_.id(), 0);
+    glBindFramebuffer(GL_FRAMEBUFFER, sampled_.id());
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, multisampled, samples_.id(), 0);
+    glFramebufferTexture2D(GL_FRAMEBUFFER, GL_DEPTH_ATTACHMENT, multisampled, depth_.id(), 0);
+}
+#else
+void MeshPass::make_multisampled() {}
+#endif
 
 void MeshPass::prepare(ViewScene& scene) {
     const Projection& p = scene.projection;
@@ -227,14 +264,39 @@ void MeshPass::draw_layer(const ViewScene& scene) {
     if (layer.width == 0) return;
     resize(layer.width, layer.height);
     glBindFramebuffer(GL_FRAMEBUFFER, sampled_.id());
-    glViewport(0, 0, layer.width, layer.height);
     glEnable(GL_SCISSOR_TEST);
-    glScissor(0, 0, layer.width, layer.height);
     glClearColor(0.0f, 0.0f, 0.0f, 0.0f);
-    glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
+    const auto draw_at = [&](int left, int top, const Eigen::Vector2d& corner_px) {
+        glViewport(left, top, layer.width, layer.height);
+        glScissor(left, top, layer.width, layer.height);
+        glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
+        draw_meshes(scene, corner_px);
+    };
+    if constexpr (dialect == Dialect::desktop) {
+        draw_at(0, 0, {layer.left, layer.top});
+    } else {
+        // Where the middle of a pixel is displaced to: the samples of Mesa's software renderer.
+        const std::array<Eigen::Vector2d, n_samples> samples{{{0.375 - 0.5, 0.125 - 0.5},
+                                                              {0.875 - 0.5, 0.375 - 0.5},
+                                                              {0.125 - 0.5, 0.625 - 0.5},
+                                                              {0.625 - 0.5, 0.875 - 0.5}}};
+        for (int k = 0; k < n_samples; ++k)
+            draw_at((k & 1) * width_px_, (k >> 1) * height_px_,
+                    Eigen::Vector2d(layer.left, layer.top) + samples[static_cast<std::size_t>(k)]);
+    }
+    glDisable(GL_DEPTH_TEST);
+    glEnable(GL_BLEND);
+    if constexpr (dialect == Dialect::es) return;  // shaders/layer.frag takes the mean
+    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.id());
+    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, single_.id());
+    glBlitFramebuffer(0, 0, layer.width, layer.height, 0, 0, layer.width, layer.height,
+                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
+}
+
+void MeshPass::draw_meshes(const ViewScene& scene, const Eigen::Vector2d& corner_px) {
     for (const bool with_picture : {false, true}) {
         const auto is_drawn = [with_picture](const Mesh& mesh) {
             return shows(mesh) && has_picture(*mesh.geometry) == with_picture;
@@ -243,19 +305,14 @@ void MeshPass::draw_layer(const ViewScene& scene) {
         if (std::none_of(meshes.begin(), meshes.end(), is_drawn)) continue;
         if (with_picture && !pictured_) pictured_.emplace(std::vector<std::string>{"PICTURE"});
         const Drawer& drawer = with_picture ? *pictured_ : plain_;
-        begin_view(drawer, scene);
+        begin_view(drawer, scene, corner_px);
         for (const Mesh& mesh : meshes)
             if (is_drawn(mesh)) draw_mesh(drawer, scene, mesh);
     }
-    glDisable(GL_DEPTH_TEST);
-    glEnable(GL_BLEND);
-    glBindFramebuffer(GL_READ_FRAMEBUFFER, sampled_.id());
-    glBindFramebuffer(GL_DRAW_FRAMEBUFFER, single_.id());
-    glBlitFramebuffer(0, 0, layer.width, layer.height, 0, 0, layer.width, layer.height,
-                      GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void MeshPass::begin_view(const Drawer& drawer, const ViewScene& scene) {
+void MeshPass::begin_view(const Drawer& drawer, const ViewScene& scene,
+                          const Eigen::Vector2d& corner_px) {
     const MeshLayer& layer = scene.mesh_layer;
     drawer.program.use();
     glUniform4f(drawer.picture, static_cast<float>(layer.width), static_cast<float>(layer.height),
@@ -263,7 +320,7 @@ void MeshPass::begin_view(const Drawer& drawer, const ViewScene& scene) {
     glUniform2f(drawer.depth_map, static_cast<float>(2.0 * layer.depth_offset - 1.0),
                 static_cast<float>(2.0 * layer.depth_slope));
     Constants constants;
-    scene.add_view(constants, Eigen::Vector2d(layer.left, layer.top));
+    scene.add_view(constants, corner_px);
     glUniform4fv(drawer.constants, constants.size(), constants.from(0));
 }
 
@@ -295,9 +352,15 @@ void MeshPass::draw(const ViewScene& scene) const {
     const MeshLayer& layer = scene.mesh_layer;
     if (layer.width == 0) return;
     glActiveTexture(GL_TEXTURE1);
-    glBindTexture(GL_TEXTURE_2D_MULTISAMPLE, depth_.id());
-    glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_2D, resolved_.id());
+    if constexpr (dialect == Dialect::desktop) {
+        glBindTexture(multisampled, depth_.id());
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, resolved_.id());
+    } else {
+        glBindTexture(GL_TEXTURE_2D, depth_.id());
+        glActiveTexture(GL_TEXTURE0);
+        glBindTexture(GL_TEXTURE_2D, samples_.id());
+    }
     Constants constants;
     constants.add(layer.left, layer.top, layer.opacity, 0.0);
     PixelBox box;

@@ -8,6 +8,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "render/context/light_format.h"
 #include "render/passes/program.h"
 #include "render/tile_mask.h"
 #include "render/view_scene.h"
@@ -16,7 +17,7 @@ namespace poinsot {
 
 class MeshPass {
  public:
-    MeshPass();
+    explicit MeshPass(LightBits light);
     void begin_picture();
     // Determines the layer's position in the view, and adds the shadows of the meshes.
     void prepare(ViewScene& scene);
@@ -44,13 +45,22 @@ class MeshPass {
     };
     Uploaded& uploaded(const MeshGeometry& geometry);
     void resize(int width_px, int height_px);
-    // Makes a drawer current for the view's layer.
-    static void begin_view(const Drawer& drawer, const ViewScene& scene);
+    // Make the textures and framebuffers of the layer.
+    void make_multisampled();
+    void make_side_by_side();
+    void draw_meshes(const ViewScene& scene, const Eigen::Vector2d& corner_px);
+    // Makes a drawer current for the view's layer, whose corner is at this pixel.
+    static void begin_view(const Drawer& drawer, const ViewScene& scene,
+                           const Eigen::Vector2d& corner_px);
     void draw_mesh(const Drawer& drawer, const ViewScene& scene, const Mesh& mesh);
 
+    LightFormat light_;
     Drawer plain_;
     std::optional<Drawer> pictured_;  // made for the first picture
     PolygonProgram over_;
+    // In a desktop's OpenGL, the four samples of a pixel are in multisampled textures; in a
+    // browser's four pictures are side by side in one texture, each displaced to one of the
+    // samples.
     GlTexture samples_, depth_, resolved_;
     GlFramebuffer sampled_, single_;
     int width_px_ = 0, height_px_ = 0;

@@ -5,6 +5,7 @@
 #include <cassert>
 
 #include "error/error.h"
+#include "render/context/dialect.h"
 #include "render/passes/shader_sources.h"
 
 namespace poinsot {
@@ -52,7 +53,12 @@ GlShader compiled(GLenum kind, std::string_view name, const std::vector<std::str
 }  // namespace
 
 std::string shader_text(std::string_view name, const std::vector<std::string>& defines) {
-    std::string text = "#version 330 core\n#define real float\n";
+    std::string text = dialect == Dialect::desktop
+                           ? "#version 330 core\n"
+                           // w is 1 in all shapes with noperspective.
+                           : "#version 300 es\nprecision highp float;\nprecision highp int;\n"
+                             "precision highp sampler2D;\n#define noperspective\n";
+    text += "#define real float\n";
     for (const std::string& define : defines) text += "#define " + define + "\n";
     append(text, name);
     return text;
@@ -90,6 +96,7 @@ namespace {
 constexpr int most_varyings = 31;
 
 int n_flat(int n_constants, int n_varyings) {
+    if (dialect == Dialect::es) return n_constants;  // all are uniforms
     return std::min(n_constants, most_varyings - n_varyings);
 }
 

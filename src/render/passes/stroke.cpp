@@ -86,16 +86,18 @@ void StrokeProgram::draw(const ViewScene& scene, const Curve& curve, const Shown
 
     use(constants, *scene.drawing);
     glActiveTexture(GL_TEXTURE0);
-    glBindTexture(GL_TEXTURE_BUFFER, stored.texture.id());
+    glBindTexture(GL_TEXTURE_2D, stored.texture.id());
     glUniform1i(n_points_, stored.n_points);
     glUniform1i(closed_, curve.geometry->closed ? 1 : 0);
     glUniform4fv(stroke_, stroke.size(), stroke.from(0));
     glUniform1i(on_ellipsoid_, surface == nullptr ? 0 : 1);
     glUniform1i(in_rectangles_, 0);
     const int n_segments = range.end_segment - range.first_segment;
-    store.bind_elements(n_segments);
-    glDrawElementsBaseVertex(GL_TRIANGLES, 6 * n_segments, GL_UNSIGNED_INT, nullptr,
-                             4 * range.first_segment);
+    store.bind_elements(range.end_segment);
+    // OpenGL takes an offset into the buffer as a pointer.
+    const void* const first = reinterpret_cast<const void*>(  // NOLINT(performance-no-int-to-ptr)
+        6 * sizeof(std::uint32_t) * static_cast<std::size_t>(range.first_segment));
+    glDrawElements(GL_TRIANGLES, 6 * n_segments, GL_UNSIGNED_INT, first);
 }
 
 void StrokeProgram::draw(const ViewScene& scene, const StrokeEnds& ends,

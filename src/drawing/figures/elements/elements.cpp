@@ -86,10 +86,15 @@ bool is_shown(const StageContext& stage, std::string_view name) {
 
 Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by) {
     const StageContext& stage = *panel.stage;
+    const auto check = [](const std::vector<std::string>& names) {
+        for (const std::string& name : names)
+            if (!is_overlay(name)) element_named(name);
+    };
+    at_scene_key(stage.scene, "page.elements",
+                 [&] { check(stage.scene.page.elements.value_or(std::vector<std::string>{})); });
     std::vector<Drawer> drawers;
     at_scene_key(stage.scene, "show", [&] {
-        for (const std::string& name : stage.scene.show)
-            if (!is_overlay(name)) element_named(name);
+        check(stage.scene.show);
         for (const Element& element : elements()) {
             if (element.taken_by != taken_by || !is_shown(stage, element.name)) continue;
             panel.needs = united(panel.needs, element.needs);

@@ -136,8 +136,8 @@ Stretch stretch_of(const std::vector<Eigen::Vector3f>& corners, const Eigen::Vec
 
 // The direction of a picture's upper side: as given, or the axis of the body along which the
 // picture is stretched least; of two equal ones the later.
-Eigen::Vector3d up_of(const FacePictureSpec& spec, const Eigen::Matrix3d& axes,
-                      const std::vector<Eigen::Vector3f>& corners) {
+Eigen::Vector3d picture_up_of(const FacePictureSpec& spec, const Eigen::Matrix3d& axes,
+                              const std::vector<Eigen::Vector3f>& corners) {
     if (!spec.up.empty()) return body_face_named(spec.up).outward(axes);
     const int normal = body_face_named(spec.face).axis;
     const int first = (normal + 1) % 3, second = (normal + 2) % 3;
@@ -177,7 +177,7 @@ SurfacePicture picture_over(const Image& image, const Colour& ground) {
 // outside.
 void lay_picture(const FacePictureSpec& spec, const Eigen::Matrix3d& axes, const Colour& ground,
                  MeshGeometry& face) {
-    const Eigen::Vector3d up = up_of(spec, axes, face.positions);
+    const Eigen::Vector3d up = picture_up_of(spec, axes, face.positions);
     const Eigen::Vector3d right = up.cross(body_face_named(spec.face).outward(axes));
     const Stretch across = stretch_of(face.positions, right);
     const Stretch upwards = stretch_of(face.positions, up);

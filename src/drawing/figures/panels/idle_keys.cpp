@@ -133,6 +133,9 @@ class UnusedKeys {
                             name, panels_that_take(panels, "or")));
             break;
         }
+        if (!any(takes_elements) && !any(takes_forces) && !any(takes_solid_angle))
+            add("page.elements",
+                "no panel here shows elements; add a panel \"space\", or leave it out");
         const bool body = any(takes_object) || (any(takes_elements) && !scene_.show.empty() &&
                                                 shows_element(scene_, "body"));
         for (const char* key : {"object.name", "object.mesh"})

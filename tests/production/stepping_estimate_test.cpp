@@ -1,9 +1,8 @@
 // Estimates of the time that stepping takes.
-#include "production/session/slow_work_notice.h"
+#include "production/session/stepping_estimate.h"
 
 #include <gtest/gtest.h>
 
-#include <stop_token>
 #include <string>
 
 #include "error/error.h"
@@ -69,17 +68,16 @@ TEST(SteppingEstimate, IsBoundedWhateverTheMotion) {
 TEST(SteppingEstimate, IsKeptByStoppingWhatTakesLonger) {
     MotionProblem problem = problem_of(stepped_scene());
     problem.method = {.name = "rk4", .step_s = 1e-7, .tolerance = {}, .order = {}};
-    std::stop_source over;
-    over.request_stop();
+    const StopCheck is_over = [] { return true; };
     try {
-        const Motion motion(problem, over.get_token());
+        const Motion motion(problem, is_over);
         ADD_FAILURE() << "stepped to the end";
     } catch (const InputError& error) {
         // After the first thousand steps.
         EXPECT_NE(std::string(error.what()).find("had come to t = 0.0001"), std::string::npos)
             << error.what();
     }
-    EXPECT_THROW(choose_step(problem, 1e-6, most_chosen_steps, over.get_token()), InputError);
+    EXPECT_THROW(choose_step(problem, 1e-6, most_chosen_steps, is_over), InputError);
 }
 
 // Multiplied with the part that was stepped, it would be 350 years.

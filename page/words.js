@@ -1,0 +1,169 @@
+// The words of the page in the program's six languages.
+
+/** @typedef {'en'|'de'|'fr'|'es'|'it'|'ja'} Language */
+
+const languages = ['en', 'de', 'fr', 'es', 'it', 'ja'];
+
+/** Each word in the order of `languages`. @type {Record<string, string[]>} */
+const all_words = {
+  play: ['Play', 'Abspielen', 'Lecture', 'Reproducir', 'Riproduci', '再生'],
+  pause: ['Pause', 'Anhalten', 'Pause', 'Pausa', 'Pausa', '一時停止'],
+  go_on: ['Go on', 'Weiter', 'Continuer', 'Continuar', 'Continua', '続ける'],
+  previous_stop: ['Previous stop', 'Voriger Halt', 'Arrêt précédent', 'Parada anterior', 'Sosta precedente', '前の停止点'],
+  next_stop: ['Next stop', 'Nächster Halt', 'Arrêt suivant', 'Parada siguiente', 'Sosta successiva', '次の停止点'],
+  time: ['Time', 'Zeit', 'Temps', 'Tiempo', 'Tempo', '時間'],
+  speed: ['Speed', 'Tempo', 'Vitesse', 'Velocidad', 'Velocità', '速度'],
+  backwards: ['Backwards', 'Rückwärts', 'À rebours', 'Hacia atrás', 'All’indietro', '逆再生'],
+  repeat: ['Repeat', 'Wiederholen', 'Répéter', 'Repetir', 'Ripeti', '繰り返し'],
+  full_screen: ['Full screen', 'Vollbild', 'Plein écran', 'Pantalla completa', 'Schermo intero', '全画面'],
+  options: ['Options', 'Einstellungen', 'Réglages', 'Opciones', 'Opzioni', '設定'],
+  close: ['Close', 'Schließen', 'Fermer', 'Cerrar', 'Chiudi', '閉じる'],
+  change: ['Change the motion', 'Bewegung ändern', 'Modifier le mouvement', 'Cambiar el movimiento', 'Modifica il moto', '運動を変える'],
+  motion: ['Motion', 'Bewegung', 'Mouvement', 'Movimiento', 'Moto', '運動'],
+  original: ['As in the scene', 'Wie in der Szene', 'Comme dans la scène', 'Como en la escena', 'Come nella scena', 'シーンの値に戻す'],
+  show: ['Show', 'Anzeigen', 'Afficher', 'Mostrar', 'Mostra', '表示'],
+  names: ['Names', 'Namen', 'Noms', 'Nombres', 'Nomi', '名前'],
+  view: ['View', 'Ansicht', 'Vue', 'Vista', 'Vista', '視点'],
+  scene_view: ['The scene’s view', 'Ansicht der Szene', 'Vue de la scène', 'Vista de la escena', 'Vista della scena', 'シーンの視点'],
+  look: ['Colours', 'Farben', 'Couleurs', 'Colores', 'Colori', '配色'],
+  of_scene: ['The scene’s', 'Der Szene', 'De la scène', 'De la escena', 'Della scena', 'シーン'],
+  light: ['Light', 'Hell', 'Clair', 'Claro', 'Chiaro', 'ライト'],
+  dark: ['Dark', 'Dunkel', 'Sombre', 'Oscuro', 'Scuro', 'ダーク'],
+  save: ['Save and share', 'Speichern und teilen', 'Enregistrer et partager', 'Guardar y compartir', 'Salva e condividi', '保存と共有'],
+  save_png: ['Save PNG', 'PNG speichern', 'Enregistrer en PNG', 'Guardar PNG', 'Salva PNG', 'PNG を保存'],
+  save_svg: ['Save SVG', 'SVG speichern', 'Enregistrer en SVG', 'Guardar SVG', 'Salva SVG', 'SVG を保存'],
+  width: ['Width', 'Breite', 'Largeur', 'Anchura', 'Larghezza', '幅'],
+  height: ['Height', 'Höhe', 'Hauteur', 'Altura', 'Altezza', '高さ'],
+  copy_link: ['Copy link', 'Link kopieren', 'Copier le lien', 'Copiar enlace', 'Copia link', 'リンクをコピー'],
+  copied: ['Link copied', 'Link kopiert', 'Lien copié', 'Enlace copiado', 'Link copiato', 'リンクをコピーしました'],
+  link: ['Link to this instant', 'Link zu diesem Augenblick', 'Lien vers cet instant', 'Enlace a este instante', 'Link a questo istante', 'この時刻へのリンク'],
+  notes: ['Notes', 'Notizen', 'Notes', 'Notas', 'Note', 'ノート'],
+  next: ['Next', 'Als Nächstes', 'Ensuite', 'Después', 'Poi', '次'],
+  end: ['End', 'Ende', 'Fin', 'Fin', 'Fine', '終わり'],
+  elapsed: ['Elapsed', 'Vergangen', 'Écoulé', 'Transcurrido', 'Trascorso', '経過'],
+  keys: ['Keys', 'Tasten', 'Touches', 'Teclas', 'Tasti', 'キー'],
+  figure: ['Figure', 'Bild', 'Figure', 'Figura', 'Figura', '図'],
+  stop: ['Stop', 'Halt', 'Arrêt', 'Parada', 'Sosta', '停止点'],
+  start_figure: ['Start the figure', 'Bild starten', 'Démarrer la figure', 'Iniciar la figura', 'Avvia la figura', '図を開始'],
+  starting: ['Starting …', 'Startet …', 'Démarrage …', 'Iniciando …', 'Avvio …', '起動中…'],
+  no_webgl: ['This browser offers no WebGL 2, so you see a still picture. A current browser with hardware acceleration shows the motion.',
+    'Dieser Browser bietet kein WebGL 2; darum sehen Sie ein Standbild. Ein aktueller Browser mit Hardwarebeschleunigung zeigt die Bewegung.',
+    'Ce navigateur n’offre pas WebGL 2 ; vous voyez donc une image fixe. Un navigateur récent avec accélération matérielle montre le mouvement.',
+    'Este navegador no ofrece WebGL 2; por eso ve una imagen fija. Un navegador actual con aceleración por hardware muestra el movimiento.',
+    'Questo browser non offre WebGL 2: per questo si vede un’immagine fissa. Un browser recente con accelerazione hardware mostra il moto.',
+    'このブラウザーには WebGL 2 がないため、静止画を表示しています。ハードウェアアクセラレーションのある新しいブラウザーなら運動が見られます。'],
+  no_wasm: ['WebAssembly is not available or not allowed here, so you see a still picture.',
+    'WebAssembly fehlt hier oder ist nicht erlaubt; darum sehen Sie ein Standbild.',
+    'WebAssembly est absent ou interdit ici ; vous voyez donc une image fixe.',
+    'WebAssembly falta o no está permitido aquí; por eso ve una imagen fija.',
+    'WebAssembly manca o non è consentito qui: per questo si vede un’immagine fissa.',
+    'ここでは WebAssembly を使えないため、静止画を表示しています。'],
+  no_start: ['The figure did not start, so you see a still picture.', 'Das Bild konnte nicht starten; darum sehen Sie ein Standbild.',
+    'La figure n’a pas pu démarrer ; vous voyez donc une image fixe.', 'La figura no pudo iniciarse; por eso ve una imagen fija.',
+    'La figura non si è avviata: per questo si vede un’immagine fissa.', '図を開始できなかったため、静止画を表示しています。'],
+  lost: ['The graphics processor gave up. Click the figure to start it again.', 'Der Grafikprozessor hat abgebrochen. Klicken Sie auf das Bild, um es neu zu starten.',
+    'Le processeur graphique a abandonné. Cliquez sur la figure pour la redémarrer.', 'El procesador gráfico se detuvo. Haga clic en la figura para reiniciarla.',
+    'Il processore grafico si è fermato. Fate clic sulla figura per riavviarla.', '描画が中断しました。図をクリックすると再開します。'],
+  key_play: ['play, pause, go on', 'abspielen, anhalten, weiter', 'lecture, pause, continuer', 'reproducir, pausar, continuar', 'riproduci, pausa, continua', '再生・一時停止・続ける'],
+  key_frame: ['one frame', 'ein Einzelbild', 'une image', 'un fotograma', 'un fotogramma', '1 コマ'],
+  key_stop: ['previous, next stop or chapter', 'voriger, nächster Halt oder Abschnitt', 'arrêt ou chapitre précédent, suivant', 'parada o capítulo anterior, siguiente', 'sosta o capitolo precedente, successivo', '前・次の停止点か章'],
+  key_ends: ['beginning, end', 'Anfang, Ende', 'début, fin', 'principio, fin', 'inizio, fine', '最初・最後'],
+  key_digits: ['chapter of that number', 'Abschnitt dieser Nummer', 'chapitre de ce numéro', 'capítulo de ese número', 'capitolo di quel numero', 'その番号の章'],
+  key_speed: ['slower, faster', 'langsamer, schneller', 'plus lent, plus rapide', 'más lento, más rápido', 'più lento, più veloce', '遅く・速く'],
+  key_turn: ['turn the view', 'Ansicht drehen', 'tourner la vue', 'girar la vista', 'ruotare la vista', '視点を回す'],
+  key_pan: ['move the view', 'Ansicht verschieben', 'déplacer la vue', 'desplazar la vista', 'spostare la vista', '視点を動かす'],
+  key_zoom: ['nearer, farther', 'näher, weiter', 'plus près, plus loin', 'más cerca, más lejos', 'più vicino, più lontano', '近く・遠く'],
+  drag_omega: ['Drag the tip of ω to choose another polhode.', 'Ziehen Sie die Spitze von ω, um eine andere Polhodie zu wählen.',
+    'Tirez la pointe de ω pour choisir une autre polhodie.', 'Arrastre la punta de ω para elegir otra polhodia.',
+    'Trascinate la punta di ω per scegliere un’altra polodia.', 'ω の先を引くと別のポルホードを選べます。'],
+  drag_plane: ['Drag the foot of L to move the plane to another polhode.', 'Ziehen Sie den Fußpunkt von L, um die Ebene zu einer anderen Polhodie zu verschieben.',
+    'Tirez le pied de L pour déplacer le plan vers une autre polhodie.', 'Arrastre el pie de L para llevar el plano a otra polodia.',
+    'Trascinate il piede di L per portare il piano a un’altra polodia.', 'L の足を引くと平面が別のポルホードに移ります。'],
+};
+
+/** Names of elements and overlays. @type {Record<string, string[]>} */
+const element_words = {
+  plane: ['invariable plane', 'invariable Ebene', 'plan invariable', 'plano invariable', 'piano invariabile', '不変平面'],
+  tangent: ['tangent plane', 'Tangentialebene', 'plan tangent', 'plano tangente', 'piano tangente', '接平面'],
+  ellipsoid: ['inertia ellipsoid', 'Trägheits­ellipsoid', 'ellipsoïde d’inertie', 'elipsoide de inercia', 'ellissoide d’inerzia', '慣性楕円体'],
+  body: ['body', 'Körper', 'corps', 'cuerpo', 'corpo', '物体'],
+  annulus: ['ring of the herpolhode', 'Ring der Herpolhodie', 'anneau de l’herpolhodie', 'anillo de la herpolodia', 'anello dell’erpolodia', 'ハーポルホードの環'],
+  polhode: ['polhode', 'Polhodie', 'polhodie', 'polodia', 'polodia', 'ポルホード'],
+  herpolhode: ['herpolhode', 'Herpolhodie', 'herpolhodie', 'herpolodia', 'erpolodia', 'ハーポルホード'],
+  cones: ['cones', 'Polkegel', 'cônes', 'conos', 'coni', '円錐'],
+  'spin-axis': ['axis of rotation', 'Drehachse', 'axe de rotation', 'eje de rotación', 'asse di rotazione', '回転軸'],
+  momentum: ['angular momentum L', 'Drehimpuls L', 'moment cinétique L', 'momento angular L', 'momento angolare L', '角運動量 L'],
+  omega: ['angular velocity ω', 'Winkel­geschwindigkeit ω', 'vitesse angulaire ω', 'velocidad angular ω', 'velocità angolare ω', '角速度 ω'],
+  axes: ['principal axes', 'Hauptachsen', 'axes principaux', 'ejes principales', 'assi principali', '慣性主軸'],
+  'given-axes': ['given axes', 'gegebene Achsen', 'axes donnés', 'ejes dados', 'assi dati', '与えられた軸'],
+  turn: ['turn to the principal axes', 'Drehung zu den Hauptachsen', 'rotation vers les axes principaux', 'giro a los ejes principales', 'rotazione agli assi principali', '主軸への回転'],
+  'half-axes': ['half-axes', 'Halbachsen', 'demi-axes', 'semiejes', 'semiassi', '半軸'],
+  direction: ['direction n', 'Richtung n', 'direction n', 'dirección n', 'direzione n', '方向 n'],
+  radius: ['radius vector ρ', 'Ortsvektor ρ', 'rayon vecteur ρ', 'radio vector ρ', 'raggio vettore ρ', '動径 ρ'],
+  gradient: ['gradient ∇F', 'Gradient ∇F', 'gradient ∇F', 'gradiente ∇F', 'gradiente ∇F', '勾配 ∇F'],
+  projection: ['projection of ρ on L', 'Projektion von ρ auf L', 'projection de ρ sur L', 'proyección de ρ sobre L', 'proiezione di ρ su L', 'ρ の L への射影'],
+  distance: ['distance of the plane', 'Abstand der Ebene', 'distance du plan', 'distancia del plano', 'distanza del piano', '平面までの距離'],
+  levels: ['marks along L', 'Marken auf L', 'repères sur L', 'marcas sobre L', 'tacche su L', 'L 上の目盛り'],
+  velocity: ['velocity', 'Geschwindigkeit', 'vitesse', 'velocidad', 'velocità', '速度'],
+  precession: ['precession', 'Präzession', 'précession', 'precesión', 'precessione', '歳差運動'],
+  contact: ['contact point', 'Berührpunkt', 'point de contact', 'punto de contacto', 'punto di contatto', '接触点'],
+  ghost: ['second method', 'zweites Verfahren', 'seconde méthode', 'segundo método', 'secondo metodo', '第二の解法'],
+  drift: ['path of the second method', 'Spur des zweiten Verfahrens', 'trajet de la seconde méthode', 'trayecto del segundo método', 'percorso del secondo metodo', '第二の解法の軌跡'],
+  title: ['title', 'Titel', 'titre', 'título', 'titolo', 'タイトル'],
+  chapter: ['chapter', 'Abschnitt', 'chapitre', 'capítulo', 'capitolo', '章'],
+  caption: ['caption', 'Legende', 'légende', 'leyenda', 'didascalia', '説明文'],
+  clock: ['clock', 'Uhr', 'horloge', 'reloj', 'orologio', '時計'],
+};
+
+/** Labels of keys of the scene that viewers may change. @type {Record<string, string[]>} */
+const key_words = {
+  'start.omega_rad_s': ['Angular velocity ω at t = 0', 'Winkelgeschwindigkeit ω bei t = 0', 'Vitesse angulaire ω à t = 0', 'Velocidad angular ω en t = 0', 'Velocità angolare ω a t = 0', 't = 0 での角速度 ω'],
+  'start.energy_J': ['Kinetic energy T', 'Kinetische Energie T', 'Énergie cinétique T', 'Energía cinética T', 'Energia cinetica T', '運動エネルギー T'],
+  'start.momentum_kg_m2_s': ['Angular momentum |L|', 'Drehimpuls |L|', 'Moment cinétique |L|', 'Momento angular |L|', 'Momento angolare |L|', '角運動量 |L|'],
+  'start.plane_distance': ['Distance of the plane', 'Abstand der Ebene', 'Distance du plan', 'Distancia del plano', 'Distanza del piano', '平面までの距離'],
+  'start.attitude': ['Attitude at t = 0', 'Lage bei t = 0', 'Orientation à t = 0', 'Orientación en t = 0', 'Assetto a t = 0', 't = 0 での姿勢'],
+  'start.theta_rad': ['Tilt θ', 'Neigung θ', 'Inclinaison θ', 'Inclinación θ', 'Inclinazione θ', '傾き θ'],
+  'start.theta_dot_rad_s': ['Rate of the tilt', 'Änderung der Neigung', 'Vitesse de l’inclinaison', 'Velocidad de la inclinación', 'Velocità dell’inclinazione', '傾きの速さ'],
+  'start.phi_dot_rad_s': ['Rate of precession', 'Präzessionsgeschwindigkeit', 'Vitesse de précession', 'Velocidad de precesión', 'Velocità di precessione', '歳差の速さ'],
+  'start.omega3_rad_s': ['Spin ω₃', 'Eigendrehung ω₃', 'Rotation propre ω₃', 'Rotación propia ω₃', 'Rotazione propria ω₃', '自転 ω₃'],
+  'body.moments_kg_m2': ['Principal moments of inertia', 'Hauptträgheitsmomente', 'Moments principaux d’inertie', 'Momentos principales de inercia', 'Momenti principali d’inerzia', '主慣性モーメント'],
+  'body.tensor_kg_m2': ['Inertia tensor', 'Trägheitstensor', 'Tenseur d’inertie', 'Tensor de inercia', 'Tensore d’inerzia', '慣性テンソル'],
+  'body.shape': ['Solid', 'Körper', 'Solide', 'Sólido', 'Solido', '立体'],
+  'body.object': ['Body', 'Körper', 'Corps', 'Cuerpo', 'Corpo', '物体'],
+  'body.size_m': ['Dimensions', 'Abmessungen', 'Dimensions', 'Dimensiones', 'Dimensioni', '寸法'],
+  'body.mass_kg': ['Mass', 'Masse', 'Masse', 'Masa', 'Massa', '質量'],
+  'body.density_kg_m3': ['Density', 'Dichte', 'Masse volumique', 'Densidad', 'Densità', '密度'],
+  'body.masses.mass_kg': ['Mass of the point', 'Masse des Punktes', 'Masse du point', 'Masa del punto', 'Massa del punto', '質点の質量'],
+  'body.masses.at_m': ['Position of the point', 'Ort des Punktes', 'Position du point', 'Posición del punto', 'Posizione del punto', '質点の位置'],
+  'torque.mgl_N_m': ['Weight times distance mgl', 'Gewicht mal Abstand mgl', 'Poids fois distance mgl', 'Peso por distancia mgl', 'Peso per distanza mgl', '重さ × 距離 mgl'],
+  'torque.torque_body_N_m': ['Torque in body axes', 'Drehmoment in Körperachsen', 'Couple dans les axes du corps', 'Par en los ejes del cuerpo', 'Coppia negli assi del corpo', '物体軸でのトルク'],
+  'torque.torque_space_N_m': ['Torque in space axes', 'Drehmoment in Raumachsen', 'Couple dans les axes fixes', 'Par en los ejes fijos', 'Coppia negli assi fissi', '空間軸でのトルク'],
+  'torque.half_life_s': ['Half-life of the energy', 'Halbwertszeit der Energie', 'Demi-vie de l’énergie', 'Semivida de la energía', 'Emivita dell’energia', 'エネルギーの半減期'],
+  'motion.method': ['Method', 'Verfahren', 'Méthode', 'Método', 'Metodo', '解法'],
+  'motion.step_s': ['Time step', 'Zeitschritt', 'Pas de temps', 'Paso de tiempo', 'Passo temporale', '時間刻み'],
+  'beside.method': ['Second method', 'Zweites Verfahren', 'Seconde méthode', 'Segundo método', 'Secondo metodo', '第二の解法'],
+  'beside.step_s': ['Time step of the second method', 'Zeitschritt des zweiten Verfahrens', 'Pas de la seconde méthode', 'Paso del segundo método', 'Passo del secondo metodo', '第二の解法の時間刻み'],
+  'construction.plane': ['Place of the plane', 'Lage der Ebene', 'Place du plan', 'Lugar del plano', 'Posto del piano', '平面の位置'],
+  'film.speed': ['Speed of the film', 'Tempo des Films', 'Vitesse du film', 'Velocidad de la película', 'Velocità del film', '映像の速さ'],
+};
+
+/** The words in one language. */
+class Words {
+  /** @param {string} code */
+  constructor(code) {
+    this.code = languages.includes(code) ? code : 'en';
+  }
+  /** @param {string} name @returns {string} */
+  of(name) {
+    const row = all_words[name];
+    return row?.[languages.indexOf(this.code)] ?? name;
+  }
+  /** The name of an element or overlay. @param {string} name */
+  element(name) {
+    return element_words[name]?.[languages.indexOf(this.code)] ?? name.replaceAll('-', ' ');
+  }
+  /** The label of a key of the scene, without its index; undefined: there is none. @param {string} key */
+  label(key) {
+    return key_words[key.replace(/\[\d+\]/g, '')]?.[languages.indexOf(this.code)];
+  }
+}

@@ -1,0 +1,363 @@
+#include "page/lecture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+
+#include "drawing/figures/elements/elements.h"
+#include "drawing/stage/live_values.h"
+#include "drawing/stage/panel.h"
+#include "drawing/stage/panel_kind.h"
+#include "drawing/stage/stage_context.h"
+#include "drawing/stage/type/labels.h"
+#include "error/error.h"
+#include "production/session/picture_setting.h"
+#include "production/session/scene_summary.h"
+#include "scene/parse_scene.h"
+#include "shapes/projection.h"
+#include "shapes/solids.h"
+#include "text/json_text.h"
+#include "text/languages.h"
+#include "text/printable.h"
+#include "typeset/plain_text.h"
+#include "vector/picture.h"
+#include "vector/svg.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr double deg = 180.0 / std::numbers::pi;
+
+Scene read(const LectureFiles& files, const CanvasSize& size) {
+    const SceneFiles bytes_of = [&files](const NamedFile& named) {
+        const auto found = files.files.find(named.name);
+        if (found == files.files.end())
+            throw InputError(
+                fmt::format("{} = \"{}\": this file is not in the page; add it, or "
+                            "remove the key",
+                            named.key, printable(named.name)));
+        return FileBytes{named.name, found->second};
+    };
+    Scene scene = parse_scene(files.text, files.name, files.overrides, bytes_of);
+    scene.film.width_px = size.width_px;
+    scene.film.height_px = size.height_px;
+    return scene;
+}
+
+Session session_with(const Scene& scene, FontSource fonts) {
+    SessionRequest request;
+    request.fonts = std::move(fonts);
+    return session_of(scene, request);
+}
+
+// Axes in which azimuth and elevation are measured: the camera's vertical, and two that are fixed
+// beside it.
+Eigen::Matrix3d axes_about(const Eigen::Vector3d& up) {
+    const Eigen::Vector3d z = up.normalized();
+    Eigen::Vector3d x = Eigen::Vector3d::UnitX();
+    if (std::abs(z.x()) > 0.9) x = Eigen::Vector3d::UnitY();
+    x = (x - x.dot(z) * z).normalized();
+    Eigen::Matrix3d axes;
+    axes << x, z.cross(x), z;
+    return axes;
+}
+
+struct Direction {
+    double azimuth_deg, elevation_deg;
+};
+
+Direction direction_of(const Camera& camera) {
+    const Eigen::Vector3d sight =
+        axes_about(camera.up).transpose() * (camera.eye - camera.target).normalized();
+    return {deg * std::atan2(sight.y(), sight.x()),
+            deg * std::asin(std::clamp(sight.z(), -1.0, 1.0))};
+}
+
+bool is_given(double value) { return !std::isnan(value); }
+
+}  // namespace
+
+PanelView panel_view(std::span<const double> n) {
+    PanelView view;
+    view.panel = static_cast<int>(n[0]);
+    view.azimuth_deg = n[1];
+    view.elevation_deg = n[2];
+    view.roll_deg = n[3];
+    view.distance = n[4];
+    view.zoom = n[5];
+    view.shift_right = n[6];
+    view.shift_up = n[7];
+    return view;
+}
+
+Camera changed(const Camera& camera, const PanelView& view) {
+    Camera made = camera;
+    const Eigen::Vector3d sight = camera.eye - camera.target;
+    double distance = sight.norm();
+    Eigen::Vector3d towards_eye = sight / distance;
+    if (is_given(view.azimuth_deg) || is_given(view.elevation_deg)) {
+        const Direction own = direction_of(camera);
+        const double azimuth =
+            (is_given(view.azimuth_deg) ? view.azimuth_deg : own.azimuth_deg) / deg;
+        // Short of the poles, where the picture's vertical would turn about.
+        constexpr double most_deg = 89.9;
+        const double elevation =
+            std::clamp(is_given(view.elevation_deg) ? view.elevation_deg : own.elevation_deg,
+                       -most_deg, most_deg) /
+            deg;
+        towards_eye = axes_about(camera.up) *
+                      Eigen::Vector3d(std::cos(elevation) * std::cos(azimuth),
+                                      std::cos(elevation) * std::sin(azimuth), std::sin(elevation));
+    }
+    if (is_given(view.distance) && view.distance > 0.0 && !camera.orthographic)
+        distance = view.distance;
+    if (is_given(view.zoom) && view.zoom > 0.0) {
+        if (camera.orthographic)
+            made.height_units /= view.zoom;
+        else
+            distance /= view.zoom;
+    }
+    made.eye = made.target + distance * towards_eye;
+    const Eigen::Matrix3d axes = camera_axes(made);  // right, up, backward
+    const double height = camera.orthographic
+                              ? made.height_units
+                              : 2.0 * distance * std::tan(0.5 * camera.vertical_field_rad);
+    Eigen::Vector3d shift = Eigen::Vector3d::Zero();
+    if (is_given(view.shift_right)) shift -= view.shift_right * height * axes.col(0);
+    if (is_given(view.shift_up)) shift -= view.shift_up * height * axes.col(1);
+    made.eye += shift;
+    made.target += shift;
+    if (is_given(view.roll_deg)) {
+        const double roll = view.roll_deg / deg;
+        made.up = std::cos(roll) * axes.col(1) - std::sin(roll) * axes.col(0);
+    }
+    return made;
+}
+
+Lecture::Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size)
+    : session_(session_with(read(files, size), std::move(fonts))),
+      type_scale_(session_.scene.type_scale),
+      film_(film_plan(session_)) {
+    resize(size);
+}
+
+Stage Lecture::stage_of_size(const CanvasSize& size) {
+    session_.scene.film.width_px = size.width_px;
+    session_.scene.film.height_px = size.height_px;
+    session_.scene.type_scale = type_scale_ * size.type_scale;
+    session_.accuracy = accuracy_of(session_.scene);
+    PictureSetting setting = setting_of(session_.scene);
+    setting.samples = 1;
+    return stage_of(session_, {film_.time_of(0), film_.last_time_s(), {}}, setting);
+}
+
+void Lecture::resize(const CanvasSize& size) {
+    stage_.emplace(stage_of_size(size));
+    size_ = size;
+}
+
+void Lecture::set_views(const std::vector<PanelView>& views) {
+    cameras_.clear();
+    cameras_.resize(stage_->panels().size());
+    for (const PanelView& view : views) {
+        const auto panel = static_cast<std::size_t>(view.panel);
+        if (view.panel < 0 || panel >= cameras_.size()) continue;
+        cameras_[panel] = [view](const Camera& camera) { return changed(camera, view); };
+    }
+}
+
+FilmTime Lecture::moment_of(double time_s, double film_s) const {
+    if (is_given(film_s)) return {time_s, film_s};
+    return moment_of_time(film_.clock, time_s);
+}
+
+Drawing Lecture::drawing_at(const FilmTime& moment) const { return stage_->at(moment, cameras_); }
+
+Drawing Lecture::drawing_of_size(const FilmTime& moment, int width_px, int height_px) {
+    picture_stage_.emplace(stage_of_size({width_px, height_px}));
+    session_.scene.film.width_px = size_.width_px;
+    session_.scene.film.height_px = size_.height_px;
+    session_.scene.type_scale = type_scale_ * size_.type_scale;
+    session_.accuracy = accuracy_of(session_.scene);
+    return picture_stage_->at(moment, cameras_);
+}
+
+std::vector<double> Lecture::digits_at(double time_s) const {
+    const bool is_top = session_.motion.regime() == Regime::heavy_top;
+    const MotionSample sample = session_.motion.sample(
+        time_s, {.attitude = true, .herpolhode = true, .euler_angles = is_top});
+    const Eigen::Vector3d &omega = sample.state.omega_body, &herpolhode = sample.herpolhode_space;
+    const Eigen::Quaterniond& q = sample.state.space_from_body;
+    std::vector<double> digits{omega[0], omega[1], omega[2],      q.w(),         q.x(),
+                               q.y(),    q.z(),    herpolhode[0], herpolhode[1], herpolhode[2]};
+    if (is_top)
+        digits.insert(digits.end(),
+                      {sample.euler.theta_rad, sample.euler.phi_rad, sample.euler.psi_rad});
+    return digits;
+}
+
+std::string Lecture::state_at(const FilmTime& moment) const {
+    // In the order of language_codes.
+    static constexpr Phrase sentence{
+        "Time {t:.4g}. Angular velocity {omega:.3g}; its components along the body axes are "
+        "{omega_1:.3g}, {omega_2:.3g} and {omega_3:.3g}.",
+        "Zeit {t:.4g}. Winkelgeschwindigkeit {omega:.3g}; ihre Komponenten entlang der "
+        "Körperachsen sind {omega_1:.3g}, {omega_2:.3g} und {omega_3:.3g}.",
+        "Temps {t:.4g}. Vitesse angulaire {omega:.3g} ; ses composantes selon les axes du corps "
+        "sont {omega_1:.3g}, {omega_2:.3g} et {omega_3:.3g}.",
+        "Tiempo {t:.4g}. Velocidad angular {omega:.3g}; sus componentes según los ejes del cuerpo "
+        "son {omega_1:.3g}, {omega_2:.3g} y {omega_3:.3g}.",
+        "Tempo {t:.4g}. Velocità angolare {omega:.3g}; le sue componenti lungo gli assi del corpo "
+        "sono {omega_1:.3g}, {omega_2:.3g} e {omega_3:.3g}.",
+        "時刻 {t:.4g}。角速度 {omega:.3g}。物体軸に沿った成分は {omega_1:.3g}、{omega_2:.3g}、"
+        "{omega_3:.3g}。"};
+    FrameInput instant;
+    static_cast<MotionSample&>(instant) =
+        session_.motion.sample(moment.time_s, {.attitude = false});
+    instant.time_s = moment.time_s;
+    instant.film_s = moment.film_s;
+    return plain_text(
+        live_text(session_.scene, phrase_in(session_.scene.language, sentence), instant));
+}
+
+std::string Lecture::svg_at(const FilmTime& moment) const {
+    // The canvas as a slide 540 points high.
+    const Drawing drawing = drawing_at(moment);
+    vector::PageChoices choices;
+    choices.pt_per_px = 540.0 / drawing.height_px;
+    return vector::svg_of(vector::page_of(drawing, choices), plain_text(session_.scene.title), "");
+}
+
+namespace {
+
+// The ellipsoid of inertia of a view; null: it has none.
+const Ellipsoid* inertia_ellipsoid_of(const View& view) {
+    const auto found =
+        std::find_if(view.ellipsoids.begin(), view.ellipsoids.end(),
+                     [](const Ellipsoid& e) { return e.name.element == "ellipsoid"; });
+    return found != view.ellipsoids.end() ? &*found : nullptr;
+}
+
+// The invariable plane under the ellipsoid of a view; null: it has none. Its centre is the foot of
+// the perpendicular from the ellipsoid's.
+const Plane* invariable_plane_of(const View& view) {
+    if (inertia_ellipsoid_of(view) == nullptr) return nullptr;
+    const auto found = std::find_if(view.planes.begin(), view.planes.end(), [](const Plane& plane) {
+        return plane.name.element == "plane" && plane.opacity > 0.0;
+    });
+    return found != view.planes.end() ? &*found : nullptr;
+}
+
+}  // namespace
+
+std::string Lecture::picked_at(const FilmTime& moment, const Eigen::Vector2d& px) const {
+    constexpr double reach_px = 12.0;
+    const Drawing drawing = drawing_at(moment);
+    double nearest_px = reach_px * session_.scene.film.height_px / 1080.0;
+    nearest_px = std::max(nearest_px, reach_px);
+    std::string picked = "null";
+    for (std::size_t k = 0; k < stage_->panels().size(); ++k) {
+        const View& view = drawing.views[k];
+        const Projection projection(view);
+        const auto offer = [&](const Eigen::Vector3d& point, std::string_view thing) {
+            if (projection.perspective && projection.depth(point) <= projection.near_depth) return;
+            const double off_px = (projection.place(point) - px).norm();
+            if (off_px > nearest_px) return;
+            nearest_px = off_px;
+            picked = JsonObject().add("panel", k).add("thing", thing).line();
+        };
+        if (const Plane* plane = invariable_plane_of(view)) offer(plane->centre, "plane");
+        for (const Arrow& arrow : view.arrows) {
+            const bool is_rate = arrow.name.element == "omega" || arrow.name.element == "radius";
+            if (!is_rate || arrow.opacity <= 0.0) continue;
+            offer(arrow.tip, "omega");
+        }
+    }
+    return picked;
+}
+
+std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int panel,
+                                                    const Eigen::Vector2d& px) const {
+    const auto number = static_cast<std::size_t>(panel);
+    if (panel < 0 || number >= stage_->panels().size()) return std::nullopt;
+    const Drawing drawing = drawing_at(moment);
+    const View& view = drawing.views[number];
+    const Ellipsoid* ellipsoid = inertia_ellipsoid_of(view);
+    if (ellipsoid == nullptr) return std::nullopt;
+    // The line of sight in the axes in which the ellipsoid is the unit sphere: its nearer crossing,
+    // or else its point nearest to the sphere.
+    const Projection projection(view);
+    const Eigen::Matrix3d to_sphere = ellipsoid->half_axes.inverse();
+    const Eigen::Vector3d from = to_sphere * (projection.ray_origin(px) - ellipsoid->centre);
+    const Eigen::Vector3d along = (to_sphere * projection.ray(px)).normalized();
+    const double middle = -from.dot(along);
+    const double half2 = 1.0 - (from + middle * along).squaredNorm();
+    const Eigen::Vector3d u =
+        (from + (middle - std::sqrt(std::max(half2, 0.0))) * along).normalized();
+    const InertiaTensor& inertia = session_.motion.problem().inertia;
+    const Eigen::Vector3d omega = session_.motion.at(moment.time_s).omega_body;
+    const double twice_energy = omega.dot(inertia.matrix_body() * omega);
+    const Eigen::Vector3d rate =
+        std::sqrt(twice_energy) * u.cwiseQuotient(inertia.moments_kg_m2().cwiseSqrt().eval());
+    return inertia.body_from_principal() * rate;
+}
+
+std::optional<double> Lecture::energy_of_plane_at(const FilmTime& moment, int panel,
+                                                  const Eigen::Vector2d& px) const {
+    const auto number = static_cast<std::size_t>(panel);
+    if (panel < 0 || number >= stage_->panels().size()) return std::nullopt;
+    const Drawing drawing = drawing_at(moment);
+    const View& view = drawing.views[number];
+    const Plane* plane = invariable_plane_of(view);
+    if (plane == nullptr) return std::nullopt;
+    // The point of the perpendicular that is nearest to the line of sight.
+    const Eigen::Vector3d centre = inertia_ellipsoid_of(view)->centre;
+    const Eigen::Vector3d foot = plane->centre - centre;
+    const double distance = foot.norm();
+    if (!(distance > 0.0)) return std::nullopt;
+    const Projection projection(view);
+    const Eigen::Vector3d along = foot / distance, ray = projection.ray(px).normalized();
+    const Eigen::Vector3d from = projection.ray_origin(px) - centre;
+    const double cosine = along.dot(ray);
+    const double sine2 = 1.0 - cosine * cosine;
+    if (sine2 < 1e-6) return std::nullopt;
+    const double met = (along.dot(from) - cosine * ray.dot(from)) / sine2;
+    // The plane's distance is √(2T)/L.
+    const MotionProblem& problem = session_.motion.problem();
+    const Eigen::Vector3d omega = session_.motion.at(moment.time_s).omega_body;
+    const Eigen::Vector3d momentum = problem.inertia.matrix_body() * omega;
+    const double energy = 0.5 * omega.dot(momentum), ratio = std::max(met, 0.0) / distance;
+    const Eigen::Array3d bounds =
+        0.5 * momentum.squaredNorm() / problem.inertia.moments_kg_m2().array();
+    return std::clamp(energy * ratio * ratio, bounds.minCoeff(), bounds.maxCoeff());
+}
+
+std::string Lecture::panels_text() const {
+    std::vector<std::string> panels;
+    const FilmTime first{film_.time_of(0), 0.0};
+    for (const Panel& panel : stage_->panels()) {
+        const PanelKind& kind = panel_kind_named(panel.spec.kind);
+        const Camera camera = panel.camera_at ? panel.camera_at(first.film_s) : panel.camera;
+        const Direction direction = direction_of(camera);
+        panels.push_back(JsonObject()
+                             .add("name", panel.spec.title.value_or(std::string(
+                                              phrase_in(session_.scene.language, kind.title))))
+                             .add("kind", panel.spec.kind)
+                             .add("x", panel.box.x_px)
+                             .add("y", panel.box.y_px)
+                             .add("width", panel.box.width_px)
+                             .add("height", panel.box.height_px)
+                             .add("has_view", kind.camera != CameraUse::none)
+                             .add("azimuth_deg", direction.azimuth_deg)
+                             .add("elevation_deg", direction.elevation_deg)
+                             .add("distance", (camera.eye - camera.target).norm())
+                             .line());
+    }
+    return json_list(panels);
+}
+
+}  // namespace poinsot

@@ -1,0 +1,110 @@
+// A scene as a page shows it: the session and the stage of a canvas, with cameras that viewers
+// turn. It makes drawings and numbers; it knows neither OpenGL nor the browser.
+#pragma once
+
+#include <Eigen/Core>
+#include <limits>
+#include <map>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "drawing/stage/stage.h"
+#include "production/session/session.h"
+
+namespace poinsot {
+
+// A scene's text, its name for messages, overrides as those of --set, and the files that it names.
+struct LectureFiles {
+    std::string_view text;
+    std::string name;
+    std::span<const std::string> overrides;
+    const std::map<std::string, std::string>& files;
+};
+
+// How a viewer changed the view of a panel. NaN: not changed.
+struct PanelView {
+    static constexpr double none = std::numeric_limits<double>::quiet_NaN();
+    int panel = 0;
+    double azimuth_deg = none, elevation_deg = none;  // of the eye, seen from the target
+    double roll_deg = none;                           // clockwise, of the picture
+    double distance = none;                           // of the eye, view units
+    double zoom = none;                               // factor on the size of what is seen
+    double shift_right = none, shift_up = none;       // of the picture, in heights of the panel
+};
+
+// Of the canvas. `type_scale`: factor on the size of all type, for small screens.
+struct CanvasSize {
+    int width_px = 0, height_px = 0;
+    double type_scale = 1.0;
+};
+
+// From eight numbers in this order.
+PanelView panel_view(std::span<const double> numbers);
+
+// The camera of a panel after a viewer's changes.
+Camera changed(const Camera& camera, const PanelView& view);
+
+class Lecture {
+ public:
+    // Throws InputError.
+    Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size);
+    Lecture(const Lecture&) = delete;
+    Lecture& operator=(const Lecture&) = delete;
+
+    // Lays out anew for a canvas of this size.
+    void resize(const CanvasSize& size);
+    void set_views(const std::vector<PanelView>& views);
+
+    // `film_s`: second of the film; NaN: the first that shows the instant.
+    FilmTime moment_of(double time_s, double film_s = PanelView::none) const;
+    double time_at(double film_s) const { return film_.clock.time_at(film_s); }
+
+    Drawing drawing_at(const FilmTime& moment) const;
+    // The same for a picture of another size. The drawing is valid until the next call.
+    Drawing drawing_of_size(const FilmTime& moment, int width_px, int height_px);
+
+    // The digits of `poinsot sample`: ω in body axes, the attitude as w, x, y, z, the component of
+    // ω perpendicular to L in space axes and, of a heavy top, θ, φ and ψ.
+    std::vector<double> digits_at(double time_s) const;
+
+    // The state as one sentence, in the scene's language.
+    std::string state_at(const FilmTime& moment) const;
+
+    // The instant as an SVG file, with all type as paths.
+    std::string svg_at(const FilmTime& moment) const;
+
+    // What can be dragged at a pixel of the canvas, as JSON, or null: {"panel": 0, "thing":
+    // "omega"} at the tip of ω or ρ, "plane" where L or the normal meets the invariable plane.
+    std::string picked_at(const FilmTime& moment, const Eigen::Vector2d& px) const;
+
+    // The ω in body axes, with the energy of the instant, whose tip is seen at a pixel of the
+    // canvas; beside the ellipsoid that of its outline. Empty where the panel has no inertia
+    // ellipsoid.
+    std::optional<Eigen::Vector3d> omega_under(const FilmTime& moment, int panel,
+                                               const Eigen::Vector2d& px) const;
+
+    // The kinetic energy with which the invariable plane, moved along L at constant |L|, meets L
+    // as near as possible to a pixel of the canvas; within the energies that this |L| allows.
+    // Empty where the panel has no such plane.
+    std::optional<double> energy_of_plane_at(const FilmTime& moment, int panel,
+                                             const Eigen::Vector2d& px) const;
+
+    // The scene, its film and its panels, as JSON.
+    std::string description() const;
+    std::string panels_text() const;
+
+ private:
+    Stage stage_of_size(const CanvasSize& size);
+
+    Session session_;
+    double type_scale_;  // of the scene
+    CanvasSize size_;
+    FilmPlan film_;
+    std::optional<Stage> stage_, picture_stage_;
+    std::vector<CameraChange> cameras_;  // by panel
+};
+
+}  // namespace poinsot

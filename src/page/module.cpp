@@ -1,0 +1,219 @@
+// What a page calls: the program as functions of a WebAssembly module. page/program.js makes one
+// instance of it a scene. Numbers are arguments and results; texts and lists lie in memory that the
+// module hands out. A function that fails returns 0 and leaves the message in the answer.
+#include <fmt/format.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <map>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "page/kept_fonts.h"
+#include "page/lecture.h"
+#include "page/web_context.h"
+#include "render/renderer.h"
+#include "scene/scene_error.h"
+#include "text/json_text.h"
+
+namespace poinsot {
+namespace {
+
+// All of the instance: a module has no other owner for it.
+struct Program {
+    std::map<std::string, std::string> files;
+    std::unique_ptr<Lecture> lecture;
+    std::optional<Renderer> renderer;
+    std::string answer;
+    std::vector<double> numbers;
+};
+Program& program() {
+    static Program it;
+    return it;
+}
+
+std::string error_text(std::string_view kind, std::string_view message,
+                       const SourceLocation& where) {
+    return JsonObject()
+        .add("kind", kind)
+        .add("message", message)
+        .add("file", where.file)
+        .add("line", where.line)
+        .add("column", where.column)
+        .line();
+}
+
+// Calls a function; keeps the message of what it throws.
+template <typename Call>
+int answered(Call call) {
+    std::string& answer = program().answer;
+    try {
+        call();
+        return 1;
+    } catch (const SceneError& error) {
+        std::string_view message = error.what();
+        const std::string prefix = error.where().prefix();
+        if (message.starts_with(prefix)) message.remove_prefix(prefix.size());
+        answer = error_text("scene", message, error.where());
+    } catch (const InputError& error) {
+        answer = error_text("input", error.what(), {});
+    } catch (const std::exception& error) {
+        answer = error_text("environment", error.what(), {});
+    }
+    return 0;
+}
+
+Lecture& lecture() {
+    if (!program().lecture) throw InputError("no scene is loaded; load one first");
+    return *program().lecture;
+}
+
+Renderer& renderer() {
+    if (!program().renderer) program().renderer.emplace(web_context());
+    return *program().renderer;
+}
+
+std::string_view text_at(const char* text, std::uint32_t size) { return {text, size}; }
+
+}  // namespace
+}  // namespace poinsot
+
+using namespace poinsot;  // NOLINT(google-build-using-namespace)
+
+#define POINSOT_EXPORT(name) extern "C" __attribute__((export_name(#name)))
+
+POINSOT_EXPORT(take) void* take(std::uint32_t size) { return std::malloc(size); }
+POINSOT_EXPORT(give_back) void give_back(void* memory) { std::free(memory); }
+POINSOT_EXPORT(answer_at) const char* answer_at() { return program().answer.data(); }
+POINSOT_EXPORT(answer_size) std::uint32_t answer_size() {
+    return static_cast<std::uint32_t>(program().answer.size());
+}
+POINSOT_EXPORT(numbers_at) const double* numbers_at() { return program().numbers.data(); }
+
+// The memory is the module's from here on.
+POINSOT_EXPORT(add_font)
+void add_font(const char* name, std::uint32_t name_size, const char* bytes, std::uint32_t size) {
+    add_kept_font(text_at(name, name_size), text_at(bytes, size));
+}
+
+POINSOT_EXPORT(add_file)
+void add_file(const char* name, std::uint32_t name_size, const char* bytes, std::uint32_t size) {
+    program().files[std::string(text_at(name, name_size))] = text_at(bytes, size);
+}
+
+// `overrides`: each followed by a NUL. The answer describes the scene as JSON.
+POINSOT_EXPORT(load)
+int load(const char* text, std::uint32_t text_size, const char* name, std::uint32_t name_size,
+         const char* overrides, std::uint32_t overrides_size, int width_px, int height_px,
+         double type_scale) {
+    return answered([&] {
+        std::vector<std::string> given;
+        for (std::string_view rest = text_at(overrides, overrides_size); !rest.empty();) {
+            const std::size_t end = std::min(rest.find('\0'), rest.size() - 1);
+            given.emplace_back(rest.substr(0, end));
+            rest.remove_prefix(end + 1);
+        }
+        // The scene before it stays if this one is refused.
+        auto loaded = std::make_unique<Lecture>(
+            LectureFiles{text_at(text, text_size), std::string(text_at(name, name_size)), given,
+                         program().files},
+            kept_fonts(), CanvasSize{width_px, height_px, type_scale});
+        program().answer = loaded->description();
+        program().lecture = std::move(loaded);
+    });
+}
+
+POINSOT_EXPORT(resize) int resize(int width_px, int height_px, double type_scale) {
+    return answered([&] {
+        lecture().resize({width_px, height_px, type_scale});
+        program().answer = lecture().panels_text();
+    });
+}
+
+// Eight numbers a view: the panel, azimuth, elevation, roll, distance, zoom and the shift to the
+// right and up; those that are not given are NaN.
+POINSOT_EXPORT(set_views) int set_views(const double* numbers, std::uint32_t n_views) {
+    return answered([&] {
+        std::vector<PanelView> views;
+        for (std::uint32_t k = 0; k < n_views; ++k)
+            views.push_back(panel_view(std::span(numbers + 8 * k, 8)));
+        lecture().set_views(std::move(views));
+    });
+}
+
+// In all of these, `film_s` is the second of the film, or NaN for the first that shows the instant.
+POINSOT_EXPORT(draw) int draw(double time_s, double film_s) {
+    return answered([&] {
+        const Drawing drawing = lecture().drawing_at(lecture().moment_of(time_s, film_s));
+        renderer().render_to(drawing, 0, ScreenAlpha::premultiplied);
+    });
+}
+
+// The instant of a second of the film, and the first second that shows an instant.
+POINSOT_EXPORT(time_at) double time_at(double film_s) { return lecture().time_at(film_s); }
+POINSOT_EXPORT(film_second_at) double film_second_at(double time_s) {
+    return lecture().moment_of(time_s).film_s;
+}
+
+// Everything that `draw` computes before it calls OpenGL; for measurements.
+POINSOT_EXPORT(prepare) int prepare(double time_s) {
+    return answered([&] { static_cast<void>(lecture().drawing_at(lecture().moment_of(time_s))); });
+}
+
+// The bytes of a picture, R, G, B and alpha from its top row, lie at the answer.
+POINSOT_EXPORT(pixels) int pixels(double time_s, double film_s, int width_px, int height_px) {
+    return answered([&] {
+        const Drawing drawing =
+            lecture().drawing_of_size(lecture().moment_of(time_s, film_s), width_px, height_px);
+        program().answer = pixels_of(renderer(), drawing);
+    });
+}
+
+POINSOT_EXPORT(at) int at(double time_s) {
+    return answered([&] { program().numbers = lecture().digits_at(time_s); });
+}
+
+POINSOT_EXPORT(state) int state(double time_s, double film_s) {
+    return answered(
+        [&] { program().answer = lecture().state_at(lecture().moment_of(time_s, film_s)); });
+}
+
+POINSOT_EXPORT(svg) int svg(double time_s, double film_s) {
+    return answered(
+        [&] { program().answer = lecture().svg_at(lecture().moment_of(time_s, film_s)); });
+}
+
+POINSOT_EXPORT(pick) int pick(double time_s, double film_s, double x_px, double y_px) {
+    return answered([&] {
+        program().answer = lecture().picked_at(lecture().moment_of(time_s, film_s), {x_px, y_px});
+    });
+}
+
+POINSOT_EXPORT(omega_at)
+int omega_at(double time_s, double film_s, int panel, double x_px, double y_px) {
+    return answered([&] {
+        program().numbers.clear();
+        if (const auto omega =
+                lecture().omega_under(lecture().moment_of(time_s, film_s), panel, {x_px, y_px}))
+            program().numbers.assign(omega->begin(), omega->end());
+    });
+}
+POINSOT_EXPORT(energy_at)
+int energy_at(double time_s, double film_s, int panel, double x_px, double y_px) {
+    return answered([&] {
+        program().numbers.clear();
+        if (const auto energy_J = lecture().energy_of_plane_at(lecture().moment_of(time_s, film_s),
+                                                               panel, {x_px, y_px}))
+            program().numbers.push_back(*energy_J);
+    });
+}
+POINSOT_EXPORT(n_numbers) std::uint32_t n_numbers() {
+    return static_cast<std::uint32_t>(program().numbers.size());
+}
+
+// After the context of the canvas was lost, and when the page gives it back.
+POINSOT_EXPORT(lose_context) void lose_context() { program().renderer.reset(); }

@@ -1,0 +1,9 @@
+// A build without the toolchain for browsers has no module.
+#include "production/pages/page_parts.h"
+
+namespace poinsot {
+
+std::string_view page_module_lzma() { return {}; }
+std::string_view page_fonts_lzma() { return {}; }
+
+}  // namespace poinsot

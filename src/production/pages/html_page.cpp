@@ -1,0 +1,210 @@
+#include "production/pages/html_page.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <charconv>
+#include <iterator>
+#include <span>
+#include <utility>
+
+#include "production/pages/compact_script.h"
+#include "production/pages/page_parts.h"
+#include "system/sha256.h"
+#include "text/json_text.h"
+#include "text/languages.h"
+#include "text/markup.h"
+
+namespace poinsot {
+
+namespace {
+
+// The scripts of a page, in the order in which they are joined.
+constexpr std::array<std::string_view, 13> page_scripts{
+    "words.js",    "film.js",  "link.js",   "unpack.js", "loader.js", "program.js",  "view.js",
+    "controls.js", "notes.js", "figure.js", "bar.js",    "page.js",   "scripting.js"};
+
+// Those that the workbench adds.
+constexpr std::array<std::string_view, 2> workbench_scripts{"editor.js", "workbench.js"};
+
+constexpr Phrase no_scripts{"Scripts are off, so you see a still picture.",
+                            "Skripte sind ausgeschaltet; darum sehen Sie ein Standbild.",
+                            "Les scripts sont désactivés ; vous voyez donc une image fixe.",
+                            "Los scripts están desactivados; por eso ve una imagen fija.",
+                            "Gli script sono disattivati: per questo si vede un’immagine fissa.",
+                            "スクリプトが無効なため、静止画を表示しています。"};
+
+const std::string& page_file(std::string_view name) {
+    for (const PageFile& file : page_files())
+        if (file.name == name) return file.text;
+    assert(false && "every script is a file of page/");
+    static const std::string none;
+    return none;
+}
+
+std::string base64_of(std::string_view bytes) {
+    return base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+}
+
+// Four bytes as five characters of '(' to '}' without '<': a sixteenth shorter than base64, and
+// safe in a script of HTML. page/unpack.js reads it.
+std::string base85(std::string_view bytes) {
+    std::string text;
+    for (std::size_t i = 0; i < bytes.size(); i += 4) {
+        const std::size_t n = std::min<std::size_t>(4, bytes.size() - i);
+        std::uint32_t word = 0;
+        for (std::size_t j = 0; j < 4; ++j)
+            word = word << 8 | (j < n ? static_cast<std::uint8_t>(bytes[i + j]) : 0u);
+        std::array<char, 5> digits{};
+        for (std::size_t j = 5; j-- > 0; word /= 85) {
+            const auto digit = static_cast<char>('(' + word % 85);
+            digits[j] = static_cast<char>(digit < '<' ? digit : digit + 1);
+        }
+        text.append(digits.data(), n + 1);
+    }
+    return text;
+}
+
+// The source of a content policy that allows this text: 'sha256-…' (W3C, CSP Level 3 §2.3.1).
+std::string hash_source(std::string_view text) {
+    const std::string digits = sha256_of(text);
+    std::vector<std::uint8_t> bytes;
+    for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
+        std::uint8_t byte = 0;
+        std::from_chars(digits.data() + i, digits.data() + i + 2, byte, 16);
+        bytes.push_back(byte);
+    }
+    return fmt::format("'sha256-{}'", base64(bytes));
+}
+
+std::string list_of(const std::vector<std::string>& texts) {
+    std::vector<std::string> strings;
+    strings.reserve(texts.size());
+    for (const std::string& text : texts) strings.push_back(script_string(text));
+    return json_list(strings);
+}
+
+// The files as a JSON object, their bytes as base64.
+std::string files_json(const std::map<std::string, std::string>& files) {
+    std::string text;
+    for (const auto& [name, bytes] : files)
+        text += fmt::format("{}{}: \"{}\"", text.empty() ? "" : ", ", script_string(name),
+                            base64_of(bytes));
+    return "{" + text + "}";
+}
+
+std::string scene_json(const PageContents& contents) {
+    return JsonObject()
+        .json("name", script_string(contents.scene_name))
+        .json("text", script_string(contents.scene_text))
+        .json("overrides", list_of(contents.overrides))
+        .json("files", files_json(contents.files))
+        .json("controls", list_of(contents.controls))
+        .add("language", contents.language)
+        .add("width", contents.width_px)
+        .add("height", contents.height_px)
+        .add("poster_at_s", contents.poster_at_s)
+        .line();
+}
+
+std::string picture_url(const std::vector<std::uint8_t>& png) {
+    return png.empty() ? "" : "data:image/png;base64," + base64(png);
+}
+
+using Values = std::vector<std::pair<std::string_view, std::string>>;
+
+// The template with every {{name}} replaced, where there is a value; what replaces it is not looked
+// at again.
+std::string filled(std::string_view page, const Values& values) {
+    std::string text;
+    while (true) {
+        const std::size_t open = page.find("{{");
+        const std::size_t close = page.find("}}", open);
+        text += page.substr(0, open);
+        if (open == std::string_view::npos || close == std::string_view::npos) return text;
+        const std::string_view name = page.substr(open + 2, close - open - 2);
+        const auto value = std::find_if(values.begin(), values.end(),
+                                        [name](const auto& known) { return known.first == name; });
+        text += value != values.end() ? value->second : page.substr(open, close + 2 - open);
+        page.remove_prefix(close + 2);
+    }
+}
+
+std::string joined(std::span<const std::string_view> names) {
+    std::string text;
+    for (const std::string_view name : names) text += compact_script(page_file(name));
+    return text;
+}
+
+// What the scripts and styles fill in.
+Values program_values(std::string script, std::string style) {
+    return {{"version", POINSOT_VERSION},
+            {"script-hash", hash_source(script)},
+            {"style-hash", hash_source(style)},
+            {"script", std::move(script)},
+            {"style", std::move(style)}};
+}
+
+// What the scene fills in.
+Values scene_values(const PageContents& contents) {
+    return {{"language", escaped_markup(contents.language)},
+            {"ground", escaped_markup(contents.ground)},
+            {"title", escaped_markup(contents.title)},
+            {"poster", picture_url(contents.poster_png)},
+            {"no-script", escaped_markup(phrase_in(contents.language, no_scripts))},
+            {"scene", scene_json(contents)},
+            {"fonts", base85(page_fonts_lzma())},
+            {"module", base85(page_module_lzma())}};
+}
+
+Values operator+(Values values, Values more) {
+    values.insert(values.end(), std::make_move_iterator(more.begin()),
+                  std::make_move_iterator(more.end()));
+    return values;
+}
+
+// The page but for its scene.
+Values page_values() {
+    return program_values(joined(page_scripts), compact_script(page_file("page.css"))) +
+           Values{{"body", "page"}, {"before", ""}, {"data", ""}};
+}
+
+}  // namespace
+
+std::string html_page(const PageContents& contents) {
+    return filled(page_file("index.html"), page_values() + scene_values(contents));
+}
+
+std::string html_workbench(const PageContents& first, const std::vector<GalleryScene>& scenes,
+                           std::string_view schema) {
+    std::vector<std::string> rows;
+    rows.reserve(scenes.size());
+    for (const GalleryScene& scene : scenes)
+        rows.push_back(JsonObject()
+                           .json("name", script_string(scene.name))
+                           .json("title", script_string(scene.title))
+                           .json("text", script_string(scene.text))
+                           .json("files", files_json(scene.files))
+                           .add("thumbnail", picture_url(scene.thumbnail_png))
+                           .line());
+    // The workbench writes pages, too: their template, without a scene. The schema is a text in it,
+    // for a description may hold any character.
+    const std::string data =
+        JsonObject()
+            .json("schema", script_string(schema))
+            .json("scenes", json_list(rows))
+            .json("template", script_string(filled(page_file("index.html"), page_values())))
+            .line();
+    const Values values =
+        program_values(joined(page_scripts) + joined(workbench_scripts),
+                       compact_script(page_file("page.css") + page_file("workbench.css"))) +
+        Values{{"body", "workbench"},
+               {"before", page_file("workbench.html")},
+               {"data",
+                "<script id=\"workbench-data\" type=\"application/json\">" + data + "</script>\n"}};
+    return filled(page_file("index.html"), values + scene_values(first));
+}
+
+}  // namespace poinsot

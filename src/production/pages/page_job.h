@@ -1,0 +1,24 @@
+// Makes the page of a scene: from the scene's file to one HTML file.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "production/jobs/open_session.h"
+#include "production/jobs/picture.h"
+#include "production/session/progress_sink.h"
+
+namespace poinsot {
+
+// Writes the page atomically; it carries the text of the scene, the overrides and the files that
+// the scene names. Throws InputError for a scene without a picture, and EnvironmentError where the
+// program was built without the module for browsers.
+void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
+                const ProgressSink& progress);
+
+// Writes the workbench with these scenes in its gallery, of which it opens the first.
+// `schema_file`: the JSON Schema of scenes. Throws as write_page does.
+void write_workbench(const std::vector<SceneRequest>& scenes, const std::string& schema_file,
+                     const std::string& output, LazyRenderer& renderer);
+
+}  // namespace poinsot

@@ -1,0 +1,635 @@
+// The page in Chromium: every control, links, sizes, lost contexts, sandboxes, and what scripts can do.
+// Usage: node browser_test.js POINSOT [NAME…]; POINSOT_PAGE names a page that exists already.
+'use strict';
+const assert = require('node:assert/strict');
+const {spawnSync} = require('node:child_process');
+const fs = require('node:fs');
+const os = require('node:os');
+const path = require('node:path');
+const {is_firefox, opened_file, press, ready, run_checks, settled, until, wait} = require('./browsers.js');
+const {skip, needed} = require('./skip.js');
+
+const [program, ...only] = process.argv.slice(2);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-page-'));
+process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
+
+/** The page of a scene. @param {string} scene its file @param {string[]} [options] of the program */
+function page_of(scene, options = []) {
+  const file = path.join(folder, `${path.basename(scene, '.toml')}${options.length > 0 ? checks.length : ''}.html`);
+  const outcome = spawnSync(program, ['render', scene, '-o', file, '--quiet', ...options], {encoding: 'utf8'});
+  if (outcome.status === 3 && outcome.stderr.includes('without its module')) skip('the program was built without the module');
+  assert.equal(outcome.status, 0, outcome.stderr);
+  return file;
+}
+
+/** @type {[string, (browser: any) => Promise<void>][]} */
+const checks = [];
+const check = (name, run) => checks.push([name, run]);
+
+const lecture = path.join(__dirname, 'lecture.toml');
+const page_file = process.env['POINSOT_PAGE'] ?? page_of(lecture);
+
+/** Writes a scene, and the files that it names, into the test's folder. @param {string} name @param {string} text @param {Record<string, string>} [files] */
+function scene_file(name, text, files = {}) {
+  for (const [file, content] of Object.entries({...files, [`${name}.toml`]: text})) fs.writeFileSync(path.join(folder, file), content);
+  return path.join(folder, `${name}.toml`);
+}
+
+/** The picture of the canvas, drawn anew, as a number that tells pictures apart. */
+const picture = (tab) => tab.evaluate(() => {
+  const {figure} = the_page;
+  figure.program.draw(figure.time_s, figure.film.at_s);
+  return [...figure.canvas.toDataURL()].reduce((sum, letter) => (Math.imul(sum, 31) + letter.charCodeAt(0)) >>> 0, 0);
+});
+
+/** Takes the graphics context away. */
+const lose_context = (tab) => tab.evaluate(() => {
+  window.lose = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context');
+  window.lose.loseContext();
+});
+
+const opened = (browser, options = {}) => opened_file(browser, page_file, options);
+const film_s = (tab) => tab.$eval('#scrub', (scrub) => scrub.valueAsNumber);
+
+check('starts by itself, draws, and then rests', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await until(tab, 'document.body.classList.contains("drawn")');
+  await settled(tab);
+  const before = await tab.evaluate(() => window.n_frames);
+  await wait(700);
+  assert.equal(await tab.evaluate(() => window.n_frames), before, 'frames were drawn while nothing moved');
+  assert.ok((await tab.$eval('#state', (state) => state.textContent)).length > 10, 'screen readers hear the state');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('shows the title as text', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  if (!process.env['POINSOT_PAGE']) assert.equal(await tab.title(), 'A page </script><b>to hold</b>');
+  assert.equal(await tab.$('b'), null);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('plays, pauses, steps, and goes from stop to stop by keys', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'End');
+  const length_s = await film_s(tab);
+  assert.ok(length_s > 1);
+  await press(tab, 'Home');
+  assert.equal(await film_s(tab), 0);
+  await press(tab, 'ArrowRight');
+  const frame_s = await film_s(tab);
+  assert.ok(frame_s > 0 && frame_s < 0.2);
+  await press(tab, 'ArrowLeft');
+  assert.equal(await film_s(tab), 0);
+  await press(tab, ' ');
+  await until(tab, 'document.getElementById("scrub").valueAsNumber > 0.2');
+  await press(tab, ' ');
+  await tab.evaluate(() => document.activeElement?.blur());
+  await wait(150);
+  const paused_s = await film_s(tab);
+  await wait(300);
+  assert.equal(await film_s(tab), paused_s);
+  await press(tab, 'PageDown');
+  const first_s = await film_s(tab);
+  await press(tab, 'PageDown'); // goes on from the stop
+  await until(tab, `document.getElementById("scrub").valueAsNumber > ${first_s + 0.1}`);
+  await press(tab, 'PageDown'); // to the next, which loops
+  await press(tab, 'PageUp');
+  assert.ok(Math.abs((await film_s(tab)) - first_s) < 1e-9);
+  await press(tab, '2'); // the second chapter
+  assert.equal(await film_s(tab), 5);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('has a button for each of these', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.click('#play');
+  await until(tab, 'document.getElementById("scrub").valueAsNumber > 0.2');
+  await tab.click('#play');
+  await tab.click('#next');
+  const at_s = await film_s(tab);
+  assert.ok(at_s > 0.2);
+  await tab.click('#previous');
+  assert.ok((await film_s(tab)) < at_s);
+  await tab.click('#speed');
+  await tab.evaluate(() => [...document.querySelectorAll('#speeds button')].find((b) => b.textContent.startsWith('4')).click());
+  assert.match(await tab.$eval('#speed', (b) => b.textContent), /^4/);
+  await press(tab, 'b');
+  assert.match(await tab.$eval('#speed', (b) => b.textContent), /^−4/);
+  const box = await (await tab.$('#scrub')).boundingBox();
+  await tab.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
+  assert.ok(Math.abs((await film_s(tab)) / (await tab.$eval('#scrub', (s) => Number(s.max))) - 0.5) < 0.05);
+  for (const id of ['previous', 'play', 'next', 'speed', 'options', 'full'])
+    assert.ok(await tab.$eval(`#${id}`, (b) => b.getAttribute('aria-label').length > 0), id);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('turns, moves and zooms a panel, and goes back by one key', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await until(tab, 'document.querySelector(".view")');
+  const label = () => tab.$eval('.view', (view) => view.getAttribute('aria-label'));
+  const scene = await label();
+  await tab.mouse.move(200, 150);
+  await tab.mouse.down();
+  await tab.mouse.move(260, 180, {steps: 4});
+  await tab.mouse.up();
+  assert.notEqual(await label(), scene);
+  await press(tab, 'c');
+  assert.equal(await label(), scene);
+  await tab.focus('.view');
+  await tab.keyboard.down('Shift');
+  await press(tab, 'ArrowLeft');
+  await tab.keyboard.up('Shift');
+  assert.notEqual(await label(), scene);
+  await tab.mouse.wheel({deltaY: -240});
+  await until(tab, 'location.hash.includes("view=")');
+  await tab.evaluate(() => document.querySelector('.view').dispatchEvent(new MouseEvent('dblclick')));
+  assert.equal(await label(), scene);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('changes values, says the regime, and shows refusals in place', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 1280, height: 720}});
+  await ready(tab);
+  await press(tab, 'o');
+  await until(tab, 'document.querySelectorAll("#controls input").length > 0');
+  const regime = await tab.$eval('#regime', (p) => p.textContent);
+  assert.ok(regime.length > 10);
+  await tab.evaluate(() => window.poinsot.set({'start.omega_rad_s': [1.9, 0.1, 0.1]}));
+  assert.notEqual(await tab.$eval('#regime', (p) => p.textContent), regime);
+  const refusal = await tab.evaluate(() => window.poinsot.set({'start.omega_rad_s': [0, 0, 0]}).then(() => '', (e) => e.message));
+  assert.match(refusal, /omega_rad_s/);
+  const omega = await tab.evaluate(() => window.poinsot.at(0).omega_body);
+  assert.ok(omega.some((w) => w !== 0), 'a refused value changes nothing');
+  // The first moment: one that no body has with the others, and then one that it has.
+  const field = 'fieldset:nth-child(2) input[type=number]';
+  const type = async (text) => {
+    await tab.$eval(field, (input) => {
+      input.focus();
+      input.select();
+    });
+    await tab.keyboard.type(text);
+  };
+  await type('9');
+  await tab.keyboard.press('Enter');
+  await until(tab, 'document.querySelectorAll(".refusal")[1].textContent.includes("no distribution of mass has the moments 9, 2, 1")');
+  await type('2.5');
+  await tab.keyboard.press('Enter');
+  await until(tab, '[...document.querySelectorAll(".refusal")].every((p) => p.textContent === "")');
+  await tab.click('#original');
+  assert.equal(await tab.$eval('#regime', (p) => p.textContent), regime);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('drags the tip of ω along the ellipsoid, with the same energy', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 800, height: 560}});
+  await ready(tab);
+  await press(tab, 'Home');
+  // Where the program finds the tip, in CSS pixels.
+  const tip = await tab.evaluate(() => {
+    const {figure} = the_page;
+    const found = [];
+    for (let y = 0; y < figure.canvas.height; y += 6)
+      for (let x = 0; x < figure.canvas.width; x += 6)
+        if (figure.program.pick(figure.time_s, x, y, figure.film.at_s)?.thing === 'omega') found.push([x, y]);
+    const mean = (k) => found.reduce((sum, at) => sum + at[k], 0) / found.length / figure.ratio;
+    return found.length > 0 ? [mean(0), mean(1)] : null;
+  });
+  assert.ok(tip, 'the tip of ω is in sight');
+  const omega = () => tab.evaluate(() => window.poinsot.at(0).omega_body);
+  const energy = ([x, y, z]) => 3 * x * x + 2 * y * y + z * z;
+  const before = await omega();
+  await tab.mouse.move(tip[0], tip[1]);
+  await until(tab, 'document.querySelector(".view.omega")');
+  await tab.mouse.down();
+  await tab.mouse.move(tip[0] + 14, tip[1] - 10, {steps: 3});
+  await until(tab, `window.poinsot.at(0).omega_body[0] !== ${before[0]}`);
+  await settled(tab);
+  await tab.mouse.up();
+  const after = await omega();
+  assert.notDeepEqual(after, before);
+  // Six digits of each component are kept.
+  assert.ok(Math.abs(energy(after) / energy(before) - 1) < 1e-4, `${energy(after)} is not ${energy(before)}`);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('drags the plane along L to another polhode, with the same L', async (browser) => {
+  const scene = scene_file('plane', fs.readFileSync(lecture, 'utf8').replace(/omega_rad_s = .*/, '$&\nenergy_J = 3.0\nmomentum_kg_m2_s = 3.5')
+    .replace('"start.omega_rad_s", ', '"start.energy_J", '));
+  const {tab, faults} = await opened_file(browser, page_of(scene), {size: {width: 800, height: 560}});
+  await ready(tab);
+  const foot = await tab.evaluate(() => {
+    const {figure} = the_page;
+    const found = [];
+    for (let y = 0; y < figure.canvas.height; y += 4)
+      for (let x = 0; x < figure.canvas.width; x += 4)
+        if (figure.program.pick(figure.time_s, x, y, figure.film.at_s)?.thing === 'plane') found.push([x, y]);
+    const mean = (k) => found.reduce((sum, at) => sum + at[k], 0) / found.length / figure.ratio;
+    return found.length > 0 ? [mean(0), mean(1)] : null;
+  });
+  assert.ok(foot, 'the foot of L is in sight');
+  const moments = [3, 2, 1];
+  const values = async () => {
+    const omega = await tab.evaluate(() => window.poinsot.at(0).omega_body);
+    return {energy: omega.reduce((sum, w, k) => sum + 0.5 * moments[k] * w * w, 0), momentum: Math.hypot(...omega.map((w, k) => moments[k] * w))};
+  };
+  assert.ok(Math.abs((await values()).energy - 3) < 1e-12);
+  await tab.mouse.move(foot[0], foot[1]);
+  await until(tab, 'document.querySelector(".view.omega")');
+  await tab.mouse.down();
+  await tab.mouse.move(foot[0], foot[1] + 12, {steps: 2});
+  await until(tab, 'the_page.figure.values.has("start.energy_J")');
+  await settled(tab);
+  await tab.mouse.up();
+  const after = await values();
+  assert.ok(after.energy > 3.05, `away from the centre the energy grows: ${after.energy}`);
+  assert.ok(Math.abs(after.momentum - 3.5) < 1e-12);
+  // Far beyond what this L allows: the bound, L²/(2 I₃), where the body turns about e₃.
+  await tab.mouse.move(foot[0], foot[1] + 12);
+  await tab.mouse.down();
+  await tab.mouse.move(foot[0], 555, {steps: 2});
+  await settled(tab);
+  await tab.mouse.up();
+  assert.ok((await values()).energy <= (3.5 * 3.5) / 2 + 1e-5);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('repeats the loop of a stop until its viewer goes on', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.evaluate(() => the_page.figure.film.seek(5.9));
+  await press(tab, ' ');
+  await until(tab, 'the_page.figure.film.is_looping');
+  for (let i = 0; i < 8; ++i) {
+    await wait(150);
+    const at_s = await film_s(tab);
+    assert.ok(at_s >= 5 - 1e-9 && at_s <= 6 + 1e-9, `${at_s} is outside of the loop`);
+  }
+  assert.equal(await tab.$eval('#stops', (stops) => [...stops.children].findIndex((mark) => mark.classList.contains('now'))), 1);
+  await press(tab, 'PageDown');
+  await until(tab, 'document.getElementById("scrub").valueAsNumber > 6.1');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('shows and hides elements and names, and changes its colours', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'o');
+  await until(tab, 'document.querySelectorAll("#elements input").length > 1');
+  const shot = () => tab.evaluate(() => window.poinsot.png(160, 90).then((blob) => blob.size));
+  const all = await shot();
+  await tab.evaluate(() => [...document.querySelectorAll('#elements input')].find((box) => box.name !== '' && box.checked).click());
+  assert.notEqual(await shot(), all);
+  const ground = await tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
+  await press(tab, 't');
+  assert.notEqual(await tab.evaluate(() => getComputedStyle(document.body).backgroundColor), ground);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('a link opens the same instant, view and values', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.evaluate(() => {
+    window.poinsot.seek(1.5);
+    window.poinsot.view({azimuth_deg: 10, elevation_deg: 30});
+    return window.poinsot.set({'start.omega_rad_s': [0.4, 1.5, 0.7]});
+  });
+  await until(tab, '["at=1.5", "view=", "set="].every((part) => location.hash.includes(part))');
+  const fragment = await tab.evaluate(() => location.hash);
+  const label = await tab.$eval('.view', (view) => view.getAttribute('aria-label'));
+  const other = await opened(browser, {fragment});
+  await ready(other.tab);
+  assert.equal(await other.tab.evaluate(() => window.poinsot.time_s), await tab.evaluate(() => window.poinsot.time_s));
+  assert.equal(await other.tab.$eval('.view', (view) => view.getAttribute('aria-label')), label);
+  assert.deepEqual(await other.tab.evaluate(() => window.poinsot.at(0).omega_body), [0.4, 1.5, 0.7]);
+  await other.tab.reload();
+  await ready(other.tab);
+  assert.equal(await other.tab.evaluate(() => window.poinsot.time_s), 1.5);
+  assert.deepEqual([...faults, ...other.faults], []);
+  await tab.close();
+  await other.tab.close();
+});
+
+check('a link sets no other keys', async (browser) => {
+  const {tab, faults} = await opened(browser, {fragment: '#set=title=evil&set=body.mesh=/etc/passwd'});
+  await ready(tab);
+  assert.doesNotMatch(await tab.evaluate(() => document.body.textContent), /evil<|passwd/);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('fits windows, screens and zoom', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  for (const size of [{width: 1280, height: 720}, {width: 390, height: 844, deviceScaleFactor: 2}, {width: 320, height: 180, deviceScaleFactor: 4}]) {
+    await tab.setViewport(size);
+    await settled(tab);
+    const fits = await tab.evaluate(() => {
+      const canvas = document.querySelector('canvas');
+      const box = canvas.getBoundingClientRect();
+      return {sharp: Math.abs(canvas.width - box.width * devicePixelRatio) <= 2, inside: document.documentElement.scrollWidth <= innerWidth,
+        seen: box.width > 100 && box.height > 50 && box.bottom <= innerHeight + 1,
+        hit: [...document.querySelectorAll('#bar button')].filter((b) => b.offsetParent).every((b) => b.offsetWidth >= 44 && b.getBoundingClientRect().right <= innerWidth)};
+    });
+    assert.deepEqual(fits, {sharp: true, inside: true, seen: true, hit: true}, JSON.stringify(size));
+  }
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('sets captions of 12 to 15 pixels on small screens', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  for (const [width, height] of [[390, 764], [390, 325], [640, 320], [1024, 500]]) {
+    const px = await tab.evaluate((w, h) => (26 / 1080) * h * type_scale_of(w, h), width, height);
+    assert.ok(px >= 11.9 && px <= 15, `${px} pixels at ${width} x ${height}`);
+  }
+  assert.equal(await tab.evaluate(() => type_scale_of(1920, 1080)), 1);
+  await tab.setViewport({width: 390, height: 844});
+  await ready(tab);
+  await settled(tab);
+  assert.ok((await tab.evaluate(() => the_page.figure.program.last.type_scale)) < 1);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('goes on after a lost context', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  const before = await picture(tab);
+  await lose_context(tab);
+  await until(tab, '!document.getElementById("sentence").hidden');
+  assert.equal(await tab.$eval('#poster', (img) => getComputedStyle(img).visibility), 'visible');
+  await tab.evaluate(() => window.lose.restoreContext());
+  await until(tab, 'document.getElementById("sentence").hidden && document.body.classList.contains("drawn")');
+  assert.equal(await picture(tab), before);
+  await press(tab, 'ArrowRight');
+  assert.ok((await film_s(tab)) > 0);
+  assert.deepEqual(faults.filter((fault) => !fault.includes('CONTEXT_LOST')), []);
+  await tab.close();
+});
+
+check('starts again by a click where the browser does not give the context back', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'ArrowRight');
+  const before = await picture(tab);
+  const at_s = await film_s(tab);
+  await lose_context(tab);
+  await until(tab, '!document.getElementById("sentence").hidden');
+  await tab.click('#stage');
+  await until(tab, 'document.getElementById("sentence").hidden && document.body.classList.contains("drawn")');
+  assert.equal(await film_s(tab), at_s);
+  assert.equal(await picture(tab), before);
+  assert.deepEqual(faults.filter((fault) => !fault.includes('CONTEXT_LOST')), []);
+  await tab.close();
+});
+
+check('carries the files of its scene, also past a lost context', async (browser) => {
+  const scene = scene_file('mesh', 'show = ["ellipsoid", "body", "momentum"]\n[body]\nmesh = "solid.obj"\ndensity_kg_m3 = 1000\n[start]\nomega_rad_s = [0.1, 2, 0.1]\n',
+    {'solid.obj': 'v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'});
+  const {tab, faults} = await opened_file(browser, page_of(scene));
+  await ready(tab);
+  assert.equal(await tab.evaluate(() => window.poinsot.at(0).omega_body[1]), 2);
+  const before = await picture(tab);
+  await lose_context(tab);
+  await until(tab, '!document.getElementById("sentence").hidden');
+  await tab.evaluate(() => window.lose.restoreContext());
+  await until(tab, 'document.getElementById("sentence").hidden && document.body.classList.contains("drawn")');
+  assert.equal(await picture(tab), before);
+  // A file that the page does not carry is refused, and the figure goes on.
+  assert.match(await tab.evaluate(() => window.poinsot.set({'body.mesh': '"/etc/passwd"'}).then(() => '', (e) => e.message)), /passwd/);
+  assert.equal(await picture(tab), before);
+  assert.deepEqual(faults.filter((fault) => !fault.includes('CONTEXT_LOST')), []);
+  await tab.close();
+});
+
+check('without WebGL or wasm: the poster and a sentence', async (browser) => {
+  const no_webgl = await opened(browser, {before: () => { HTMLCanvasElement.prototype.getContext = () => null; }});
+  await until(no_webgl.tab, '!document.getElementById("sentence").hidden');
+  assert.match(await no_webgl.tab.$eval('#sentence', (p) => p.textContent), /WebGL/);
+  assert.equal(await no_webgl.tab.$eval('#bar', (bar) => bar.hidden), true);
+  assert.equal(await no_webgl.tab.$eval('#poster', (img) => getComputedStyle(img).visibility), 'visible');
+  await no_webgl.tab.close();
+  const no_wasm = await opened(browser, {before: () => { delete window.WebAssembly; }});
+  await until(no_wasm.tab, '!document.getElementById("sentence").hidden');
+  assert.match(await no_wasm.tab.$eval('#sentence', (p) => p.textContent), /WebAssembly/);
+  await no_wasm.tab.close();
+});
+
+check('runs in a sandboxed frame, and gives it unused keys', async (browser) => {
+  const tab = await browser.newPage();
+  const faults = [];
+  tab.on('console', (message) => message.text().includes('GL Driver Message') || faults.push(message.text()));
+  tab.on('pageerror', (error) => faults.push(error.message));
+  await tab.setViewport({width: 700, height: 500});
+  await tab.setContent('<!doctype html><iframe sandbox="allow-scripts" style="width:600px;height:400px"></iframe>');
+  await tab.evaluate((html) => {
+    window.keys = [];
+    window.addEventListener('message', (event) => window.keys.push(event.data));
+    document.querySelector('iframe').srcdoc = html;
+  }, fs.readFileSync(page_file, 'utf8'));
+  await wait(300);
+  const frame = tab.frames().find((f) => f !== tab.mainFrame());
+  await frame.waitForFunction('document.body?.classList.contains("drawn")', {timeout: 60000});
+  await frame.focus('#play');
+  await tab.keyboard.press('Escape');
+  await tab.keyboard.press('g');
+  await tab.waitForFunction('window.keys.length > 0', {timeout: 60000});
+  assert.deepEqual(await tab.evaluate(() => window.keys.map((k) => [k.type, k.key])), [['poinsot-key', 'Escape'], ['poinsot-key', 'g']]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('forty figures on one page start in sight and rest out of it', async (browser) => {
+  const tab = await browser.newPage();
+  const faults = [];
+  tab.on('console', (message) => message.text().includes('GL Driver Message') || faults.push(message.text()));
+  tab.on('pageerror', (error) => faults.push(error.message));
+  await tab.setViewport({width: 500, height: 420});
+  const file = path.join(folder, 'forty.html');
+  const frame = `<iframe src="file://${page_file}" style="display:block;width:320px;height:200px;margin:6px;border:0"></iframe>`;
+  fs.writeFileSync(file, `<!doctype html><meta charset="utf-8">${frame.repeat(40)}`);
+  await tab.goto(`file://${file}`, {timeout: 120000});
+  const running = async () => (await Promise.all(tab.frames().slice(1).map((f) =>
+    f.evaluate(() => document.body.classList.contains('drawn')).catch(() => false)))).filter(Boolean).length;
+  for (const wanted of [0, 20, 39]) {
+    await tab.evaluate((y) => window.scrollTo(0, y * 206), wanted);
+    const target = tab.frames()[1 + wanted];
+    await target.waitForFunction('document.body?.classList.contains("drawn")', {timeout: 60000});
+    for (let k = 0; k < 40 && (await running()) > 4; ++k) await wait(300);
+    assert.ok((await running()) <= 4, 'figures out of sight rest');
+  }
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('offers scripts what commands.md lists', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const types = await tab.evaluate(async () => {
+    const p = window.poinsot;
+    await p.ready;
+    return Object.fromEntries(['at', 'seek', 'play', 'pause', 'next', 'previous', 'set', 'view', 'png', 'svg', 'time_s', 'first_time_s', 'last_time_s']
+      .map((name) => [name, typeof p[name]]));
+  });
+  for (const name of ['at', 'seek', 'play', 'pause', 'next', 'previous', 'set', 'view', 'png', 'svg']) assert.equal(types[name], 'function', name);
+  for (const name of ['time_s', 'first_time_s', 'last_time_s']) assert.equal(types[name], 'number', name);
+  const state = await tab.evaluate(() => window.poinsot.at(1e6));
+  assert.equal(state.time_s, 1e6);
+  assert.equal(state.omega_body.length, 3);
+  assert.equal(state.space_from_body.length, 4);
+  const norm = Math.hypot(...state.space_from_body);
+  assert.ok(Math.abs(norm - 1) < 1e-14);
+  const png = await tab.evaluate(async () => {
+    const blob = await window.poinsot.png(321, 123);
+    const bytes = new DataView(await blob.arrayBuffer());
+    return [blob.type, bytes.getUint32(16), bytes.getUint32(20)];
+  });
+  assert.deepEqual(png, ['image/png', 321, 123]);
+  await tab.evaluate(() => window.poinsot.play());
+  await until(tab, 'window.poinsot.time_s > 0.1');
+  await tab.evaluate(() => window.poinsot.pause());
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('prints the poster', async (browser) => {
+  if (is_firefox) return; // puppeteer cannot make it print to the page
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.emulateMediaType('print');
+  const seen = await tab.evaluate(() => ['#poster', '#bar', 'canvas', '#panel'].map((s) => {
+    const style = getComputedStyle(document.querySelector(s));
+    return style.display !== 'none' && style.visibility === 'visible';
+  }));
+  assert.deepEqual(seen, [true, false, false, false]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('the notes have a window of their own', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'PageDown');
+  const opening = new Promise((resolve) => browser.once('targetcreated', resolve));
+  await press(tab, 'n');
+  const target = await opening;
+  const notes = await target.page();
+  await wait(300);
+  assert.match(await tab.evaluate(() => location.href), /html/);
+  if (notes) assert.match(await notes.evaluate(() => document.body.textContent), /:/);
+  await press(tab, 'n');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('speaks the language of its scene', async (browser) => {
+  const {tab, faults} = await opened_file(browser, page_of(lecture, ['--set', 'language=de']), {size: {width: 1280, height: 720}});
+  await ready(tab);
+  assert.equal(await tab.$eval('html', (root) => root.lang), 'de');
+  await press(tab, 'o');
+  assert.equal(await tab.$eval('#options', (b) => b.getAttribute('aria-label')), 'Einstellungen');
+  assert.match(await tab.$eval('#controls legend', (l) => l.textContent), /^Winkelgeschwindigkeit ω.* \/ rad\/s$/);
+  assert.match(await tab.$eval('#elements', (e) => e.textContent), /Hauptachsen/);
+  assert.match(await tab.$eval('#time', (t) => t.textContent), /,/);
+  await until(tab, 'document.getElementById("state").textContent.includes("Winkelgeschwindigkeit")');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('begins with the colours of the system where the scene chooses none', async (browser) => {
+  if (is_firefox) return; // puppeteer cannot set its colours
+  const dark = async (file, fragment = '') => {
+    const tab = await browser.newPage();
+    await tab.emulateMediaFeatures([{name: 'prefers-color-scheme', value: 'dark'}]);
+    await tab.goto(`file://${file}${fragment}`);
+    await ready(tab);
+    return tab;
+  };
+  const is_dark = (tab) => tab.$eval('html', (root) => root.classList.contains('dark'));
+  const tab = await dark(page_file);
+  assert.equal(await is_dark(tab), true);
+  await press(tab, 'ArrowRight');
+  await until(tab, 'location.hash.includes("at=")');
+  assert.doesNotMatch(await tab.evaluate(() => location.hash), /theme/, 'a link does not carry what nobody chose');
+  await press(tab, 't');
+  await until(tab, 'location.hash.includes("theme=light")');
+  assert.equal(await is_dark(tab), false);
+  await tab.reload();
+  await ready(tab);
+  assert.equal(await is_dark(tab), false);
+  await tab.close();
+  const own = await dark(page_of(scene_file('own', fs.readFileSync(lecture, 'utf8').replace('caption', 'theme = "light"\ncaption'))));
+  assert.equal(await is_dark(own), false);
+  await own.close();
+});
+
+check('shows the focus, and says each change once it is over', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 1280, height: 720}});
+  await ready(tab);
+  await press(tab, 'o');
+  await wait(200);
+  const seen = new Set();
+  for (let k = 0; k < 100; ++k) {
+    await tab.keyboard.press('Tab');
+    const at = await tab.evaluate(() => {
+      const element = document.activeElement;
+      if (!element || element === document.body) return null;
+      const name = element.getAttribute('aria-label') || element.textContent.trim() || element.labels?.[0]?.textContent.trim() || '';
+      const ringed = element.matches('.segments input') ? element.nextElementSibling : element;
+      return {name, id: element.id || element.className || element.name || element.type, ring: getComputedStyle(ringed).outlineStyle !== 'none' && parseFloat(getComputedStyle(ringed).outlineWidth) >= 2};
+    });
+    if (seen.has('copy-link') && (!at || at.id === 'view')) break; // once round
+    if (!at) continue;
+    assert.ok(at.name.length > 0, `${at.id} has a name`);
+    assert.ok(at.ring, `the focus on ${at.id} is seen`);
+    seen.add(at.id);
+  }
+  for (const id of ['view', 'play', 'scrub', 'speed', 'options', 'close', 'save-png', 'copy-link']) assert.ok(seen.has(id), `Tab reaches ${id}`);
+  const said = await tab.$eval('#state', (state) => state.textContent);
+  await tab.focus('#play');
+  await press(tab, 'ArrowRight');
+  await until(tab, `document.getElementById("state").textContent !== ${JSON.stringify(said)}`);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('is accessible by the rules of axe', async (browser) => {
+  let axe;
+  try {
+    axe = fs.readFileSync(needed('axe-core/axe.min.js'), 'utf8');
+  } catch {
+    return;
+  }
+  // A policy forbids scripts from outside; the test alone sets it aside.
+  const {tab} = await opened(browser, {size: {width: 1280, height: 720}});
+  await ready(tab);
+  for (const theme of ['light', 'dark']) {
+    await press(tab, 'o');
+    await wait(300);
+    await tab.evaluate(axe);
+    const violations = await tab.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']})
+      .then((r) => r.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(' ')}`)));
+    assert.deepEqual(violations, [], theme);
+    await press(tab, 'Escape');
+    await press(tab, 't');
+    await wait(500);
+  }
+  await tab.close();
+});
+
+run_checks(checks, only);

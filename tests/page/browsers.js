@@ -1,0 +1,85 @@
+// Browsers for the tests of the page: opens a page, and collects what goes wrong in it. POINSOT_BROWSER=firefox takes
+// Firefox in place of Chromium; it needs a display, as xvfb-run gives one.
+'use strict';
+const fs = require('node:fs');
+const {skip, needed} = require('./skip.js');
+
+const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
+
+const is_firefox = process.env['POINSOT_BROWSER'] === 'firefox';
+
+async function launched() {
+  const files = is_firefox ? ['/usr/bin/firefox-esr', '/usr/bin/firefox'] : ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
+  const file = files.find((name) => fs.existsSync(name));
+  if (!file) skip(`there is no ${is_firefox ? 'Firefox' : 'Chromium'}`);
+  const puppeteer = require(needed('puppeteer-core'));
+  // Firefox has WebGL only with a display, and by Mesa's software renderer only if it is told so.
+  if (is_firefox)
+    return puppeteer.launch({browser: 'firefox', executablePath: file, headless: false, extraPrefsFirefox: {'webgl.force-enabled': true}});
+  return puppeteer.launch({executablePath: file, headless: true,
+    args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--allow-file-access-from-files']});
+}
+
+/** Opens a file; `faults` collects its errors, its messages and its requests. */
+async function opened_file(browser, file, {fragment = '', size = {width: 640, height: 400}, before = null} = {}) {
+  const tab = await browser.newPage();
+  const faults = [];
+  // Chromium says itself when its software renderer waits.
+  tab.on('console', (message) => message.text().includes('GL Driver Message') || faults.push(`console: ${message.text()}`));
+  tab.on('pageerror', (error) => faults.push(`error: ${error.message}`));
+  tab.on('request', (request) => {
+    if (!/^(file|data|blob|about):/.test(request.url())) faults.push(`request: ${request.url()}`);
+  });
+  // Counts the frames asked for, as a measure of work.
+  await tab.evaluateOnNewDocument(() => {
+    window.n_frames = 0;
+    const ask = window.requestAnimationFrame.bind(window);
+    window.requestAnimationFrame = (action) => {
+      ++window.n_frames;
+      return ask(action);
+    };
+  });
+  if (before) await tab.evaluateOnNewDocument(before);
+  await tab.setViewport(size);
+  await tab.goto(`file://${file}${fragment}`, {timeout: 120000});
+  return {tab, faults};
+}
+
+const ready = (tab) => tab.evaluate(() => window.poinsot.ready);
+
+/** Waits until code of the tab is true. */
+const until = (tab, code, ms = 60000) => tab.waitForFunction(code, {timeout: ms});
+
+/** Waits until the picture fits the window and no frame is asked for. */
+const settled = (tab) => until(tab, `(() => {
+  const {figure} = the_page;
+  const {width, height} = figure.size();
+  return figure.frame === 0 && !figure.is_resized && figure.canvas.width === width && figure.canvas.height === height;
+})()`, 60000);
+
+/** Presses a key, and lets the page draw. */
+async function press(tab, key) {
+  await tab.keyboard.press(key);
+  await wait(60);
+}
+
+/** Runs checks, a list of [name, function of the browser], and ends the process. @param {string[]} only words of names */
+async function run_checks(checks, only) {
+  const browser = await launched();
+  let n_failed = 0;
+  for (const [name, run] of checks) {
+    if (only.length > 0 && !only.some((word) => name.includes(word))) continue;
+    const began = Date.now();
+    try {
+      await run(browser);
+      console.log(`ok    ${name} (${Date.now() - began} ms)`);
+    } catch (error) {
+      ++n_failed;
+      console.log(`FAIL  ${name}\n${error.stack ?? error}`);
+    }
+  }
+  await browser.close();
+  process.exit(n_failed > 0 ? 1 : 0);
+}
+
+module.exports = {is_firefox, launched, opened_file, press, ready, run_checks, settled, until, wait};

@@ -1,0 +1,186 @@
+#include "production/pages/html_page.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <string>
+
+#include "places.h"
+#include "production/pages/compact_script.h"
+#include "production/pages/page_job.h"
+#include "production/pages/page_parts.h"
+#include "system/faults.h"
+#include "system/sha256.h"
+
+namespace poinsot {
+
+namespace {
+
+const std::string hostile =
+    "a </script><script>alert(1)</script> <!-- ]]> \xE2\x80\xA8 & \"quoted\"";
+
+PageContents a_page() {
+    PageContents contents;
+    contents.scene_name = "a";
+    contents.title = hostile;
+    contents.language = "de";
+    contents.scene_text = "title = '" + hostile + "'\n";
+    contents.overrides = {"title=" + hostile};
+    contents.files["</script>.obj"] = "v 0 0 0\n";
+    contents.width_px = 640;
+    contents.height_px = 360;
+    contents.ground = "#ffffff";
+    return contents;
+}
+
+// The text from after `begin` to before `end`.
+std::string between(const std::string& text, const std::string& begin, const std::string& end) {
+    const std::size_t from = text.find(begin) + begin.size();
+    return text.substr(from, text.find(end, from) - from);
+}
+
+int n_of(const std::string& text, const std::string& part) {
+    int n = 0;
+    for (std::size_t at = text.find(part); at != std::string::npos; at = text.find(part, at + 1))
+        ++n;
+    return n;
+}
+
+std::string script_of(const std::string& page) {
+    const std::size_t from = page.rfind("<script>") + 8;
+    return page.substr(from, page.rfind("</script>") - from);
+}
+
+// The bytes of a hash in hexadecimal digits, as base64 (RFC 4648 §4), independent of base64().
+std::string base64_of_digits(const std::string& digits) {
+    constexpr char letters[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+    std::string bits;
+    for (const char digit : digits) {
+        const int value = digit <= '9' ? digit - '0' : digit - 'a' + 10;
+        for (int bit = 3; bit >= 0; --bit) bits += (value >> bit) % 2 != 0 ? '1' : '0';
+    }
+    while (bits.size() % 6 != 0) bits += '0';
+    std::string text;
+    for (std::size_t i = 0; i < bits.size(); i += 6)
+        text += letters[std::stoul(bits.substr(i, 6), nullptr, 2)];
+    while (text.size() % 4 != 0) text += '=';
+    return text;
+}
+
+TEST(HtmlPage, FillsEveryPlaceOfItsTemplate) {
+    const std::string page = html_page(a_page());
+    int n_places = 0;
+    for (const PageFile& file : page_files()) {
+        if (file.name != "index.html") continue;
+        for (std::size_t at = file.text.find("{{"); at != std::string::npos;
+             at = file.text.find("{{", at + 1)) {
+            ++n_places;
+            const std::string place = file.text.substr(at, file.text.find("}}", at) + 2 - at);
+            EXPECT_EQ(page.find(place), std::string::npos) << place;
+        }
+    }
+    EXPECT_GT(n_places, 10);
+}
+
+TEST(HtmlPage, TextOfASceneStaysText) {
+    const std::string page = html_page(a_page());
+    // The scripts of the page itself, and no other.
+    EXPECT_EQ(n_of(page, "<script"), 4);
+    EXPECT_EQ(n_of(page, "</script>"), 4);
+    EXPECT_EQ(page.find("<script>alert"), std::string::npos);
+    const std::string scene =
+        between(page, "id=\"scene-data\" type=\"application/json\">", "</script>");
+    EXPECT_EQ(scene.find('<'), std::string::npos);
+    EXPECT_EQ(scene.find("\xE2\x80\xA8"), std::string::npos);
+    EXPECT_NE(scene.find("alert(1)"), std::string::npos);
+    EXPECT_EQ(between(page, "<title>", "</title>").find('<'), std::string::npos);
+}
+
+TEST(HtmlPage, AllowsItsOwnScriptsAndNoConnections) {
+    const std::string page = html_page(a_page());
+    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
+    EXPECT_NE(policy.find("default-src 'none'"), std::string::npos);
+    EXPECT_EQ(policy.find("connect-src"), std::string::npos);
+    EXPECT_EQ(policy.find("'unsafe-eval'"), std::string::npos);
+    EXPECT_EQ(policy.find("'unsafe-inline'"), std::string::npos);
+    const std::string style = between(page, "<style id=\"page-style\">", "</style>");
+    for (const std::string& text : {script_of(page), style})
+        EXPECT_NE(policy.find("'sha256-" + base64_of_digits(sha256_of(text)) + "'"),
+                  std::string::npos);
+    EXPECT_EQ(page.find("src=\"http"), std::string::npos);
+    EXPECT_EQ(page.find("href=\"http"), std::string::npos);
+}
+
+TEST(HtmlPage, CarriesEveryScriptOfThePage) {
+    const std::string page = html_page(a_page());
+    const std::string workbench = html_workbench(a_page(), {}, "{}");
+    for (const PageFile& file : page_files()) {
+        if (!file.name.ends_with(".js") && !file.name.ends_with(".css")) continue;
+        const bool is_of_workbench =
+            file.name.starts_with("workbench.") || file.name == "editor.js";
+        const std::string code = compact_script(file.text);
+        EXPECT_EQ(page.find(code) != std::string::npos, !is_of_workbench) << file.name;
+        EXPECT_NE(workbench.find(code), std::string::npos) << file.name;
+    }
+}
+
+TEST(HtmlPage, ScriptsLoseCommentsAndIndentsOnly) {
+    EXPECT_EQ(compact_script("// a\n/**\n * b\n */\nf();\n\n  g();  // c\n"), "f();\ng();  // c\n");
+    EXPECT_EQ(compact_script("/** @type {T} */ (x).y = /** @type {U} */ (z);"), "(x).y =  (z);\n");
+    EXPECT_EQ(compact_script("/* a\n   b */\n.c {\n  d: e; /* f */\n}"), ".c {\nd: e; \n}\n");
+    EXPECT_EQ(compact_script("accept = 'image/*,.obj'; /** a */ f('*/');"),
+              "accept = 'image/*,.obj';  f('*/');\n");
+    EXPECT_EQ(compact_script("f(); /** without an end"), "f(); \n");
+    EXPECT_EQ(compact_script(""), "");
+}
+
+// What compact_script asks of the scripts: it would change a text that goes over lines.
+TEST(HtmlPage, NoTextOfAScriptGoesOverLines) {
+    for (const PageFile& file : page_files()) {
+        if (!file.name.ends_with(".js")) continue;
+        const std::string code = compact_script(file.text);
+        for (std::size_t at = 0; at < code.size();) {
+            const std::string line = code.substr(at, code.find('\n', at) - at);
+            EXPECT_EQ(std::ranges::count(line, '`') % 2, 0) << file.name << ": " << line;
+            at += line.size() + 1;
+        }
+    }
+}
+
+TEST(HtmlPage, ThePageOfEverySceneTakesAtMost1200000Bytes) {
+    if (page_module_lzma().empty()) GTEST_SKIP() << "this program was built without its module";
+    const TemporaryFolder folder;
+    LazyRenderer renderer;
+    int n_pages = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
+        if (entry.path().extension() != ".toml") continue;
+        SceneRequest request;
+        request.file = entry.path().string();
+        const std::string page = folder / (entry.path().stem().string() + ".html");
+        write_page(request, page, renderer, {});
+        EXPECT_LE(std::filesystem::file_size(page), 1'200'000u) << entry.path();
+        ++n_pages;
+    }
+    EXPECT_GT(n_pages, 30);
+}
+
+TEST(HtmlPage, TheWorkbenchCarriesTheTemplateOfAPage) {
+    GalleryScene scene;
+    scene.name = "b";
+    scene.title = hostile;
+    scene.text = hostile;
+    const std::string workbench = html_workbench(a_page(), {scene}, "{\"a\": \"</script>\"}");
+    EXPECT_EQ(n_of(workbench, "</script>"), 5);
+    const std::string data =
+        between(workbench, "id=\"workbench-data\" type=\"application/json\">", "</script>");
+    EXPECT_EQ(data.find('<'), std::string::npos);
+    // The template waits for a scene, and for nothing else of the program.
+    for (const char* name : {"scene", "title", "module", "fonts", "poster", "language", "ground"})
+        EXPECT_NE(data.find(std::string("{{") + name + "}}"), std::string::npos) << name;
+    EXPECT_EQ(data.find("{{script"), std::string::npos);
+}
+
+}  // namespace
+
+}  // namespace poinsot
