@@ -140,16 +140,36 @@ Camera changed(const Camera& camera, const PanelView& view) {
 
 Lecture::Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size)
     : session_(session_with(read(files, size), std::move(fonts))),
+      grid_(session_.scene.grid),
+      panels_(session_.scene.panels),
       type_scale_(session_.scene.type_scale),
       film_(film_plan(session_)) {
     resize(size);
 }
 
+void Lecture::size_scene(const CanvasSize& size) {
+    Scene& scene = session_.scene;
+    scene.film.width_px = size.width_px;
+    scene.film.height_px = size.height_px;
+    scene.type_scale = type_scale_ * size.type_scale;
+    const bool is_upright = size.height_px > size.width_px && !panels_.empty();
+    scene.grid = is_upright ? GridSpec{{1.0}, {}} : grid_;
+    // In place, for the drawn stage refers to the panels.
+    for (std::size_t i = 0; i < panels_.size(); ++i) {
+        PanelSpec& panel = scene.panels[i];
+        panel.column = is_upright ? 0 : panels_[i].column;
+        panel.row = is_upright ? static_cast<int>(i) : panels_[i].row;
+        panel.columns = is_upright ? 1 : panels_[i].columns;
+        panel.rows = is_upright ? 1 : panels_[i].rows;
+        // Charts are wide.
+        const bool is_chart = panel_kind_named(panel.kind).camera == CameraUse::none;
+        if (is_upright) scene.grid.rows.push_back(is_chart ? 0.7 : 1.0);
+    }
+    session_.accuracy = accuracy_of(scene);
+}
+
 Stage Lecture::stage_of_size(const CanvasSize& size) {
-    session_.scene.film.width_px = size.width_px;
-    session_.scene.film.height_px = size.height_px;
-    session_.scene.type_scale = type_scale_ * size.type_scale;
-    session_.accuracy = accuracy_of(session_.scene);
+    size_scene(size);
     PictureSetting setting = setting_of(session_.scene);
     setting.samples = 1;
     return stage_of(session_, {film_.time_of(0), film_.last_time_s(), {}}, setting);
@@ -179,10 +199,7 @@ Drawing Lecture::drawing_at(const FilmTime& moment) const { return stage_->at(mo
 
 Drawing Lecture::drawing_of_size(const FilmTime& moment, int width_px, int height_px) {
     picture_stage_.emplace(stage_of_size({width_px, height_px}));
-    session_.scene.film.width_px = size_.width_px;
-    session_.scene.film.height_px = size_.height_px;
-    session_.scene.type_scale = type_scale_ * size_.type_scale;
-    session_.accuracy = accuracy_of(session_.scene);
+    size_scene(size_);
     return picture_stage_->at(moment, cameras_);
 }
 

@@ -97,10 +97,14 @@ class Lecture {
     std::string panels_text() const;
 
  private:
+    // Sizes the scene's pictures. On upright ones the panels stand one below the other.
+    void size_scene(const CanvasSize& size);
     Stage stage_of_size(const CanvasSize& size);
 
     Session session_;
-    double type_scale_;  // of the scene
+    GridSpec grid_;                  // of the scene as read
+    std::vector<PanelSpec> panels_;  // likewise
+    double type_scale_;              // of the scene
     CanvasSize size_;
     FilmPlan film_;
     std::optional<Stage> stage_, picture_stage_;

@@ -6,7 +6,11 @@
 namespace poinsot {
 
 // Upper limit of the time for stepping; estimates above it are rejected.
+#ifdef __wasm__
+inline constexpr double longest_stepping_s = 20.0;  // a page does nothing else meanwhile
+#else
 inline constexpr double longest_stepping_s = 600.0;
+#endif
 
 // CPU time of this thread: an estimate does not depend on other load.
 double thread_processor_s();
