@@ -19,6 +19,7 @@ TABLES = {
     "object.pictures[]": "Pictures on flat faces of the body, one table for each picture.",
     "start": "The motion at t = 0. A heavy top starts from `theta_rad` and its rates, every other motion from `omega_rad_s`.",
     "torque": "The torque on the body.",
+    "measured": "A measured motion, which is drawn beside the exact one.",
     "motion": "How poinsot computes the motion.",
     "beside": "A second method, whose motion is drawn as a ghost for comparison.",
     "film": "The time span of the motion, and the film or still that shows it.",
