@@ -69,7 +69,7 @@ Drawer make_solid_angle(const Panel& panel, StageStore& store) {
         if (k % 8 == 4) middles.push_back(at(0.55));
     }
     const TextBlock type = set_label(panel, store, "S", 0.9);
-    return [&panel, arcs, middles, type, ink](const FrameInput&, ViewBuilder& builder) {
+    return [arcs, middles, type, ink](const FrameInput&, ViewBuilder& builder) {
         builder.view.curves.insert(builder.view.curves.end(), arcs.begin(), arcs.end());
         // The name is where the area faces the viewer.
         const Eigen::Vector3d towards_eye = builder.view.camera.eye - builder.view.camera.target;
