@@ -46,8 +46,8 @@ struct TallGlyph {
     double extent = 0.0;
 };
 
-// A piece from which taller forms of a glyph are assembled, bottom first; its connectors may overlap
-// those of its neighbours.
+// A piece from which taller forms of a glyph are assembled, bottom first; its connectors may
+// overlap those of its neighbours.
 struct GlyphPiece {
     GlyphId glyph = 0;
     double advance = 0.0, start_connector = 0.0, end_connector = 0.0;

@@ -51,7 +51,7 @@ struct Theme {
     LineStyle torque;    // N
     LineStyle axes[3];
     LineStyle contact;
-    LineStyle mark;  // points that the scene marks, and their paths
+    LineStyle mark;      // points that the scene marks, and their paths
     LineStyle measured;  // the points and the track of a measured motion
     LineStyle body_cone;
     LineStyle space_cone;

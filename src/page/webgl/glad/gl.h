@@ -1,5 +1,5 @@
-// The part of OpenGL ES 3.0 that src/render/ calls, imported from page/program.js, which calls WebGL.
-// It stands in for the loader of the native program.
+// The part of OpenGL ES 3.0 that src/render/ calls, imported from page/program.js, which calls
+// WebGL. It stands in for the loader of the native program.
 #pragma once
 
 #include <cstddef>
@@ -95,60 +95,82 @@ POINSOT_GL(glBindTexture) void glBindTexture(GLenum target, GLuint texture);
 POINSOT_GL(glBindVertexArray) void glBindVertexArray(GLuint array);
 POINSOT_GL(glBlendEquation) void glBlendEquation(GLenum mode);
 POINSOT_GL(glBlendFunc) void glBlendFunc(GLenum sfactor, GLenum dfactor);
-POINSOT_GL(glBlitFramebuffer) void glBlitFramebuffer(GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0, GLint dstY0, GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
-POINSOT_GL(glBufferData) void glBufferData(GLenum target, GLsizeiptr size, const void *  data, GLenum usage);
+POINSOT_GL(glBlitFramebuffer)
+void glBlitFramebuffer(GLint srcX0, GLint srcY0, GLint srcX1, GLint srcY1, GLint dstX0, GLint dstY0,
+                       GLint dstX1, GLint dstY1, GLbitfield mask, GLenum filter);
+POINSOT_GL(glBufferData)
+void glBufferData(GLenum target, GLsizeiptr size, const void* data, GLenum usage);
 POINSOT_GL(glCheckFramebufferStatus) GLenum glCheckFramebufferStatus(GLenum target);
 POINSOT_GL(glClear) void glClear(GLbitfield mask);
 POINSOT_GL(glClearColor) void glClearColor(GLfloat red, GLfloat green, GLfloat blue, GLfloat alpha);
 POINSOT_GL(glCompileShader) void glCompileShader(GLuint shader);
 POINSOT_GL(glCreateProgram) GLuint glCreateProgram();
 POINSOT_GL(glCreateShader) GLuint glCreateShader(GLenum type);
-POINSOT_GL(glDeleteBuffers) void glDeleteBuffers(GLsizei n, const GLuint *  buffers);
-POINSOT_GL(glDeleteFramebuffers) void glDeleteFramebuffers(GLsizei n, const GLuint *  framebuffers);
+POINSOT_GL(glDeleteBuffers) void glDeleteBuffers(GLsizei n, const GLuint* buffers);
+POINSOT_GL(glDeleteFramebuffers) void glDeleteFramebuffers(GLsizei n, const GLuint* framebuffers);
 POINSOT_GL(glDeleteProgram) void glDeleteProgram(GLuint program);
-POINSOT_GL(glDeleteRenderbuffers) void glDeleteRenderbuffers(GLsizei n, const GLuint *  renderbuffers);
+POINSOT_GL(glDeleteRenderbuffers)
+void glDeleteRenderbuffers(GLsizei n, const GLuint* renderbuffers);
 POINSOT_GL(glDeleteShader) void glDeleteShader(GLuint shader);
-POINSOT_GL(glDeleteTextures) void glDeleteTextures(GLsizei n, const GLuint *  textures);
-POINSOT_GL(glDeleteVertexArrays) void glDeleteVertexArrays(GLsizei n, const GLuint *  arrays);
+POINSOT_GL(glDeleteTextures) void glDeleteTextures(GLsizei n, const GLuint* textures);
+POINSOT_GL(glDeleteVertexArrays) void glDeleteVertexArrays(GLsizei n, const GLuint* arrays);
 POINSOT_GL(glDepthFunc) void glDepthFunc(GLenum func);
 POINSOT_GL(glDetachShader) void glDetachShader(GLuint program, GLuint shader);
 POINSOT_GL(glDisable) void glDisable(GLenum cap);
 POINSOT_GL(glDrawArrays) void glDrawArrays(GLenum mode, GLint first, GLsizei count);
-POINSOT_GL(glDrawElements) void glDrawElements(GLenum mode, GLsizei count, GLenum type, const void *  indices);
+POINSOT_GL(glDrawElements)
+void glDrawElements(GLenum mode, GLsizei count, GLenum type, const void* indices);
 POINSOT_GL(glEnable) void glEnable(GLenum cap);
 POINSOT_GL(glEnableVertexAttribArray) void glEnableVertexAttribArray(GLuint index);
-POINSOT_GL(glFramebufferRenderbuffer) void glFramebufferRenderbuffer(GLenum target, GLenum attachment, GLenum renderbuffertarget, GLuint renderbuffer);
-POINSOT_GL(glFramebufferTexture2D) void glFramebufferTexture2D(GLenum target, GLenum attachment, GLenum textarget, GLuint texture, GLint level);
-POINSOT_GL(glGenBuffers) void glGenBuffers(GLsizei n, GLuint *  buffers);
-POINSOT_GL(glGenFramebuffers) void glGenFramebuffers(GLsizei n, GLuint *  framebuffers);
-POINSOT_GL(glGenRenderbuffers) void glGenRenderbuffers(GLsizei n, GLuint *  renderbuffers);
-POINSOT_GL(glGenTextures) void glGenTextures(GLsizei n, GLuint *  textures);
-POINSOT_GL(glGenVertexArrays) void glGenVertexArrays(GLsizei n, GLuint *  arrays);
+POINSOT_GL(glFramebufferRenderbuffer)
+void glFramebufferRenderbuffer(GLenum target, GLenum attachment, GLenum renderbuffertarget,
+                               GLuint renderbuffer);
+POINSOT_GL(glFramebufferTexture2D)
+void glFramebufferTexture2D(GLenum target, GLenum attachment, GLenum textarget, GLuint texture,
+                            GLint level);
+POINSOT_GL(glGenBuffers) void glGenBuffers(GLsizei n, GLuint* buffers);
+POINSOT_GL(glGenFramebuffers) void glGenFramebuffers(GLsizei n, GLuint* framebuffers);
+POINSOT_GL(glGenRenderbuffers) void glGenRenderbuffers(GLsizei n, GLuint* renderbuffers);
+POINSOT_GL(glGenTextures) void glGenTextures(GLsizei n, GLuint* textures);
+POINSOT_GL(glGenVertexArrays) void glGenVertexArrays(GLsizei n, GLuint* arrays);
 POINSOT_GL(glGenerateMipmap) void glGenerateMipmap(GLenum target);
 POINSOT_GL(glGetError) GLenum glGetError();
-POINSOT_GL(glGetIntegerv) void glGetIntegerv(GLenum pname, GLint *  data);
-POINSOT_GL(glGetProgramInfoLog) void glGetProgramInfoLog(GLuint program, GLsizei bufSize, GLsizei *  length, GLchar *  infoLog);
-POINSOT_GL(glGetProgramiv) void glGetProgramiv(GLuint program, GLenum pname, GLint *  params);
-POINSOT_GL(glGetShaderInfoLog) void glGetShaderInfoLog(GLuint shader, GLsizei bufSize, GLsizei *  length, GLchar *  infoLog);
-POINSOT_GL(glGetShaderiv) void glGetShaderiv(GLuint shader, GLenum pname, GLint *  params);
-POINSOT_GL(glGetUniformLocation) GLint glGetUniformLocation(GLuint program, const GLchar *  name);
+POINSOT_GL(glGetIntegerv) void glGetIntegerv(GLenum pname, GLint* data);
+POINSOT_GL(glGetProgramInfoLog)
+void glGetProgramInfoLog(GLuint program, GLsizei bufSize, GLsizei* length, GLchar* infoLog);
+POINSOT_GL(glGetProgramiv) void glGetProgramiv(GLuint program, GLenum pname, GLint* params);
+POINSOT_GL(glGetShaderInfoLog)
+void glGetShaderInfoLog(GLuint shader, GLsizei bufSize, GLsizei* length, GLchar* infoLog);
+POINSOT_GL(glGetShaderiv) void glGetShaderiv(GLuint shader, GLenum pname, GLint* params);
+POINSOT_GL(glGetUniformLocation) GLint glGetUniformLocation(GLuint program, const GLchar* name);
 POINSOT_GL(glLinkProgram) void glLinkProgram(GLuint program);
 POINSOT_GL(glPixelStorei) void glPixelStorei(GLenum pname, GLint param);
-POINSOT_GL(glReadPixels) void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type, void *  pixels);
-POINSOT_GL(glRenderbufferStorage) void glRenderbufferStorage(GLenum target, GLenum internalformat, GLsizei width, GLsizei height);
+POINSOT_GL(glReadPixels)
+void glReadPixels(GLint x, GLint y, GLsizei width, GLsizei height, GLenum format, GLenum type,
+                  void* pixels);
+POINSOT_GL(glRenderbufferStorage)
+void glRenderbufferStorage(GLenum target, GLenum internalformat, GLsizei width, GLsizei height);
 POINSOT_GL(glScissor) void glScissor(GLint x, GLint y, GLsizei width, GLsizei height);
-POINSOT_GL(glShaderSource) void glShaderSource(GLuint shader, GLsizei count, const GLchar * const* string, const GLint *  length);
-POINSOT_GL(glTexImage2D) void glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height, GLint border, GLenum format, GLenum type, const void *  pixels);
+POINSOT_GL(glShaderSource)
+void glShaderSource(GLuint shader, GLsizei count, const GLchar* const* string, const GLint* length);
+POINSOT_GL(glTexImage2D)
+void glTexImage2D(GLenum target, GLint level, GLint internalformat, GLsizei width, GLsizei height,
+                  GLint border, GLenum format, GLenum type, const void* pixels);
 POINSOT_GL(glTexParameteri) void glTexParameteri(GLenum target, GLenum pname, GLint param);
-POINSOT_GL(glTexSubImage2D) void glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width, GLsizei height, GLenum format, GLenum type, const void *  pixels);
+POINSOT_GL(glTexSubImage2D)
+void glTexSubImage2D(GLenum target, GLint level, GLint xoffset, GLint yoffset, GLsizei width,
+                     GLsizei height, GLenum format, GLenum type, const void* pixels);
 POINSOT_GL(glUniform1i) void glUniform1i(GLint location, GLint v0);
 POINSOT_GL(glUniform2f) void glUniform2f(GLint location, GLfloat v0, GLfloat v1);
-POINSOT_GL(glUniform2fv) void glUniform2fv(GLint location, GLsizei count, const GLfloat *  value);
-POINSOT_GL(glUniform3fv) void glUniform3fv(GLint location, GLsizei count, const GLfloat *  value);
-POINSOT_GL(glUniform4f) void glUniform4f(GLint location, GLfloat v0, GLfloat v1, GLfloat v2, GLfloat v3);
-POINSOT_GL(glUniform4fv) void glUniform4fv(GLint location, GLsizei count, const GLfloat *  value);
+POINSOT_GL(glUniform2fv) void glUniform2fv(GLint location, GLsizei count, const GLfloat* value);
+POINSOT_GL(glUniform3fv) void glUniform3fv(GLint location, GLsizei count, const GLfloat* value);
+POINSOT_GL(glUniform4f)
+void glUniform4f(GLint location, GLfloat v0, GLfloat v1, GLfloat v2, GLfloat v3);
+POINSOT_GL(glUniform4fv) void glUniform4fv(GLint location, GLsizei count, const GLfloat* value);
 POINSOT_GL(glUseProgram) void glUseProgram(GLuint program);
-POINSOT_GL(glVertexAttribPointer) void glVertexAttribPointer(GLuint index, GLint size, GLenum type, GLboolean normalized, GLsizei stride, const void *  pointer);
+POINSOT_GL(glVertexAttribPointer)
+void glVertexAttribPointer(GLuint index, GLint size, GLenum type, GLboolean normalized,
+                           GLsizei stride, const void* pointer);
 POINSOT_GL(glViewport) void glViewport(GLint x, GLint y, GLsizei width, GLsizei height);
 }
 #undef POINSOT_GL
