@@ -30,6 +30,8 @@ std::optional<MontgomeryPhase> montgomery_phase(const MotionProblem& problem) {
     const FreeRotation motion(problem.inertia, problem.start, problem.on_separatrix);
     const FreeRotationConstants& constants = motion.constants();
     if (!constants.polhode_period_s || !constants.advance_per_period_rad) return std::nullopt;
+    // Of the smallest doubles the period overflows.
+    if (!std::isfinite(*constants.polhode_period_s)) return std::nullopt;
 
     const Eigen::Matrix3d principal_from_body = problem.inertia.body_from_principal().transpose();
     const Eigen::Vector3d& moments = problem.inertia.moments_kg_m2();

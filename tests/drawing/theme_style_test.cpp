@@ -56,7 +56,8 @@ TEST(Style, EveryRoleChangesItsOwnMember) {
               &Theme::rho,         &Theme::gradient,   &Theme::torque,     &Theme::mark,
               &Theme::contact,     &Theme::body_cone,  &Theme::space_cone, &Theme::annulus,
               &Theme::separatrix,  &Theme::ghost,      &Theme::sphere,     &Theme::solid,
-              &Theme::solid_lines, &Theme::energy,     &Theme::potential,  &Theme::rule})
+              &Theme::solid_lines, &Theme::energy,     &Theme::potential,  &Theme::rule,
+              &Theme::measured})
             compare(theme.*ink, base.*ink);
         for (int i = 0; i < 3; ++i) {
             compare(theme.axes[i], base.axes[i]);

@@ -20,7 +20,7 @@ TEST(Shaders, AreAllUsed) {
         "background.vert", "background.frag", "plane.frag",     "polygon.vert", "shadow.vert",
         "shadow.frag",     "ellipsoid.vert",  "ellipsoid.frag", "cone.frag",    "curve.vert",
         "curve.frag",      "arrow.frag",      "dot.frag",       "label.frag",   "mesh.vert",
-        "mesh.frag",       "layer.frag",      "trace.frag",     "screen.frag"};
+        "mesh.frag",       "layer.frag",      "trace.frag",     "screen.vert",  "screen.frag"};
     for (const ShaderSource& source : shader_sources())
         for (const ShaderSource& other : shader_sources())
             if (other.text.find("#include \"" + std::string(source.name)) != std::string_view::npos)

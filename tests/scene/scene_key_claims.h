@@ -731,7 +731,7 @@ inline Claim style_claim() {
                        look.opacity_percent == (surface ? std::optional(33.3) : std::nullopt);
             }};
 }
-inline constexpr std::size_t n_style_roles = 34;
+inline constexpr std::size_t n_style_roles = 35;
 template <std::size_t... role>
 inline std::map<std::string, Claim> with_styles(std::map<std::string, Claim> all,
                                                 std::index_sequence<role...>) {

@@ -1,6 +1,7 @@
 // Kept tables of fonts against the fonts that they were made of, read by FreeType and HarfBuzz.
 #include "typeset/kept_font.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <string>
@@ -15,7 +16,8 @@ namespace {
 std::vector<char32_t> letters() {
     std::vector<char32_t> all;
     for (char32_t c = U' '; c <= U'~'; ++c) all.push_back(c);
-    for (char32_t c = U'\u00A1'; c <= U'\u017F'; ++c) all.push_back(c);
+    for (char32_t c = U'\u00A1'; c <= U'\u017F'; ++c)
+        if (c != U'\u00AD') all.push_back(c);  // HarfBuzz hides the soft hyphen
     for (const char32_t c : {U'ω', U'√', U'(', U')', U'∫', U'√', U'⟨', U'{', U'‘', U'’'})
         all.push_back(c);
     return all;
@@ -47,6 +49,12 @@ bool same(const GlyphOutline& a, const GlyphOutline& b) {
     return true;
 }
 
+std::string text_of(const std::u32string& text) {
+    std::string codes;
+    for (const char32_t c : text) codes += fmt::format("U+{:04X} ", static_cast<unsigned>(c));
+    return codes;
+}
+
 // Every pair, and words with ligatures of two and three letters.
 TEST(KeptFont, SetsTextToTheSamePositions) {
     for (const std::string_view name : font_names()) {
@@ -55,6 +63,7 @@ TEST(KeptFont, SetsTextToTheSamePositions) {
             for (const char32_t c : text)
                 if (!fonts.font.glyph(c)) return;
             const ShapedRun expected = fonts.font.shape(text), run = fonts.kept.shape(text);
+            SCOPED_TRACE(text_of(text));
             ASSERT_EQ(run.glyphs.size(), expected.glyphs.size()) << name;
             EXPECT_EQ(run.advance, expected.advance) << name;
             for (std::size_t k = 0; k < run.glyphs.size(); ++k) {

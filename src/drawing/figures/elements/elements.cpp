@@ -93,7 +93,7 @@ Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by) 
     at_scene_key(stage.scene, "page.elements",
                  [&] { check(stage.scene.page.elements.value_or(std::vector<std::string>{})); });
     std::vector<Drawer> drawers;
-    at_scene_key(stage.scene, "show", [&] {
+    const auto make = [&] {
         check(stage.scene.show);
         for (const Element& element : elements()) {
             if (element.taken_by != taken_by || !is_shown(stage, element.name)) continue;
@@ -102,7 +102,11 @@ Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by) 
             drawers.push_back(
                 fading(stage, store, std::string(element.name), element.make(panel, store)));
         }
-    });
+    };
+    if (stage.scene.show.empty())
+        make();
+    else
+        at_scene_key(stage.scene, "show", make);
     return [drawers](const FrameInput& instant, ViewBuilder& builder) {
         for (const Drawer& draw : drawers) draw(instant, builder);
     };
