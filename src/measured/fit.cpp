@@ -288,7 +288,7 @@ Parameters fitted(const Family& family, std::span<const MeasuredRow> rows, Param
         const std::size_t n = std::min(rows.size(), n_within(span_s));
         LeastSquares problem{Residuals{rows.first(n), &family}};
         Eigen::LevenbergMarquardt<LeastSquares> method(problem);
-        method.parameters.maxfev = 100;
+        method.parameters.maxfev = 200;
         Eigen::VectorXd p = start;
         method.minimize(p);
         start = p;
@@ -381,12 +381,15 @@ struct Start {
     double rest = std::numeric_limits<double>::infinity();  // of Euler's equations
 };
 
-// The damping that Euler's equations hold best with, for windows of this angle.
-Start start_of(std::span<const MeasuredRow> rows, double window_rad) {
+// That of these dampings which Euler's equations hold best with, for windows of this angle. Each is
+// given by γ times the span of the rows.
+constexpr std::array<double, 6> losses{0.0, 0.1, 0.3, 1.0, 2.0, 4.0};
+Start start_of(std::span<const MeasuredRow> rows, double window_rad,
+               std::span<const double> tried = losses) {
     const double span_s = rows.back().time_s - rows.front().time_s;
     Start start;
     start.parameters = start.family.parameters(Tensor::Identity(), rows.front().omega_body, 0.0);
-    for (const double loss : {0.0, 0.1, 0.3, 1.0, 2.0, 4.0}) {
+    for (const double loss : tried) {
         const auto [tensor, rest] = first_tensor(normal_of(rows, loss / span_s, window_rad));
         if (!(rest < start.rest)) continue;
         start.rest = rest;
@@ -429,6 +432,10 @@ std::vector<Start> starts_of(std::span<const MeasuredRow> rows,
             starts.push_back(std::move(start));
         } while (std::next_permutation(order.begin(), order.end()));
     }
+    // Noise may also make the wrong damping look best.
+    if (!moments)
+        for (const double& loss : losses)
+            starts.push_back(start_of(rows, 1.0, std::span(&loss, 1)));
     if (moments) {
         constexpr std::size_t most = 6;
         std::stable_sort(starts.begin(), starts.end(),
