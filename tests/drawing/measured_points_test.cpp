@@ -116,7 +116,8 @@ TEST(MeasuredPoints, AreNotJoinedAcrossGaps) {
     rows.erase(rows.begin() + 10, rows.begin() + 20);
     const StagedScene staged(scene, 10.0);
     std::vector<std::size_t> lengths;
-    for (const Curve& curve : staged.stage.at(10.0).views.at(0).curves)
+    const Drawing drawing = staged.stage.at(10.0);
+    for (const Curve& curve : drawing.views.at(0).curves)
         if (is_measured(curve.name)) lengths.push_back(curve.geometry->points.size());
     EXPECT_EQ(lengths, (std::vector<std::size_t>{10, 21}));
 }

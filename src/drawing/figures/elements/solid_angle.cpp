@@ -69,13 +69,16 @@ Drawer make_solid_angle(const Panel& panel, StageStore& store) {
         if (k % 8 == 4) middles.push_back(at(0.55));
     }
     const TextBlock type = set_label(panel, store, "S", 0.9);
-    return [arcs, middles, type, ink](const FrameInput&, ViewBuilder& builder) {
+    const Eigen::Matrix3d inertia = panel.stage->scene.body.inertia.matrix_body();
+    return [arcs, middles, type, ink, inertia](const FrameInput& instant, ViewBuilder& builder) {
         builder.view.curves.insert(builder.view.curves.end(), arcs.begin(), arcs.end());
-        // The name is where the area faces the viewer.
-        const Eigen::Vector3d towards_eye = builder.view.camera.eye - builder.view.camera.target;
+        // The name is where the area faces the viewer, away from the arrows at the tip of L.
+        const Camera& camera = builder.view.camera;
+        const Eigen::Vector3d clear = (camera.eye - camera.target).stableNormalized() -
+                                      (inertia * instant.state.omega_body).stableNormalized();
         const Eigen::Vector3d* best = &middles.front();
         for (const Eigen::Vector3d& middle : middles)
-            if (middle.dot(towards_eye) > best->dot(towards_eye)) best = &middle;
+            if (middle.dot(clear) > best->dot(clear)) best = &middle;
         LabelRequest request;
         request.type = type;
         request.anchor_px = project(builder.view, *best).px;
