@@ -41,7 +41,7 @@ class Reader {
     }
     double take_signed() {
         const std::uint32_t number = take();
-        const double half = number / 2;
+        const auto half = static_cast<double>(number >> 1u);
         return number % 2 == 1 ? -half - 1.0 : half;
     }
     std::string_view rest;
