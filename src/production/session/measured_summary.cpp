@@ -17,6 +17,7 @@ namespace {
 void add_faults(const MeasuredMotion& measured, std::vector<SummaryLine>& lines) {
     const std::vector<MeasuredGap> gaps = gaps_of(measured.rows);
     std::vector<std::string> spans;
+    spans.reserve(gaps.size());
     for (const MeasuredGap& gap : gaps)
         spans.push_back(fmt::format("[{}, {}]", json_number(gap.from_s), json_number(gap.to_s)));
     lines.push_back(
