@@ -74,11 +74,11 @@ const all_words = {
   key_pan: ['move the view', 'Ansicht verschieben', 'déplacer la vue', 'desplazar la vista', 'spostare la vista', '視点を動かす'],
   key_zoom: ['nearer, farther', 'näher, weiter', 'plus près, plus loin', 'más cerca, más lejos', 'più vicino, più lontano', '近く・遠く'],
   drag_omega: ['Drag the tip of ω to choose another polhode.', 'Ziehen Sie die Spitze von ω, um eine andere Polhodie zu wählen.',
-    'Tirez la pointe de ω pour choisir une autre polhodie.', 'Arrastre la punta de ω para elegir otra polhodia.',
+    'Tirez la pointe de ω pour choisir une autre polhodie.', 'Arrastre la punta de ω para elegir otra polodia.',
     'Trascinate la punta di ω per scegliere un’altra polodia.', 'ω の先を引くと別のポルホードを選べます。'],
-  drag_plane: ['Drag the foot of L to move the plane to another polhode.', 'Ziehen Sie den Fußpunkt von L, um die Ebene zu einer anderen Polhodie zu verschieben.',
-    'Tirez le pied de L pour déplacer le plan vers une autre polhodie.', 'Arrastre el pie de L para llevar el plano a otra polodia.',
-    'Trascinate il piede di L per portare il piano a un’altra polodia.', 'L の足を引くと平面が別のポルホードに移ります。'],
+  drag_plane: ['Drag the point where L meets the plane to choose another polhode.', 'Ziehen Sie den Punkt, an dem L die Ebene trifft, um eine andere Polhodie zu wählen.',
+    'Tirez le point où L rencontre le plan pour choisir une autre polhodie.', 'Arrastre el punto donde L corta el plano para elegir otra polodia.',
+    'Trascinate il punto in cui L incontra il piano per scegliere un’altra polodia.', 'L と平面の交点を引くと別のポルホードを選べます。'],
 };
 
 /** Names of elements and overlays. @type {Record<string, string[]>} */
@@ -108,6 +108,10 @@ const element_words = {
   precession: ['precession', 'Präzession', 'précession', 'precesión', 'precessione', '歳差運動'],
   contact: ['contact point', 'Berührpunkt', 'point de contact', 'punto de contacto', 'punto di contatto', '接触点'],
   ghost: ['second method', 'zweites Verfahren', 'seconde méthode', 'segundo método', 'secondo metodo', '第二の解法'],
+  measured: ['measured points', 'Messpunkte', 'points mesurés', 'puntos medidos', 'punti misurati', '測定点'],
+  'inertial-forces': ['inertial forces', 'Trägheitskräfte', 'forces d’inertie', 'fuerzas de inercia', 'forze d’inerzia', '慣性力'],
+  'solid-angle': ['solid angle', 'Raumwinkel', 'angle solide', 'ángulo sólido', 'angolo solido', '立体角'],
+  'period-turn': ['turn in one period', 'Drehung in einer Periode', 'rotation en une période', 'giro en un período', 'rotazione in un periodo', '1周期の回転'],
   drift: ['path of the second method', 'Spur des zweiten Verfahrens', 'trajet de la seconde méthode', 'trayecto del segundo método', 'percorso del secondo metodo', '第二の解法の軌跡'],
   title: ['title', 'Titel', 'titre', 'título', 'titolo', 'タイトル'],
   chapter: ['chapter', 'Abschnitt', 'chapitre', 'capítulo', 'capitolo', '章'],

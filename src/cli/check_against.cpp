@@ -86,9 +86,13 @@ void print_words(const std::string& file, const Session& session, const Departur
     if (last.momentum_tilt_rad)
         fmt::print("direction of L, which is constant: tilted by up to {:.3g} rad {}\n",
                    departure.momentum_tilt_rad().value, at(departure.momentum_tilt_rad()));
-    fmt::print("{}: {:.3g} rad ({:.3g} px), {:.3g} rad ({:.3g} px) allowed\n",
-               error_rad <= allowed_rad ? "passes" : "fails", error_rad, error_rad * px_per_rad,
-               allowed_rad, allowed_rad * px_per_rad);
+    const std::string_view outcome = error_rad <= allowed_rad ? "passes" : "fails";
+    // Without attitudes, the error is a share of ω.
+    if (last.attitude_rad)
+        fmt::print("{}: {:.3g} rad ({:.3g} px), {:.3g} rad ({:.3g} px) allowed\n", outcome,
+                   error_rad, error_rad * px_per_rad, allowed_rad, allowed_rad * px_per_rad);
+    else
+        fmt::print("{}: {:.3g} of |ω|, {:.3g} allowed\n", outcome, error_rad, allowed_rad);
 }
 
 void add_peak(JsonObject& answer, const std::string& name, const Peak& peak,

@@ -110,15 +110,17 @@ std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion&
     lines.push_back(
         fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
     if (fit.residual_rad_s > least_sds * fit.noise_rad_s)
-        lines.push_back(
-            fmt::format("note: the rows scatter by {:.2g} rad/s, less than the residual: the body "
-                        "was not quite "
-                        "free, and the standard deviations are too small",
-                        fit.noise_rad_s));
+        lines.push_back(fmt::format(
+            "note: the residual is larger than the noise of the rows, {:.2g} rad/s: {}; "
+            "the standard deviations are too small",
+            fit.noise_rad_s,
+            measured.has_omega ? "the body was not quite free"
+                               : "the body was not quite free, or the attitudes are "
+                                 "too far apart for differences"));
     if (excess_of(fit) > least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
         lines.push_back(fmt::format(
             "note: I1 > I2 + I3 by {:.2g}, which no rigid body has: check the units, the "
-            "axes and the time that was cut out",
+            "axes and the time span of the table",
             excess_of(fit)));
     if (!measured.has_omega)
         lines.emplace_back(
@@ -152,6 +154,12 @@ std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene
     const RotationState first{fit.first_time_s, measured.rows.front().space_from_body,
                               fit.omega_rad_s};
     const RotationState start = FreeRotation(inertia, first).at(0.0);
+    const Eigen::Vector3d moments = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
+    if (moments[0] < moments[1] || moments[1] < moments[2])
+        text += fmt::format(
+            "# The scene numbers the axes otherwise: I1, I2, I3 = {:.4g}, {:.4g}, {:.4g}, in units "
+            "of the largest.\n",
+            moments[0], moments[1], moments[2]);
     text += fmt::format("\n[body]\ntensor_kg_m2 = {}{}\n", toml_text(fit.tensor()),
                         fit.I1_kg_m2 ? "" : "  # I1 = 1: a common factor has no effect on ω");
     if (excess_of(fit) > 0.0) text += "allow_unphysical = true\n";
@@ -226,7 +234,8 @@ extern const Command fit_command{
     "DATA.csv",
     1,
     1,
-    "find the body behind a measured ω(t): ratios of moments, principal axes, start and damping",
+    "find the body behind a measured ω(t) or attitude: ratios of moments, principal axes, start "
+    "and damping",
     fit_line,
     {{{"poinsot fit gyro.csv",
        "prints what a gyroscope's table says about the body, with uncertainties"},

@@ -318,8 +318,10 @@ double noise_of(std::span<const MeasuredRow> rows) {
 }
 [[noreturn]] void throw_undetermined() {
     throw InputError(
-        "the rows do not determine the moments: other bodies move so, too; measure a motion whose "
-        "axis of rotation wanders through the body, or for longer");
+        "the rows do not determine the moments: bodies with other moments would give the same "
+        "ω(t); "
+        "measure a motion in which the axis of rotation moves farther through the body, or measure "
+        "for longer");
 }
 constexpr double most_noise_share = 0.3;      // of the rate
 constexpr double most_residual_share = 0.05;  // of the rate, where the rows scatter less

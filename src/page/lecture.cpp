@@ -184,10 +184,15 @@ void Lecture::set_views(const std::vector<PanelView>& views) {
     cameras_.clear();
     cameras_.resize(stage_->panels().size());
     for (const PanelView& view : views) {
-        const auto panel = static_cast<std::size_t>(view.panel);
-        if (view.panel < 0 || panel >= cameras_.size()) continue;
-        cameras_[panel] = [view](const Camera& camera) { return changed(camera, view); };
+        if (!has_panel(view.panel)) continue;
+        cameras_[static_cast<std::size_t>(view.panel)] = [view](const Camera& camera) {
+            return changed(camera, view);
+        };
     }
+}
+
+bool Lecture::has_panel(int panel) const {
+    return panel >= 0 && static_cast<std::size_t>(panel) < stage_->panels().size();
 }
 
 FilmTime Lecture::moment_of(double time_s, double film_s) const {
@@ -299,10 +304,9 @@ std::string Lecture::picked_at(const FilmTime& moment, const Eigen::Vector2d& px
 
 std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int panel,
                                                     const Eigen::Vector2d& px) const {
-    const auto number = static_cast<std::size_t>(panel);
-    if (panel < 0 || number >= stage_->panels().size()) return std::nullopt;
+    if (!has_panel(panel)) return std::nullopt;
     const Drawing drawing = drawing_at(moment);
-    const View& view = drawing.views[number];
+    const View& view = drawing.views[static_cast<std::size_t>(panel)];
     const Ellipsoid* ellipsoid = inertia_ellipsoid_of(view);
     if (ellipsoid == nullptr) return std::nullopt;
     // The line of sight in the axes in which the ellipsoid is the unit sphere: its nearer crossing,
@@ -325,10 +329,9 @@ std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int 
 
 std::optional<double> Lecture::energy_of_plane_at(const FilmTime& moment, int panel,
                                                   const Eigen::Vector2d& px) const {
-    const auto number = static_cast<std::size_t>(panel);
-    if (panel < 0 || number >= stage_->panels().size()) return std::nullopt;
+    if (!has_panel(panel)) return std::nullopt;
     const Drawing drawing = drawing_at(moment);
-    const View& view = drawing.views[number];
+    const View& view = drawing.views[static_cast<std::size_t>(panel)];
     const Plane* plane = invariable_plane_of(view);
     if (plane == nullptr) return std::nullopt;
     // The point of the perpendicular that is nearest to the line of sight.

@@ -97,6 +97,7 @@ class Lecture {
     std::string panels_text() const;
 
  private:
+    bool has_panel(int panel) const;
     // Sizes the scene's pictures. On upright ones the panels stand one below the other.
     void size_scene(const CanvasSize& size);
     Stage stage_of_size(const CanvasSize& size);

@@ -39,7 +39,7 @@ SceneKey thing_row(std::string_view name) {
     return key_rows::row(
                words.emplace_back(fmt::format("symbols.{}", name)), {.kind = ValueType::Kind::text},
                R"("rolling curve")",
-               words.emplace_back(fmt::format("name of the {}, as text with $formulas$", thing)))
+               words.emplace_back(fmt::format("text of the label \"{}\", with $formulas$", thing)))
         .read_by([name](const GivenValue& given, SceneDraft& draft) {
             draft.scene.symbols.things.insert_or_assign(std::string(name), given.text());
         })

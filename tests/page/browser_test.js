@@ -192,20 +192,22 @@ check('changes values, says the regime, and shows refusals in place', async (bro
   await tab.close();
 });
 
+/** Where the program finds what can be dragged, in CSS pixels; null: nowhere. */
+const place_of = (tab, thing) => tab.evaluate((thing) => {
+  const {figure} = the_page;
+  const found = [];
+  for (let y = 0; y < figure.canvas.height; y += 4)
+    for (let x = 0; x < figure.canvas.width; x += 4)
+      if (figure.program.pick(figure.time_s, x, y, figure.film.at_s)?.thing === thing) found.push([x, y]);
+  const mean = (k) => found.reduce((sum, at) => sum + at[k], 0) / found.length / figure.ratio;
+  return found.length > 0 ? [mean(0), mean(1)] : null;
+}, thing);
+
 check('drags the tip of ω along the ellipsoid, with the same energy', async (browser) => {
   const {tab, faults} = await opened(browser, {size: {width: 800, height: 560}});
   await ready(tab);
   await press(tab, 'Home');
-  // Where the program finds the tip, in CSS pixels.
-  const tip = await tab.evaluate(() => {
-    const {figure} = the_page;
-    const found = [];
-    for (let y = 0; y < figure.canvas.height; y += 6)
-      for (let x = 0; x < figure.canvas.width; x += 6)
-        if (figure.program.pick(figure.time_s, x, y, figure.film.at_s)?.thing === 'omega') found.push([x, y]);
-    const mean = (k) => found.reduce((sum, at) => sum + at[k], 0) / found.length / figure.ratio;
-    return found.length > 0 ? [mean(0), mean(1)] : null;
-  });
+  const tip = await place_of(tab, 'omega');
   assert.ok(tip, 'the tip of ω is in sight');
   const omega = () => tab.evaluate(() => window.poinsot.at(0).omega_body);
   const energy = ([x, y, z]) => 3 * x * x + 2 * y * y + z * z;
@@ -230,15 +232,7 @@ check('drags the plane along L to another polhode, with the same L', async (brow
     .replace('"start.omega_rad_s", ', '"start.energy_J", '));
   const {tab, faults} = await opened_file(browser, page_of(scene), {size: {width: 800, height: 560}});
   await ready(tab);
-  const foot = await tab.evaluate(() => {
-    const {figure} = the_page;
-    const found = [];
-    for (let y = 0; y < figure.canvas.height; y += 4)
-      for (let x = 0; x < figure.canvas.width; x += 4)
-        if (figure.program.pick(figure.time_s, x, y, figure.film.at_s)?.thing === 'plane') found.push([x, y]);
-    const mean = (k) => found.reduce((sum, at) => sum + at[k], 0) / found.length / figure.ratio;
-    return found.length > 0 ? [mean(0), mean(1)] : null;
-  });
+  const foot = await place_of(tab, 'plane');
   assert.ok(foot, 'the foot of L is in sight');
   const moments = [3, 2, 1];
   const values = async () => {

@@ -41,16 +41,19 @@ const write = (tab, text) => tab.evaluate((text) => {
   field.dispatchEvent(new Event('input'));
 }, text);
 
-/** What "Data (CSV)" saves, by rows. @returns {Promise<string[]>} */
-const rows_of_csv = async (tab) => (await tab.evaluate(() => new Promise((resolve) => {
+/** The text that a button saves. @returns {Promise<string>} */
+const saved_by = (tab, button) => tab.evaluate((button) => new Promise((resolve) => {
   const url = URL.createObjectURL;
   URL.createObjectURL = (blob) => {
     void blob.text().then(resolve);
     return url(blob);
   };
   HTMLAnchorElement.prototype.click = () => {};
-  document.getElementById('export-csv').click();
-}))).trim().split('\n');
+  document.getElementById(button).click();
+}), button);
+
+/** What "Data (CSV)" saves, by rows. @returns {Promise<string[]>} */
+const rows_of_csv = async (tab) => (await saved_by(tab, 'export-csv')).trim().split('\n');
 
 check('shows the scene of the text beside it', async (browser) => {
   const {tab, faults} = await opened(browser);
@@ -139,15 +142,7 @@ check('reads files that are dropped', async (browser) => {
 
 check('writes a page of the scene that runs, and its data', async (browser) => {
   const {tab, faults} = await opened(browser);
-  const text = await tab.evaluate(() => new Promise((resolve) => {
-    const url = URL.createObjectURL;
-    URL.createObjectURL = (blob) => {
-      void blob.text().then(resolve);
-      return url(blob);
-    };
-    HTMLAnchorElement.prototype.click = () => {};
-    document.getElementById('export-page').click();
-  }));
+  const text = await saved_by(tab, 'export-page');
   const file = path.join(folder, 'made.html');
   fs.writeFileSync(file, text);
   assert.ok(text.length < 1.25e6, `${text.length} bytes`);

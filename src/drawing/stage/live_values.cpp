@@ -22,7 +22,7 @@ MontgomeryPhase phase_named_in(std::string_view text, const Scene& scene) {
         const auto phase = montgomery_phase(problem_of(scene));
         if (phase) return *phase;
         throw InputError(
-            fmt::format("{}}} needs a motion in which ω returns in body axes; leave it out", name));
+            fmt::format("{}}} needs a torque-free motion whose polhode has a period; leave it out", name));
     }
     return {};
 }

@@ -20,8 +20,8 @@ void add_faults(const MeasuredMotion& measured, std::vector<SummaryLine>& lines)
     spans.reserve(gaps.size());
     for (const MeasuredGap& gap : gaps)
         spans.push_back(fmt::format("[{}, {}]", json_number(gap.from_s), json_number(gap.to_s)));
-    lines.push_back(
-        {"measured_gaps_s", json_list(spans), gaps.empty() ? "" : "its gaps", in_words(gaps)});
+    lines.push_back({"measured_gaps_s", json_list(spans), gaps.empty() ? "" : "gaps in its table",
+                     in_words(gaps)});
     std::vector<std::string> limits;
     std::string words;
     for (const Saturation& saturation : saturations_of(measured.rows)) {
@@ -33,8 +33,8 @@ void add_faults(const MeasuredMotion& measured, std::vector<SummaryLine>& lines)
                              .line());
         words += (words.empty() ? "" : "; ") + in_words(saturation);
     }
-    lines.push_back(
-        {"measured_saturation", json_list(limits), words.empty() ? "" : "its saturation", words});
+    lines.push_back({"measured_saturation", json_list(limits),
+                     words.empty() ? "" : "saturation in its table", words});
 }
 
 }  // namespace
@@ -64,9 +64,9 @@ void add_measured(const Session& session, double first_s, double last_s,
     lines.push_back({"measured_rows", fmt::format("{}", n), "", ""});
     if (n > 0) {
         const double rms = std::sqrt(sum / (3.0 * static_cast<double>(n)));
-        lines.push_back({"measured_rms_rad_s", json_number(rms), "its ω from the scene's",
-                         fmt::format("{:.3g} rad/s a component (root mean square); the largest "
-                                     "distance is {:.3g} rad/s, at {:.6g} s",
+        lines.push_back({"measured_rms_rad_s", json_number(rms), "residual of the measured ω",
+                         fmt::format("root mean square {:.3g} rad/s per component; largest "
+                                     "{:.3g} rad/s, at {:.6g} s",
                                      rms, worst.value, worst.time_s)});
         lines.push_back({"measured_worst_rad_s", json_number(worst.value), "", ""});
         lines.push_back({"measured_worst_at_s", json_number(worst.time_s), "", ""});
@@ -74,25 +74,25 @@ void add_measured(const Session& session, double first_s, double last_s,
                                         const std::optional<double>& last) {
             if (!last) return;
             lines.push_back({std::move(key), json_number(peak.value), std::move(label),
-                             fmt::format("off by up to {:.3g} %, at {:.6g} s; in the end {:+.3g} %",
+                             fmt::format("largest {:.3g} %, at {:.6g} s; at the last row {:+.3g} %",
                                          100.0 * peak.value, peak.time_s, 100.0 * *last)});
         };
         const auto add_angle = [&lines](std::string key, std::string label, const Peak& peak,
                                         const std::optional<double>& last) {
             if (!last) return;
             lines.push_back({std::move(key), json_number(peak.value), std::move(label),
-                             fmt::format("off by up to {:.3g} rad, at {:.6g} s; in the end {:.3g} "
+                             fmt::format("largest {:.3g} rad, at {:.6g} s; at the last row {:.3g} "
                                          "rad",
                                          peak.value, peak.time_s, *last)});
         };
         const DepartureAt& last = departure.last();
-        add_share("measured_energy_share", "its T, with the scene's moments",
-                  departure.energy_share(), last.energy_share);
-        add_share("measured_momentum_share", "its |L|, with the scene's moments",
+        add_share("measured_energy_share", "drift of the measured T", departure.energy_share(),
+                  last.energy_share);
+        add_share("measured_momentum_share", "drift of the measured |L|",
                   departure.momentum_share(), last.momentum_share);
-        add_angle("measured_attitude_rad", "its attitude", departure.attitude_rad(),
-                  last.attitude_rad);
-        add_angle("measured_momentum_tilt_rad", "the direction of its L",
+        add_angle("measured_attitude_rad", "error of the measured attitude",
+                  departure.attitude_rad(), last.attitude_rad);
+        add_angle("measured_momentum_tilt_rad", "tilt of the measured L",
                   departure.momentum_tilt_rad(), last.momentum_tilt_rad);
     }
     add_faults(table, lines);

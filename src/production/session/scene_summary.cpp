@@ -105,10 +105,9 @@ void add_free_motion(const Session& session, std::vector<SummaryLine>& lines) {
              json_numbers(phase->turned_rad, phase->dynamic_rad, phase->solid_angle_rad),
              "Montgomery's phase",
              fmt::format("in a polhode period the body turns about L by {:.6g}° = 2TP/L ({:.6g}°) "
-                         "{} the solid angle that L encloses in the body ({:.6g}°)",
+                         "− S, where S = {:.6g}° is the solid angle that L encloses in the body",
                          degrees(phase->turned_rad), degrees(phase->dynamic_rad),
-                         phase->solid_angle_rad < 0.0 ? "+" : "−",
-                         degrees(std::abs(phase->solid_angle_rad)))});
+                         degrees(phase->solid_angle_rad))});
     }
     const Polhode::Annulus annulus =
         Polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix).annulus();

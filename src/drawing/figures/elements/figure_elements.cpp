@@ -103,7 +103,8 @@ Drawer make_period_turn(const Panel& panel, StageStore& store) {
     const std::optional<MontgomeryPhase> phase = montgomery_phase(stage.motion.motion().problem());
     if (!phase)
         throw InputError(
-            "show: period-turn needs a motion in which ω returns in body axes; leave it out");
+            "show: period-turn needs a torque-free motion whose polhode has a period; leave it "
+            "out");
     if (stage.turns())
         throw InputError(
             "show: a co-precessing camera turns by the angle that period-turn shows; leave out one "

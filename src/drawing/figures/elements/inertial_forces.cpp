@@ -26,8 +26,8 @@ InertialForces::InertialForces(const StageContext& stage, double reach_m)
             "leave this element out");
     if (std::holds_alternative<DissipationTorque>(problem.torque))
         throw InputError(
-            "show: inertial-forces needs a rigid body, which has no internal friction; leave one "
-            "of them out");
+            "show: inertial-forces cannot show a body with internal friction; leave the element or "
+            "the dissipation out");
     // Instants that are close enough for the short flips of a long film.
     constexpr int n = 1024;
     double most_N = 0.0;

@@ -33,7 +33,8 @@ Curve arc_between(const Panel& panel, const Eigen::Vector3d& from, const Eigen::
 Drawer make_solid_angle(const Panel& panel, StageStore& store) {
     if (!montgomery_phase(panel.stage->motion.motion().problem()))
         throw InputError(
-            "show: solid-angle needs a motion in which ω returns in body axes; leave it out");
+            "show: solid-angle needs a torque-free motion whose polhode has a period; leave it "
+            "out");
     const Polhode& polhode = picture_of(panel).polhode;
     const auto direction = [&](double chi) { return momentum_direction(panel, polhode.at(chi)); };
     const int a = polhode.encircled_axis();

@@ -28,8 +28,8 @@ inline constexpr Phrase invariable_plane_title{"Invariable plane",  "Invariable 
 inline constexpr Phrase body_axes_title{
     "Body axes",       "Körperfeste Achsen",     "Axes liés au corps",
     "Ejes del cuerpo", "Assi solidali al corpo", "物体座標系"};
-inline constexpr Phrase herpolhode_title{"Herpolhode",  "Herpolhodie", "Herpolhodie",
-                                         "Herpolhodia", "Erpoloide",   "ハーポロード"};
+inline constexpr Phrase herpolhode_title{"Herpolhode", "Herpolhodie", "Herpolhodie",
+                                         "Herpolodia", "Erpolodia",   "ハーポルホード"};
 inline constexpr Phrase momentum_in_body_axes_title{"Momentum in body axes",
                                                     "Drehimpuls in körperfesten Achsen",
                                                     "Moment cinétique dans les axes du corps",
