@@ -15,6 +15,7 @@
 #include "measured/files/measured_file.h"
 #include "measured/table_faults.h"
 #include "mechanics/free/free_rotation.h"
+#include "scene/parse_scene.h"
 #include "scene/toml_text.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
@@ -62,7 +63,11 @@ std::string with_sd(double value, double sd) {
 }
 
 // By how much I1 exceeds I2 + I3, in units of I1; no body has more than 0.
-double excess_of(const FittedMotion& fit) { return 1.0 - fit.moments[1] - fit.moments[2]; }
+double excess_of(const FittedMotion& fit) {
+    const double excess = 1.0 - fit.moments[1] - fit.moments[2];
+    constexpr double rounding = 1e-12;  // of a plate's moments
+    return std::abs(excess) < rounding ? 0.0 : excess;
+}
 
 std::string json_of(const FittedMotion& fit) {
     const auto list = [](const Eigen::Vector3d& v) { return json_numbers(v[0], v[1], v[2]); };
@@ -205,6 +210,9 @@ int run(const FitChoices& choices) {
     for (const std::string& line : words_of(fit, measured)) fmt::print("{}\n", line);
     if (choices.output.empty()) return 0;
     fmt::print("{}\n", printable(choices.output));
+    if (std::filesystem::file_size(file) > most_table_bytes)
+        fmt::print("note: a scene shows tables of at most {} MiB; cut this one for it\n",
+                   most_table_bytes >> 20);
     if (const std::filesystem::path path = seen_from(choices.output, file);
         path.is_absolute() || path.begin()->string() == "..")
         fmt::print(

@@ -23,6 +23,7 @@ void keep_larger(std::optional<double>& kept, const std::optional<double>& other
 
 void keep_larger(DepartureAt& kept, const DepartureAt& other) {
     keep_larger(kept.attitude_rad, other.attitude_rad);
+    keep_larger(kept.omega_rad_s, other.omega_rad_s);
     keep_larger(kept.omega_share, other.omega_share);
     keep_larger(kept.energy_share, other.energy_share);
     keep_larger(kept.momentum_share, other.momentum_share);
@@ -49,7 +50,8 @@ void Departure::add(const MeasuredRow& row, bool has_omega, bool has_attitude) {
     if (has_attitude) at.attitude_rad = angle_between(exact.space_from_body, row.space_from_body);
     if (has_omega) {
         const double scale = exact.omega_body.norm();
-        at.omega_share = (row.omega_body - exact.omega_body).norm() / (scale > 0.0 ? scale : 1.0);
+        at.omega_rad_s = (row.omega_body - exact.omega_body).norm();
+        at.omega_share = *at.omega_rad_s / (scale > 0.0 ? scale : 1.0);
     }
     if (has_omega && is_free_) {
         const Eigen::Vector3d momentum = tensor_body_ * row.omega_body;

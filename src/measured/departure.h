@@ -26,6 +26,7 @@ struct Peak {
 struct DepartureAt {
     double time_s = 0.0;
     std::optional<double> attitude_rad;       // angle of the rotation from the exact attitude
+    std::optional<double> omega_rad_s;        // |ω − exact|
     std::optional<double> omega_share;        // |ω − exact| / |exact|
     std::optional<double> energy_share;       // T / exact − 1
     std::optional<double> momentum_share;     // |L| / exact − 1

@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "error/error.h"
+#include "measured/table_faults.h"
 #include "mechanics/free/free_rotation.h"
 
 namespace poinsot {
@@ -258,9 +259,9 @@ struct LeastSquares {
     int inputs() const { return residuals.family->n_parameters(); }
     int values() const { return static_cast<int>(residuals.n_values()); }
     int operator()(const Eigen::VectorXd& p, Eigen::VectorXd& out) const {
-        // Moments in such ratios no body has, and their exponentials lose their digits. More than
-        // half a turn about an axis is a turn the other way.
-        constexpr double far_off = 1e9, most_logarithm = 5.0;
+        // Beyond moments of 1 : 5e-6, exponentials lose their digits. More than half a turn about
+        // an axis is a turn the other way.
+        constexpr double far_off = 1e9, most_logarithm = 10.0;
         if (p.allFinite() &&
             p.head(p.size() - n_besides_tensor).cwiseAbs().maxCoeff() < most_logarithm)
             out = residuals.at(p);
@@ -300,14 +301,21 @@ Parameters fitted(const Family& family, std::span<const MeasuredRow> rows, Param
 // squares of their coefficients, 1, 6, 15, 20 and so on, sum up to 924. Between uneven instants it
 // is too large.
 double noise_of(std::span<const MeasuredRow> rows) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
     double sum = 0.0;
-    for (std::size_t i = 3; i + 3 < rows.size(); ++i) {
-        const auto pair = [&](std::size_t k) -> Eigen::Vector3d {
-            return rows[i - k].omega_body + rows[i + k].omega_body;
-        };
-        sum += (pair(3) - 6.0 * pair(2) + 15.0 * pair(1) - 20.0 * rows[i].omega_body).squaredNorm();
-    }
-    return std::sqrt(sum / 924.0 / static_cast<double>(3 * (rows.size() - 6)));
+    std::size_t n = 0;
+    const auto add = [&sum, &n](std::span<const MeasuredRow> stretch) {
+        for (std::size_t i = 3; i + 3 < stretch.size(); ++i, ++n) {
+            const auto pair = [&](std::size_t k) -> Eigen::Vector3d {
+                return stretch[i - k].omega_body + stretch[i + k].omega_body;
+            };
+            sum += (pair(3) - 6.0 * pair(2) + 15.0 * pair(1) - 20.0 * stretch[i].omega_body)
+                       .squaredNorm();
+        }
+    };
+    for (const auto& stretch : stretches_of(rows, -infinity, infinity)) add(stretch);
+    if (n == 0) add(rows);
+    return std::sqrt(sum / 924.0 / static_cast<double>(3 * n));
 }
 
 [[noreturn]] void throw_no_motion(double off_rad_s, double rate_rad_s) {
@@ -522,6 +530,10 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
                         const std::optional<Eigen::Vector3d>& moments_kg_m2) {
     std::optional<Eigen::Vector3d> moments = moments_kg_m2;
     if (moments) std::sort(moments->begin(), moments->end(), std::greater<>());
+    if (moments && (*moments)[0] == (*moments)[2])
+        throw InputError(
+            "the three moments are equal: every axis of such a body is a principal axis, and its ω "
+            "does not change");
     check(all);
     const std::vector<MeasuredRow> rows = thinned(all);
     check(rows);

@@ -38,7 +38,8 @@ struct FittedMotion {
     }
 };
 
-// Fits rows with ω, in order of time. Of more than 20,000 rows it takes 20,000. Throws
+// Fits rows with ω, in order of time. Of more than 20,000 rows it takes every second, third or so
+// on; only the beginning, if the body would turn too far between these. Throws
 // InputError for fewer than 30 rows, a body at rest, samples too far apart to follow the turning, a
 // turn about one axis, which says nothing about the other moments, and motions that no rigid body
 // makes. `moments_kg_m2`: the body's principal moments in any order, if they are known; then only

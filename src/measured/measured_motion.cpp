@@ -10,6 +10,7 @@
 #include <utility>
 
 #include "error/error.h"
+#include "measured/table_faults.h"
 #include "text/nearest.h"
 #include "text/numbers.h"
 #include "text/printable.h"
@@ -316,7 +317,7 @@ void MeasuredReader::take_row(std::string_view line) {
     take_(row);
 }
 
-MeasuredMotion measured_in(std::string_view text, const std::string& name) {
+MeasuredMotion read_measured(std::string_view text, const std::string& name) {
     MeasuredMotion motion;
     MeasuredReader reader(name, [&motion](const MeasuredRow& row) { motion.rows.push_back(row); });
     reader.read(text);
@@ -329,9 +330,15 @@ MeasuredMotion measured_in(std::string_view text, const std::string& name) {
 void add_omega_by_differences(MeasuredMotion& motion) {
     std::vector<MeasuredRow>& rows = motion.rows;
     if (motion.has_omega || rows.size() < 2) return;
+    std::vector<bool> has_gap_before(rows.size() + 1, false);
+    for (const MeasuredGap& gap : gaps_of(rows)) has_gap_before[gap.before + 1] = true;
     for (std::size_t i = 0; i < rows.size(); ++i) {
-        const MeasuredRow& before = rows[i > 0 ? i - 1 : i];
-        const MeasuredRow& after = rows[std::min(i + 1, rows.size() - 1)];
+        // Not across a gap, in which ω changes; but from a single row there is no other way.
+        const bool is_alone = has_gap_before[i] && has_gap_before[i + 1];
+        const bool takes_before = i > 0 && (is_alone || !has_gap_before[i]);
+        const bool takes_after = i + 1 < rows.size() && (is_alone || !has_gap_before[i + 1]);
+        const MeasuredRow& before = rows[takes_before ? i - 1 : i];
+        const MeasuredRow& after = rows[takes_after ? i + 1 : i];
         Eigen::Quaterniond turn = before.space_from_body.conjugate() * after.space_from_body;
         if (turn.w() < 0.0) turn.coeffs() *= -1.0;  // the shorter way
         // The logarithm: axis times angle.

@@ -78,10 +78,11 @@ struct MeasuredMotion {
 };
 
 // Reads a whole table. Throws as MeasuredReader does.
-MeasuredMotion measured_in(std::string_view text, const std::string& name);
+MeasuredMotion read_measured(std::string_view text, const std::string& name);
 
 // Fills ω of rows that have only attitudes: between its neighbours each row turns by ω times the
-// time between them. Exact for constant ω, else wrong by terms of second order in the step.
+// time between them, beside a gap from its one neighbour. Exact for constant ω, else wrong by terms
+// of second order in the step, beside a gap of first order. A single row keeps ω = 0.
 void add_omega_by_differences(MeasuredMotion& motion);
 
 }  // namespace poinsot

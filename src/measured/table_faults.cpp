@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace poinsot {
 
@@ -41,10 +42,26 @@ std::vector<std::span<const MeasuredRow>> stretches_of(std::span<const MeasuredR
     return stretches;
 }
 
+namespace {
+
+// The smallest step of a component from one row to the next: what its values are rounded to.
+double resolution_of(std::span<const MeasuredRow> rows, int k) {
+    double least = std::numeric_limits<double>::infinity();
+    for (std::size_t i = 1; i < rows.size(); ++i) {
+        const double step = std::abs(rows[i].omega_body[k] - rows[i - 1].omega_body[k]);
+        if (step > 0.0) least = std::min(least, step);
+    }
+    return least;
+}
+
+}  // namespace
+
 std::vector<Saturation> saturations_of(std::span<const MeasuredRow> rows) {
     constexpr std::size_t least_rows = 3;
     // A sensor's two limits are about equal; the smaller extreme of a component may be rest.
     constexpr double least_share = 0.5;
+    // A rounded value also stays at a smooth maximum, but comes there by the smallest steps.
+    constexpr double least_steps = 2.5;
     std::vector<Saturation> found;
     for (int k = 0; k < 3; ++k) {
         double least = 0.0, most = 0.0;
@@ -55,14 +72,25 @@ std::vector<Saturation> saturations_of(std::span<const MeasuredRow> rows) {
         }
         if (!(least < most)) continue;
         const double largest = std::max(std::abs(least), std::abs(most));
+        const double least_jump = least_steps * resolution_of(rows, k);
         for (const double limit : {most, least}) {
+            // An upper limit is positive, a lower one negative.
+            if (limit == most ? limit <= 0.0 : limit >= 0.0) continue;
             if (std::abs(limit) < least_share * largest) continue;
+            const auto jumps_at = [&](std::size_t i) {
+                return std::abs(rows[i].omega_body[k] - limit) > least_jump;
+            };
             Saturation at{k, limit, 0, 0.0};
-            for (std::size_t i = 0, n = 0; i < rows.size(); ++i) {
-                n = rows[i].omega_body[k] == limit ? n + 1 : 0;
-                if (n < least_rows) continue;
-                if (at.n_rows == 0) at.from_s = rows[i + 1 - least_rows].time_s;
-                at.n_rows += n == least_rows ? least_rows : 1;
+            for (std::size_t begin = 0; begin < rows.size(); ++begin) {
+                std::size_t end = begin;
+                while (end < rows.size() && rows[end].omega_body[k] == limit) ++end;
+                const bool is_sudden =
+                    (begin > 0 && jumps_at(begin - 1)) || (end < rows.size() && jumps_at(end));
+                if (end - begin >= least_rows && is_sudden) {
+                    if (at.n_rows == 0) at.from_s = rows[begin].time_s;
+                    at.n_rows += end - begin;
+                }
+                begin = end;
             }
             if (at.n_rows > 0) found.push_back(at);
         }

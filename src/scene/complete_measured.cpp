@@ -23,10 +23,21 @@ void complete_measured(SceneDraft& draft) {
             throw InputError(
                 fmt::format("{} is larger than {} MiB; cut it to the time that the film shows",
                             printable(measured.file), most_table_bytes >> 20));
-        return measured_in(file.bytes, file.name);
+        return read_measured(file.bytes, file.name);
     });
     if (!measured.motion.has_omega) {
+        if (measured.motion.rows.size() < 2)
+            refuse(
+                scene, key,
+                fmt::format("{} has one attitude, from which no ω follows; give two or more rows",
+                            printable(measured.file)));
         add_omega_by_differences(measured.motion);
+        for (const MeasuredRow& row : measured.motion.rows)
+            if (!row.omega_body.allFinite())
+                refuse(scene, key,
+                       fmt::format("the attitudes of {} at {} s are too close in time to "
+                                   "differentiate; check the unit of time",
+                                   printable(measured.file), row.time_s));
         measured.has_derived_omega = true;
         scene.notes.push_back(fmt::format(
             "{} has no ω; it is computed from the differences of its attitudes", measured.file));

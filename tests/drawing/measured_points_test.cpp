@@ -19,8 +19,6 @@ namespace {
 
 bool is_measured(const ShapeName& name) { return name.element == "measured"; }
 
-// The measured dots of a view, moved back from the eye to where they were before they were raised:
-// along their lines of sight by the same share of the distance.
 std::vector<Dot> measured_dots(const View& view) {
     std::vector<Dot> dots;
     for (const Dot& dot : view.dots)

@@ -85,7 +85,6 @@ TEST(PlotPanel, QuantitiesDependOnTheMotion) {
     }
 }
 
-// The chart's values at the points of a curve, from the frame of its axes: two known values.
 std::vector<const Curve*> measured_curves(const View& view) {
     std::vector<const Curve*> curves;
     for (const Curve& curve : view.curves)

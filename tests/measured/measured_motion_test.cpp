@@ -13,25 +13,10 @@ namespace poinsot {
 
 namespace {
 
-struct Table {
-    std::vector<MeasuredRow> rows;
-    bool has_omega = false, has_attitude = false;
-};
-
-Table parse_measured(std::string_view text, const std::string& name) {
-    Table table;
-    MeasuredReader reader(name, [&table](const MeasuredRow& row) { table.rows.push_back(row); });
-    reader.read(text);
-    reader.finish();
-    table.has_omega = reader.has_omega();
-    table.has_attitude = reader.has_attitude();
-    return table;
-}
-
 // The message that this table is refused with.
 std::string refusal(const std::string& table) {
     try {
-        parse_measured(table, "gyro.csv");
+        read_measured(table, "gyro.csv");
     } catch (const InputError& error) {
         return error.what();
     }
@@ -43,7 +28,7 @@ void expect_refused(const std::string& table, const std::string& message) {
 }
 
 TEST(MeasuredReader, ReadsTablesOfTheProgramItself) {
-    const Table motion = parse_measured(
+    const MeasuredMotion motion = read_measured(
         "time_s,omega_body_1,omega_body_2,omega_body_3,q_w,q_x,q_y,q_z,herpolhode_x\n"
         "0,1.2,0.8,2.4,1,0,0,0,-0.6\n0.5,1.5,-0.5,2.5,0.6,0,0.8,0,0.1\n",
         "a.csv");
@@ -55,7 +40,7 @@ TEST(MeasuredReader, ReadsTablesOfTheProgramItself) {
 }
 
 TEST(MeasuredReader, ReadsExportsOfPhonesWithTheirUnits) {
-    const Table motion = parse_measured(
+    const MeasuredMotion motion = read_measured(
         "\xEF\xBB\xBF\"Time (ms)\";\"Gyroscope x (°/s)\";\"Gyroscope y (°/s)\";\"Gyroscope z "
         "(°/s)\";\"Absolute (°/s)\"\r\n"
         "10;180;-90;0;201\r\n\r\n20;1.8E+02;+90;1;201\r\n",
@@ -68,7 +53,7 @@ TEST(MeasuredReader, ReadsExportsOfPhonesWithTheirUnits) {
 }
 
 TEST(MeasuredReader, ReadsMatrices) {
-    const Table motion = parse_measured(
+    const MeasuredMotion motion = read_measured(
         "t\tr11\tr12\tr13\tr21\tr22\tr23\tr31\tr32\tr33\n1\t0\t-1\t0\t1\t0\t0\t0\t0\t1\n", "a.tsv");
     EXPECT_FALSE(motion.has_omega);
     const Eigen::Vector3d turned = motion.rows[0].space_from_body * Eigen::Vector3d::UnitX();

@@ -2,29 +2,21 @@
 
 #include <fmt/format.h>
 
-#include <array>
-
 #include "construction/montgomery_phase.h"
 #include "error/error.h"
 #include "text/languages.h"
+#include "text/nearest.h"
 #include "text/units.h"
 
 namespace poinsot {
 
 namespace {
 
-// Montgomery's phase and its parts, zero unless the text names one of them.
-MontgomeryPhase phase_named_in(std::string_view text, const Scene& scene) {
-    constexpr std::array<std::string_view, 4> names{"{period", "{phase", "{dynamic_phase",
-                                                    "{solid_angle"};
-    for (const std::string_view name : names) {
-        if (text.find(name) == std::string_view::npos) continue;
-        const auto phase = montgomery_phase(problem_of(scene));
-        if (phase) return *phase;
-        throw InputError(
-            fmt::format("{}}} needs a torque-free motion whose polhode has a period; leave it out", name));
-    }
-    return {};
+// Of the scene's motion. Throws InputError if it has none; `name`: the number that needs it.
+MontgomeryPhase phase_for(std::string_view name, const Scene& scene) {
+    if (const auto phase = montgomery_phase(problem_of(scene))) return *phase;
+    throw InputError(fmt::format(
+        "{{{}}} needs a torque-free motion whose polhode has a period; leave it out", name));
 }
 
 }  // namespace
@@ -55,11 +47,22 @@ std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant
     for (const std::string_view name : {"T", "kinetic_energy"}) add(name, energy_J, "J");
     for (const std::string_view name : {"L", "momentum"})
         add(name, momentum.stableNorm(), "kg m²/s");
-    const MontgomeryPhase phase = phase_named_in(text, scene);
-    add("period", phase.period_s, "s");
-    add("phase", phase.turned_rad, "rad");
-    add("dynamic_phase", phase.dynamic_rad, "rad");
-    add("solid_angle", phase.solid_angle_rad, "rad");
+    const auto n_of_instant = static_cast<std::ptrdiff_t>(values.size());
+    const auto add_phase = [&](const MontgomeryPhase& phase) {
+        add("period", phase.period_s, "s");
+        add("phase", phase.turned_rad, "rad");
+        add("dynamic_phase", phase.dynamic_rad, "rad");
+        add("solid_angle", phase.solid_angle_rad, "rad");
+    };
+    add_phase({});
+    for (const std::string_view name : numbers_in(text, values)) {
+        const LiveValue* value = find_row(values, name);
+        if (value - values.data() < n_of_instant) continue;
+        const MontgomeryPhase phase = phase_for(name, scene);
+        values.resize(static_cast<std::size_t>(n_of_instant));
+        add_phase(phase);
+        break;
+    }
     return values;
 }
 

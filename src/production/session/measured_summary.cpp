@@ -49,10 +49,7 @@ void add_measured(const Session& session, double first_s, double last_s,
     for (const MeasuredRow& row : table.rows) {
         if (row.time_s < first_s || row.time_s > last_s) continue;
         departure.add(row, true, table.has_attitude);
-        const Quantities omega_alone{.attitude = false};
-        const double off =
-            (row.omega_body - session.motion.sample(row.time_s, omega_alone).state.omega_body)
-                .norm();
+        const double off = *departure.last().omega_rad_s;
         sum += off * off;
         worst.take(off, row.time_s);
     }

@@ -13,7 +13,7 @@ namespace poinsot {
 namespace {
 
 // Length of the longest centrifugal force of the film, in units of the body's reach.
-constexpr double longest_force = 1.25;
+constexpr double longest_force = 1.0;
 
 }  // namespace
 
@@ -83,8 +83,8 @@ Drawer make_inertial_forces(const Panel& panel, StageStore& store) {
         // The names are at the arrows of the first mass, so that they do not jump.
         bool is_first = true;
         for (const InertialForces::Arrows& of_mass : forces.at(instant.state)) {
-            add(of_mass.mass, of_mass.centrifugal_tip, theme.torque, 1.1, is_first, centrifugal);
-            add(of_mass.centrifugal_tip, of_mass.euler_tip, theme.potential, 0.8, is_first, euler);
+            add(of_mass.mass, of_mass.centrifugal_tip, theme.torque, 1.6, is_first, centrifugal);
+            add(of_mass.centrifugal_tip, of_mass.euler_tip, theme.potential, 1.2, is_first, euler);
             is_first = false;
         }
     };

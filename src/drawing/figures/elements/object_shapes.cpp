@@ -43,7 +43,7 @@ TriangleMesh rod_to(const Eigen::Vector3d& end, double radius) {
 
 // Balls with volumes proportional to their masses; the radius of the largest is `ball` of the
 // centres' reach.
-TriangleMesh mesh_of_masses(const std::vector<PointMass>& masses, double ball, bool rods) {
+TriangleMesh mesh_of_masses(const std::vector<PointMass>& masses, bool rods) {
     double reach = 0.0;
     double heaviest = 0.0;
     for (const PointMass& mass : masses) {
@@ -58,7 +58,7 @@ TriangleMesh mesh_of_masses(const std::vector<PointMass>& masses, double ball, b
             continue;
         }
         // The smallest ball must be visible.
-        const double radius = std::max(ball / 3.0, ball * std::cbrt(mass.mass_kg / heaviest));
+        const double radius = std::max(0.04, 0.12 * std::cbrt(mass.mass_kg / heaviest));
         Eigen::Affine3d placement = Eigen::Affine3d::Identity();
         placement.translation() = at;
         constexpr int quarter_facets = 16;
@@ -192,7 +192,7 @@ void lay_picture(const FacePictureSpec& spec, const Eigen::Matrix3d& axes, const
 }
 
 // The body's surfaces in body axes.
-std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme, bool shows_forces) {
+std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme) {
     std::vector<ColouredMesh> meshes;
     for (const BodySurface& surface : scene.surfaces) {
         const auto& rgb = surface.srgb;
@@ -205,10 +205,8 @@ std::vector<ColouredMesh> meshes_of(const Scene& scene, const Theme& theme, bool
     if (body.given == BodySpec::Given::solid) {
         meshes.push_back({solid_mesh(body.shape, body.size_m), theme.solid});
     } else if (body.given == BodySpec::Given::masses) {
-        // Small where arrows begin at their centres.
-        const double ball = shows_forces ? 0.06 : 0.12;
-        meshes.push_back({mesh_of_masses(body.masses, ball, true), theme.solid});
-        meshes.push_back({mesh_of_masses(body.masses, ball, false), theme.solid_lines});
+        meshes.push_back({mesh_of_masses(body.masses, true), theme.solid});
+        meshes.push_back({mesh_of_masses(body.masses, false), theme.solid_lines});
     } else {
         // Moments scaled to order one: any size of the box is correct.
         const Eigen::Vector3d moments = body.inertia.moments_kg_m2();
@@ -251,8 +249,7 @@ BodyShape body_shape(const Panel& panel, StageStore& store) {
     const Scene& scene = panel.stage->scene;
     const Eigen::Matrix3d body_from_principal = scene.body.inertia.body_from_principal();
     const Theme& theme = panel.stage->theme;
-    std::vector<ColouredMesh> meshes =
-        meshes_of(scene, theme, is_shown(*panel.stage, "inertial-forces"));
+    std::vector<ColouredMesh> meshes = meshes_of(scene, theme);
     BodyShape shape;
     shape.reach_m = 0.0;
     for (const ColouredMesh& part : meshes) {

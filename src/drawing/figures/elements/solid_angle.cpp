@@ -16,9 +16,6 @@ namespace poinsot {
 
 namespace {
 
-// The index of the sphere among the ellipsoids of the momentum panel.
-constexpr int the_momentum_sphere = 0;
-
 // An arc of the unit sphere between two directions.
 Curve arc_between(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
                   const LineStyle& ink, double width_px) {
@@ -63,20 +60,21 @@ Drawer make_solid_angle(const Panel& panel, StageStore& store) {
             return std::cos(share * reach_rad) * axis + std::sin(share * reach_rad) * outward;
         };
         Curve arc = arc_between(panel, at(begins[static_cast<std::size_t>(k % 8)]), end, ink, 1.8);
-        arc.on_surface = the_momentum_sphere;
+        arc.on_surface = first_ellipsoid;
         arc.opacity = 0.85;
         arc.hidden_opacity = 0.14;
         arcs.push_back(arc);
         if (k % 8 == 4) middles.push_back(at(0.55));
     }
     const TextBlock type = set_label(panel, store, "S", 0.9);
-    const Eigen::Matrix3d inertia = panel.stage->scene.body.inertia.matrix_body();
-    return [arcs, middles, type, ink, inertia](const FrameInput& instant, ViewBuilder& builder) {
+    return [&panel, arcs, middles, type, ink](const FrameInput& instant, ViewBuilder& builder) {
         builder.view.curves.insert(builder.view.curves.end(), arcs.begin(), arcs.end());
         // The name is where the area faces the viewer, away from the arrows at the tip of L.
         const Camera& camera = builder.view.camera;
-        const Eigen::Vector3d clear = (camera.eye - camera.target).stableNormalized() -
-                                      (inertia * instant.state.omega_body).stableNormalized();
+        const Eigen::Vector3d rho =
+            picture_of(panel).construction.contact_body(instant.state.omega_body);
+        const Eigen::Vector3d clear =
+            (camera.eye - camera.target).stableNormalized() - momentum_direction(panel, rho);
         const Eigen::Vector3d* best = &middles.front();
         for (const Eigen::Vector3d& middle : middles)
             if (middle.dot(clear) > best->dot(clear)) best = &middle;

@@ -24,8 +24,6 @@ namespace poinsot {
 
 namespace {
 
-constexpr int momentum_sphere = 0;
-
 // An ellipsoid longer than this, in radii of the sphere, would make the sphere too small: its ends
 // are left out of the frame.
 constexpr double longest_framed = 2.2;
@@ -113,7 +111,7 @@ Drawer make_momentum_spiral(const Panel& panel, StageStore& store) {
     Curve curve =
         curve_of(panel, keep(panel, store, std::move(geometry), timed.off, "the path of L"),
                  panel.stage->theme.polhode, 4.0);
-    curve.on_surface = momentum_sphere;
+    curve.on_surface = first_ellipsoid;
     curve.hidden_opacity = 0.5;
     return
         [curve, trail = std::move(timed.trail)](const FrameInput& instant, ViewBuilder& builder) {
@@ -197,7 +195,7 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
     if (!dissipates && panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
         Curve curve =
             curve_of(panel, keep_meeting_curve(panel, store), panel.stage->theme.polhode, 4.6);
-        curve.on_surface = momentum_sphere;
+        curve.on_surface = first_ellipsoid;
         curve.hidden_opacity = 0.72;
         curves.push_back(curve);
         // The other curve of intersection, which this motion does not reach.

@@ -143,10 +143,15 @@ class PlotMaker {
     void read_measured_values() {
         const StageContext& stage = *panel_->stage;
         const std::vector<MeasuredRow>& rows = stage.scene.measured.motion.rows;
-        const std::size_t every = rows.size() / most_measured_points + 1;
-        for (const auto& stretch : stretches_of(rows, stage.film_first_s, stage.film_last_s)) {
+        const auto stretches = stretches_of(rows, stage.film_first_s, stage.film_last_s);
+        std::size_t n_rows = 0;
+        for (const auto& stretch : stretches) n_rows += stretch.size();
+        const std::size_t every = (n_rows + most_measured_points - 1) / most_measured_points;
+        for (const auto& stretch : stretches) {
             std::vector<std::pair<double, PlotValues>>& values = measured_.emplace_back();
-            for (std::size_t i = 0; i < stretch.size(); i += every) {
+            for (std::size_t i = 0; i < stretch.size(); ++i) {
+                // Also the last, so that no stretch vanishes.
+                if (i % every != 0 && i + 1 < stretch.size()) continue;
                 FrameInput instant;
                 instant.time_s = stretch[i].time_s;
                 instant.state = stage.measured_state(stretch[i]);

@@ -191,6 +191,15 @@ std::vector<std::string> unit_notes(std::string_view text, std::span<const LiveV
     return notes;
 }
 
+std::vector<std::string_view> numbers_in(std::string_view text, std::span<const LiveValue> values) {
+    std::vector<std::string_view> names;
+    replaced(text, values, [&names](const Reference& reference) -> std::string {
+        names.push_back(reference.value.name);
+        return "";
+    });
+    return names;
+}
+
 bool is_live(std::string_view text) {
     bool formula = false;
     for (std::size_t i = 0; i < text.size(); ++i) {

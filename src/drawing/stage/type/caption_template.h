@@ -28,6 +28,9 @@ std::string expand_live_text(std::string_view text, std::span<const LiveValue> v
 // Throws as expand_live_text does.
 std::vector<std::string> unit_notes(std::string_view text, std::span<const LiveValue> values);
 
+// The names of the numbers that a text refers to. Throws as expand_live_text does.
+std::vector<std::string_view> numbers_in(std::string_view text, std::span<const LiveValue> values);
+
 // Whether a caption contains numbers that change.
 bool is_live(std::string_view text);
 
