@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <random>
 #include <string>
 #include <vector>
@@ -173,6 +174,12 @@ TEST(Fit, TakesASymmetricBody) {
     EXPECT_EQ(outcome_of(truth, 10.0, 500, 0.02), "near");
 }
 
+// A rod of 1 : 0.001, whose fast turns about its axis show the difference of its other two moments.
+TEST(Fit, TakesASlenderRod) {
+    const Truth rod{{1.0, 0.9995, 0.001}, Eigen::Matrix3d::Identity(), {1.5, 1.0, 0.5}};
+    EXPECT_EQ(outcome_of(rod, 10.0, 500, 1e-4), "near");
+}
+
 // Three bodies with published numbers: the fit finds their ratios within what it says, from noise
 // of 1 % of the rate.
 TEST(Fit, FindsBodiesWithPublishedNumbers) {
@@ -263,9 +270,10 @@ TEST(Fit, TakesKnownMomentsOfASymmetricBody) {
     EXPECT_LT((fit.omega_rad_s - truth.omega).norm(), 0.02);
 }
 
-std::string refusal(const std::vector<MeasuredRow>& rows) {
+std::string refusal(const std::vector<MeasuredRow>& rows,
+                    const std::optional<Eigen::Vector3d>& moments = {}) {
     try {
-        fit_motion(rows);
+        fit_motion(rows, moments);
     } catch (const InputError& error) {
         return error.what();
     }
@@ -290,6 +298,19 @@ TEST(Fit, RefusesWhatSaysNothing) {
     EXPECT_NE(refusal(rows).find("no free motion"), std::string::npos) << refusal(rows);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].time_s = 1.0 * static_cast<double>(i);
     EXPECT_NE(refusal(rows).find("half a radian"), std::string::npos) << refusal(rows);
+    EXPECT_NE(refusal(rows, Eigen::Vector3d(2.0, 2.0, 2.0)).find("three moments are equal"),
+              std::string::npos);
+}
+
+// Rows before and after a gap say nothing about noise together.
+TEST(Fit, NoiseIsNotMeasuredAcrossGaps) {
+    std::mt19937 random(11);
+    const Truth truth{{1.0, 0.7, 0.4}, Eigen::Matrix3d::Identity(), {3.0, 2.0, 4.0}};
+    std::vector<MeasuredRow> rows = measured(truth, 10.0, 1000, 1e-3, random);
+    rows.erase(rows.begin() + 300, rows.begin() + 420);
+    const FittedMotion fit = fit_motion(rows);
+    EXPECT_NEAR(fit.moments[1], 0.7, 4.0 * fit.moments_sd[1]);
+    EXPECT_NEAR(fit.moments[2], 0.4, 4.0 * fit.moments_sd[2]);
 }
 
 }  // namespace

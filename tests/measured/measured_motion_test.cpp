@@ -87,6 +87,22 @@ TEST(MeasuredMotion, GetsOmegaFromAttitudes) {
     EXPECT_EQ(motion.rows[5].omega_body, Eigen::Vector3d(1.0, 2.0, 3.0));
 }
 
+// ω = 1 rad/s about z, which was 3 rad/s in a gap.
+TEST(MeasuredMotion, GetsOmegaOnEachSideOfAGap) {
+    MeasuredMotion motion;
+    motion.has_attitude = true;
+    for (int i = 0; i < 20; ++i) {
+        MeasuredRow row;
+        row.time_s = 0.1 * i + (i < 10 ? 0.0 : 1.0);
+        const double angle = 0.1 * i + (i < 10 ? 0.0 : 3.0);
+        row.space_from_body = Eigen::AngleAxisd(angle, Eigen::Vector3d::UnitZ());
+        motion.rows.push_back(row);
+    }
+    add_omega_by_differences(motion);
+    for (const MeasuredRow& row : motion.rows)
+        EXPECT_LT((row.omega_body - Eigen::Vector3d::UnitZ()).norm(), 1e-12) << row.time_s;
+}
+
 TEST(MeasuredReader, TakesPiecesCutAnywhere) {
     const std::string table = "t,wx,wy,wz\n0,1,2,3\n1,4,5,6\n2,7,8,9";
     for (std::size_t cut = 0; cut <= table.size(); ++cut) {

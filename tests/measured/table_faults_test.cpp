@@ -77,5 +77,26 @@ TEST(Saturation, IsAnExtremeValueInThreeRowsOrMore) {
     EXPECT_EQ(saturations_of(rows).size(), 3u);
 }
 
+std::vector<MeasuredRow> rows_of(const std::vector<double>& omega_x) {
+    std::vector<MeasuredRow> rows;
+    for (std::size_t i = 0; i < omega_x.size(); ++i) {
+        MeasuredRow row;
+        row.time_s = 0.01 * static_cast<double>(i);
+        row.omega_body = {omega_x[i], 0.0, 0.0};
+        rows.push_back(row);
+    }
+    return rows;
+}
+
+TEST(Saturation, IsNeitherRestNorTheRoundedTopOfACurve) {
+    // The body rests, then it is thrown.
+    EXPECT_TRUE(saturations_of(rows_of({0.1, 0.1, 0.1, 0.1, 0.5, 1.5, 3.0, 2.0})).empty());
+    EXPECT_TRUE(saturations_of(rows_of({3.0, 2.0, 1.5, 0.9, 1.0, 1.0, 1.0, 1.2})).empty());
+    // A cosine near its top, rounded to 0.01 rad/s.
+    std::vector<double> top;
+    for (int i = -20; i <= 20; ++i) top.push_back(std::round(200.0 * std::cos(0.01 * i)) / 100.0);
+    EXPECT_TRUE(saturations_of(rows_of(top)).empty());
+}
+
 }  // namespace
 }  // namespace poinsot

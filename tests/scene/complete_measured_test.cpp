@@ -46,7 +46,7 @@ TEST_F(Measured, GetsOmegaFromAttitudesAndSaysSo) {
 }
 
 TEST_F(Measured, NotesSaturation) {
-    folder_.write("scenes/s.csv", "t,wx,wy,wz\n0,1,2,3\n1,4,2,3\n2,4,2,3\n3,4,2,3\n4,2,2,3\n");
+    folder_.write("scenes/s.csv", "t,wx,wy,wz\n0,0.5,2,3\n1,4,2,3\n2,4,2,3\n3,4,2,3\n4,3,2,3\n");
     const Scene scene = scene_of(naming("s.csv"));
     ASSERT_EQ(scene.notes.size(), 1u);
     EXPECT_EQ(scene.notes[0],
@@ -70,6 +70,17 @@ TEST_F(Measured, IsRefusedWithBothPlaces) {
               std::string::npos);
     EXPECT_NO_THROW(parse_scene(naming("../outside.csv"), "scenes/a.toml", {},
                                 files_of_folder(OutsideFiles::allowed)));
+}
+
+TEST_F(Measured, IsRefusedIfNoOmegaFollows) {
+    folder_.write("scenes/one.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n");
+    EXPECT_NE(refusal(naming("one.csv")).find("one attitude, from which no ω follows"),
+              std::string::npos)
+        << refusal(naming("one.csv"));
+    folder_.write("scenes/near.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1e-320,0,1,0,0\n2e-320,1,0,0,0\n");
+    EXPECT_NE(refusal(naming("near.csv")).find("too close in time to differentiate"),
+              std::string::npos)
+        << refusal(naming("near.csv"));
 }
 
 TEST_F(Measured, IsRefusedIfItIsTooLarge) {
