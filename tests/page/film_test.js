@@ -98,6 +98,33 @@ test('asked twice, leaves a loop at once', () => {
   assert.equal(film.waiting, -1);
 });
 
+test('turned backwards and forwards, keeps the loop', () => {
+  const film = film_with({stops: [stop(4, 2)]});
+  film.seek(3.9);
+  film.play();
+  film.advance(0.2);
+  film.toggle();
+  film.speed = -1;
+  film.advance(0.1);
+  film.speed = 1;
+  for (let i = 0; i < 40; ++i) film.advance(0.1);
+  assert.ok(film.is_looping && film.at_s < 4);
+});
+
+test('waits at stops just after the seam of a repeated film', () => {
+  for (const at_s of [0, 0.02]) {
+    const film = film_with({loops: true, stops: [stop(at_s)]});
+    film.seek(9.99);
+    film.play();
+    film.advance(0.1);
+    near(film.at_s, at_s);
+    assert.equal(film.playing, false);
+    film.next();
+    film.advance(1);
+    near(film.at_s, at_s + 1);
+  }
+});
+
 test('a stop at the end of the film waits there', () => {
   const film = film_with({stops: [stop(10)]});
   film.play();
