@@ -10,7 +10,8 @@
  *   How a viewer changed a panel's camera. The shifts move the picture to the right and up, in
  *   heights of the panel.
  * @typedef {{key: string, label: string, unit: string, kind: string, value: any, min: number|null,
- *   max: number|null, step: number, choices?: string[]}} Control
+ *   max: number|null, step: number, choices?: string[], size?: number}} Control
+ *   `size`: of the largest component of a vector.
  * @typedef {{title: string, caption: string, language: string,
  *   theme: {name: string, background: string, text: string}, first_time_s: number,
  *   last_time_s: number, film_length_s: number, loops: boolean, frames_per_s: number,
