@@ -244,7 +244,7 @@ check('drags the plane along L to another polhode, with the same L', async (brow
   await until(tab, 'document.querySelector(".view.omega")');
   await tab.mouse.down();
   await tab.mouse.move(foot[0], foot[1] + 12, {steps: 2});
-  await until(tab, 'the_page.figure.values.has("start.energy_J")');
+  await until(tab, 'the_page.figure.choices.values.has("start.energy_J")');
   await settled(tab);
   await tab.mouse.up();
   const after = await values();
@@ -293,6 +293,29 @@ check('shows and hides elements and names, and changes its colours', async (brow
   assert.notEqual(await tab.evaluate(() => getComputedStyle(document.body).backgroundColor), ground);
   assert.deepEqual(faults, []);
   await tab.close();
+});
+
+check('after a refused element, the others can still be shown and hidden', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  const click = (name) => tab.evaluate((name) => [...document.querySelectorAll('#elements input')].find((box) => box.name === name).click(), name);
+  const is_checked = (name) => tab.evaluate((name) => [...document.querySelectorAll('#elements input')].find((box) => box.name === name).checked, name);
+  await click('ghost'); // there is no second method
+  assert.match(await tab.$eval('#sentence', (p) => (p.hidden ? '' : p.textContent)), /beside/);
+  assert.equal(await is_checked('ghost'), false);
+  await click('plane');
+  assert.equal(await is_checked('plane'), false);
+  assert.equal(await tab.$eval('#sentence', (p) => p.hidden), true);
+  await until(tab, 'location.hash.includes("show=")');
+  assert.doesNotMatch(await tab.evaluate(() => location.hash), /ghost/);
+  // A link that holds it shows the scene itself, and says why.
+  const other = await opened(browser, {fragment: '#show=ghost&names=false'});
+  await ready(other.tab);
+  assert.match(await other.tab.$eval('#sentence', (p) => (p.hidden ? '' : p.textContent)), /beside/);
+  assert.deepEqual(await other.tab.evaluate(() => [the_page.figure.choices.shown, the_page.figure.choices.names]), [null, null]);
+  assert.deepEqual([...faults, ...other.faults], []);
+  await tab.close();
+  await other.tab.close();
 });
 
 check('a link opens the same instant, view and values', async (browser) => {
