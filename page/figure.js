@@ -53,6 +53,8 @@ class Figure {
     this.frame = 0;
     this.last_ms = 0;
     this.is_resized = false;
+    /** Whether the module has started anew and not drawn yet. */
+    this.is_revived = false;
     /** Called before the next frame, at most once. @type {(() => void)|null} */
     this.before_next = null;
     new ResizeObserver(() => {
@@ -98,6 +100,7 @@ class Figure {
     for (const [name, bytes] of Object.entries(data.files)) program.addFile(name, bytes_of_base64(bytes));
     this.program = program;
     this.is_lost = false;
+    this.is_revived = false;
     try {
       this.#load(data, this.choices);
     } catch (error) {
@@ -189,8 +192,15 @@ class Figure {
     const program = /** @type {Program} */ (this.program);
     program.restart().then(() => {
       program.setViews(this.views);
+      this.is_revived = true;
       this.invalidate();
-    }, () => this.hooks.failed('no-start', message_of(error)));
+    }, () => this.#give_up(error));
+  }
+
+  /** @param {unknown} error */
+  #give_up(error) {
+    this.program = null;
+    this.hooks.failed('no-start', message_of(error));
   }
 
   /** The motion's time at a second of the film. @param {number} film_s */
@@ -231,8 +241,14 @@ class Figure {
     this.film.advance(step_s);
     try {
       this.#draw();
+      this.is_revived = false;
     } catch (error) {
       this.film.pause();
+      if (this.is_revived) {
+        // It would crash again and again.
+        this.#give_up(error);
+        return;
+      }
       this.#revive(error);
       this.hooks.failed('draw', message_of(error));
     }

@@ -19,7 +19,7 @@ class Page {
         bytes: () => (this.bytes ??= Promise.all([unpacked('program-module'), unpacked('program-fonts')]).then(([module, fonts]) => ({module, fonts}))),
         drawn: () => this.#drawn(),
         loaded: () => this.#loaded(),
-        failed: (kind, message) => (kind === 'draw' ? this.#say(message) : this.#fail(kind)),
+        failed: (kind, message) => (kind === 'draw' ? this.#say(message) : this.#fail(kind, message)),
       });
     const words = () => this.words;
     this.bar = new Bar(this.figure, words, () => this.changed());

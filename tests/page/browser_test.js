@@ -318,6 +318,22 @@ check('after a refused element, the others can still be shown and hidden', async
   await other.tab.close();
 });
 
+check('a drawing that crashes again ends, and a click starts it', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.evaluate(() => {
+    const {figure} = the_page;
+    figure.program.draw = () => { throw new ProgramError({kind: 'crash', message: 'unreachable'}); };
+    figure.invalidate();
+  });
+  await until(tab, 'the_page.failure === "no-start"');
+  assert.match(await tab.$eval('#sentence', (p) => (p.hidden ? '' : p.textContent)), /unreachable/);
+  await tab.click('#stage');
+  await until(tab, 'document.getElementById("sentence").hidden && document.body.classList.contains("drawn")');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('a link opens the same instant, view and values', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);
