@@ -334,6 +334,22 @@ check('a drawing that crashes again ends, and a click starts it', async (browser
   await tab.close();
 });
 
+check('a link opened in the loop of a stop goes to its instant', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.evaluate(() => {
+    const {film} = the_page.figure;
+    film.seek(5.9);
+    film.play();
+    film.advance(0.2);
+    location.hash = '#at=8';
+  });
+  await until(tab, 'the_page.figure.film.at_s >= 8');
+  assert.deepEqual(await tab.evaluate(() => [the_page.figure.film.waiting, the_page.figure.film.leaving]), [-1, false]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('a link opens the same instant, view and values', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);
