@@ -108,18 +108,22 @@ class Page {
       this.start().catch(() => {});
       return;
     }
-    this.figure.film.at_s = this.data.poster_at_s;
+    if (this.figure.film.untouched) this.figure.film.at_s = this.data.poster_at_s;
     part('begin').hidden = false;
     let timer = 0;
+    let seen = false;
+    const rest = () => {
+      if (seen || !this.figure.program) return;
+      this.figure.rest();
+      document.body.classList.remove('drawn');
+    };
     new IntersectionObserver((entries) => {
-      const seen = entries[entries.length - 1]?.isIntersecting ?? false;
+      seen = entries[entries.length - 1]?.isIntersecting ?? false;
       window.clearTimeout(timer);
       timer = window.setTimeout(() => {
         if (seen && !this.failure) this.start().catch(() => {});
-        else if (!seen && this.figure.program) {
-          this.figure.rest();
-          document.body.classList.remove('drawn');
-        }
+        else if (this.starting) this.starting.then(rest, () => {});
+        else rest();
       }, seen ? 120 : 400);
     }, {threshold: 0.05}).observe(part('stage'));
   }
