@@ -110,7 +110,7 @@ class Workbench {
   /** @param {string} name @param {string} text @param {Record<string, string>} files */
   open(name, text, files) {
     this.editor.text = text;
-    this.files = {...files};
+    this.files = {...this.files, ...files};
     this.page.views.reset();
     this.page.figure.film.seek(0);
     this.page.figure.film.pause();
@@ -121,8 +121,11 @@ class Workbench {
   /** Opens scenes, and keeps the files that scenes name. @param {File[]} files */
   async #take(files) {
     const scene = files.find((file) => file.name.toLowerCase().endsWith('.toml'));
-    for (const file of files) if (file !== scene) this.files[file.name] = base64_of_bytes(new Uint8Array(await file.arrayBuffer()));
-    if (scene) this.open(scene.name.replace(/\.toml$/i, ''), await scene.text(), this.files);
+    /** @type {Record<string, string>} */
+    const taken = {};
+    for (const file of files) if (file !== scene) taken[file.name] = base64_of_bytes(new Uint8Array(await file.arrayBuffer()));
+    this.files = {...this.files, ...taken};
+    if (scene) this.open(scene.name.replace(/\.toml$/i, ''), await scene.text(), {});
     else this.#write(this.page.data.name);
   }
 

@@ -136,6 +136,11 @@ check('reads files that are dropped', async (browser) => {
   await until(tab, `document.getElementById("text").value.includes("solid.obj")`);
   await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
   assert.equal(await tab.$('#findings button'), null);
+  // The file is kept for other scenes.
+  await tab.evaluate(() => document.querySelectorAll('#scenes button')[1].click());
+  await until(tab, '!document.getElementById("text").value.includes("solid.obj")');
+  await write(tab, scene);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
   assert.deepEqual(faults, []);
   await tab.close();
 });
