@@ -74,8 +74,8 @@ class Workbench {
     });
     part('file-save').addEventListener('click', () => this.page.save(new Blob([this.editor.text], {type: 'application/toml'}), '.toml'));
     part('export-csv').addEventListener('click', () => this.page.save(new Blob([this.csv()], {type: 'text/csv'}), '.csv'));
-    part('export-page').addEventListener('click', () => void this.page_of_scene().then((text) =>
-      this.page.save(new Blob([text], {type: 'text/html'}), '.html')));
+    part('export-page').addEventListener('click', () => void this.page_of_scene().then(
+      (text) => this.page.save(new Blob([text], {type: 'text/html'}), '.html'), (error) => this.#find(error)));
     document.addEventListener('dragover', (event) => {
       event.preventDefault();
       document.body.classList.add('dropping');
@@ -199,8 +199,10 @@ class Workbench {
     const height = Math.round((width * (loaded?.height ?? page.data.height)) / (loaded?.width ?? page.data.width));
     const language = loaded?.language ?? 'en';
     const poster = await figure.png(width, height, 'image/jpeg');
-    const used = Object.fromEntries(Object.entries(this.files).filter(([name]) => this.editor.text.includes(name)));
-    const scene = {...page.data, text: this.editor.text, files: used, controls: loaded?.controls.map((c) => c.key) ?? [],
+    // The text that the program accepted last, and its files.
+    const {text} = page.data;
+    const files = Object.fromEntries(Object.entries(page.data.files).filter(([name]) => text.includes(name)));
+    const scene = {...page.data, files, controls: loaded?.controls.map((c) => c.key) ?? [],
       overrides: [...figure.choices.values].map(([key, value]) => `${key}=${value}`), language, width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
       poster_at_s: figure.film.at_s};
     /** @type {Record<string, string>} */

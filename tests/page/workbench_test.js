@@ -145,6 +145,17 @@ check('reads files that are dropped', async (browser) => {
   await tab.close();
 });
 
+check('writes the page of the text that the program accepted last', async (browser) => {
+  const {tab} = await opened(browser);
+  const text = await tab.$eval('#text', (field) => field.value);
+  await write(tab, text.replace('moments_kg_m2', 'moment_kg_m2'));
+  await until(tab, 'document.querySelector("#findings button")');
+  const made = await saved_by(tab, 'export-page');
+  const scene = JSON.parse(/<script id="scene-data"[^>]*>(.*?)<\/script>/.exec(made)[1]);
+  assert.equal(scene.text, text);
+  await tab.close();
+});
+
 check('writes a page of the scene that runs, and its data', async (browser) => {
   const {tab, faults} = await opened(browser);
   const text = await saved_by(tab, 'export-page');
