@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{name: string, title: string, text: string, files: Record<string, string>, thumbnail: string}} GalleryScene
- * @typedef {{schema: string, scenes: GalleryScene[], template: string}} WorkbenchData
+ * @typedef {{schema: string, scenes: GalleryScene[], template: string, no_script: Record<string, string>}} WorkbenchData
  */
 
 const write_after_ms = 250;
@@ -207,7 +207,7 @@ class Workbench {
       poster_at_s: figure.film.at_s};
     /** @type {Record<string, string>} */
     const values = {
-      language: escaped(language), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),
+      language: escaped(language), 'no-script': escaped(this.data.no_script[language] ?? ''), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),
       poster: `data:${poster.type};base64,${base64_of_bytes(new Uint8Array(await poster.arrayBuffer()))}`,
       scene: script_json(scene), fonts: block('program-fonts'), module: block('program-module'),
     };

@@ -162,6 +162,7 @@ check('writes a page of the scene that runs, and its data', async (browser) => {
   const file = path.join(folder, 'made.html');
   fs.writeFileSync(file, text);
   assert.ok(text.length < 1.25e6, `${text.length} bytes`);
+  assert.doesNotMatch(text.replace(/<script[^]*?<\/script>/g, ''), /\{\{/);
   const made = await opened_file(browser, file);
   await ready(made.tab);
   assert.equal(await made.tab.$('#writing'), null);
