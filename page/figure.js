@@ -42,7 +42,8 @@ class Figure {
     this.program = null;
     /** @type {Loaded|null} */
     this.loaded = null;
-    this.film = new Film({length_s: 0, frames_per_s: 30, loops: false, stops: [], chapters: []});
+    // Any instant is within it until a scene is loaded.
+    this.film = new Film({length_s: Infinity, frames_per_s: 30, loops: false, stops: [], chapters: []});
     /** @type {SceneData|null} */
     this.data = null;
     /** Those that the program has accepted. */

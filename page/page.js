@@ -214,12 +214,8 @@ class Page {
   #read_fragment() {
     const state = state_of(location.hash);
     const {film} = this.figure;
-    if (state.at_s !== null) {
-      film.at_s = state.at_s;
-      film.waiting = -1;
-      film.leaving = false;
-    }
-    film.untouched = state.at_s === null;
+    if (state.at_s === null) film.untouched = true;
+    else film.seek(state.at_s);
     film.speed = state.speed;
     this.follows_system = state.theme === '' && this.#system_is_dark;
     this.views.set(state.views);
