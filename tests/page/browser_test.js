@@ -491,6 +491,33 @@ check('runs in a sandboxed frame, and gives it unused keys', async (browser) => 
   await tab.close();
 });
 
+check('an embedded figure starts at the instant of its link, and rests where it left the window as it started', async (browser) => {
+  const tab = await browser.newPage();
+  const faults = faults_of(tab);
+  await tab.setViewport({width: 500, height: 420});
+  const file = path.join(folder, 'below.html');
+  const frame = `<iframe src="file://${page_file}#at=2" style="display:block;width:320px;height:200px;border:0"></iframe>`;
+  fs.writeFileSync(file, `<!doctype html><meta charset="utf-8"><div style="height:2000px"></div>${frame}`);
+  await tab.goto(`file://${file}`, {timeout: 120000});
+  const figure = tab.frames()[1];
+  await figure.evaluate(() => {
+    const start = Program.start;
+    Program.start = async (...given) => {
+      await new Promise((resolve) => { window.go_on = resolve; });
+      return start(...given);
+    };
+  });
+  await tab.evaluate(() => window.scrollTo(0, 1900));
+  await figure.waitForFunction('window.go_on', {timeout: 60000});
+  await tab.evaluate(() => window.scrollTo(0, 0));
+  await wait(600);
+  await figure.evaluate(() => window.go_on());
+  await figure.waitForFunction('!document.getElementById("last").hidden && !the_page.figure.program', {timeout: 60000});
+  assert.equal(await figure.evaluate(() => the_page.figure.film.at_s), 2);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('forty figures on one page start in sight and rest out of it', async (browser) => {
   const tab = await browser.newPage();
   const faults = faults_of(tab);
