@@ -12,16 +12,16 @@ function override_of(control, value) {
   return control.kind === 'integer' ? String(value) : toml_of(value);
 }
 
-/** Bounds of a slider for an unbounded key: around its value, never across a bound. @param {Control} control @param {number} value */
-function slider_span(control, value) {
-  const size = Math.max(Math.abs(value), 1e-3) * 3;
-  let least = control.min ?? -size;
-  let most = control.max ?? size;
-  if (control.min !== null && control.max === null) most = Math.max(control.min + size, value * 3);
-  if (most - least > 50 * size) {
-    least = Math.max(least, value >= 0 && control.min !== null ? control.min : -size);
-    most = Math.min(most, size);
-  }
+/**
+ * Bounds of a slider: those of its key. Where one is missing, or many decades lie between them, three times the value, or the largest
+ * component of a vector, takes their place.
+ * @param {{min: number|null, max: number|null, size?: number}} control @param {number} value
+ */
+function slider_span({min, max, size = 0}, value) {
+  const reach = 3 * (Math.max(size, Math.abs(value)) || 1);
+  const is_wide = min !== null && max !== null && Math.log10(max / (min > 0 ? min : 1)) > 4;
+  const least = min === null || is_wide ? Math.max(min ?? -Infinity, -reach) : min;
+  const most = max === null || is_wide ? Math.min(max ?? Infinity, Math.max(reach, (min ?? 0) + reach)) : max;
   return {least, most};
 }
 
@@ -35,8 +35,10 @@ function title_of(control, words) {
 function component_of(control, words) {
   const label = title_of(control, words);
   const index = /\[(\d+)\]$/.exec(control.key)?.[1];
-  if (index === undefined || !Array.isArray(control.value)) return {...control, label};
-  return {...control, kind: 'number', label: `${label} [${index}]`, value: control.value[Number(index)] ?? 0};
+  if (!Array.isArray(control.value)) return {...control, label};
+  const size = Math.max(...control.value.map((x) => Math.abs(x)));
+  if (index === undefined) return {...control, label, size};
+  return {...control, kind: 'number', label: `${label} [${index}]`, value: control.value[Number(index)] ?? 0, size};
 }
 
 class Controls {

@@ -19,6 +19,16 @@ function message_of(error) {
   return String(error);
 }
 
+/**
+ * What a viewer chose: overrides of the scene, elements, names and colours.
+ * @typedef {{values: Map<string, string>, shown: string[]|null, names: boolean|null, theme: string}} Choices
+ */
+
+/** @returns {Choices} */
+function no_choices() {
+  return {values: new Map(), shown: null, names: null, theme: ''};
+}
+
 class Figure {
   /**
    * @param {{stage: HTMLElement, picture: HTMLElement, poster: HTMLImageElement}} parts
@@ -32,22 +42,20 @@ class Figure {
     this.program = null;
     /** @type {Loaded|null} */
     this.loaded = null;
-    this.film = new Film({length_s: 0, frames_per_s: 30, loops: false, stops: [], chapters: []});
+    // Any instant is within it until a scene is loaded.
+    this.film = new Film({length_s: Infinity, frames_per_s: 30, loops: false, stops: [], chapters: []});
     /** @type {SceneData|null} */
     this.data = null;
-    /** Overrides of the viewer that the program has accepted. @type {Map<string, string>} */
-    this.values = new Map();
-    /** @type {string[]|null} */
-    this.shown = null;
-    /** @type {boolean|null} */
-    this.names = null;
-    this.theme = '';
+    /** Those that the program has accepted. */
+    this.choices = no_choices();
     /** @type {View[]} */
     this.views = [];
     this.is_lost = false;
     this.frame = 0;
     this.last_ms = 0;
     this.is_resized = false;
+    /** Whether the module has started anew and not drawn yet. */
+    this.is_revived = false;
     /** Called before the next frame, at most once. @type {(() => void)|null} */
     this.before_next = null;
     new ResizeObserver(() => {
@@ -93,16 +101,14 @@ class Figure {
     for (const [name, bytes] of Object.entries(data.files)) program.addFile(name, bytes_of_base64(bytes));
     this.program = program;
     this.is_lost = false;
+    this.is_revived = false;
     try {
-      this.#load(data, this.values);
+      this.#load(data, this.choices);
     } catch (error) {
-      if (this.values.size === 0) throw error;
-      // A link may hold values that the program refuses: the scene itself is shown then.
-      this.values = new Map();
-      this.#load(data, this.values);
+      // A link may hold choices that the program refuses: the scene itself is shown then.
+      this.#load(data, no_choices());
       this.hooks.failed('draw', message_of(error));
     }
-    this.data = data;
     this.#draw();
   }
 
@@ -142,18 +148,20 @@ class Figure {
     });
   }
 
-  /** Reads the scene with these overrides; throws the program's refusal. @param {SceneData} data @param {Map<string, string>} values */
-  #load(data, values) {
+  /** Reads the scene with these choices; throws the program's refusal. @param {SceneData} data @param {Choices} choices */
+  #load(data, choices) {
     const program = /** @type {Program} */ (this.program);
     const {width, height, type_scale} = this.size();
-    const overrides = [...data.overrides, ...[...values].map(([key, value]) => `${key}=${value}`)];
-    if (this.names !== null) overrides.push(`labels=${this.names}`);
+    const overrides = [...data.overrides, ...[...choices.values].map(([key, value]) => `${key}=${value}`)];
+    if (choices.names !== null) overrides.push(`labels=${choices.names}`);
     // An empty list would show what the scene shows by default.
-    const shown = this.shown?.length === 0 ? ['title'] : this.shown;
-    if (this.shown?.length === 0) overrides.push('overlays=false');
+    const shown = choices.shown?.length === 0 ? ['title'] : choices.shown;
+    if (choices.shown?.length === 0) overrides.push('overlays=false');
     this.loaded = program.load(data.text, data.name, overrides, {
-      width, height, type_scale, theme: this.theme || undefined, shown: shown ?? undefined,
+      width, height, type_scale, theme: choices.theme || undefined, shown: shown ?? undefined,
     });
+    this.data = data;
+    this.choices = choices;
     // Setting the size of a canvas clears it, so only a scene that will be drawn does.
     if (this.canvas.width !== width) this.canvas.width = width;
     if (this.canvas.height !== height) this.canvas.height = height;
@@ -167,18 +175,15 @@ class Figure {
     this.hooks.loaded();
   }
 
-  /** Reads the scene again; after a refusal the picture stays as it was. Throws the refusal. @param {{values?: Map<string, string>, data?: SceneData}} changes */
-  reload(changes = {}) {
-    const {data, program} = this;
-    if (!program || !data) throw new Error('the figure has not started');
+  /** Reads the scene with changed choices; after a refusal the picture stays as it was. Throws the refusal. @param {Partial<Choices>} changes @param {SceneData|null} [data] another scene */
+  reload(changes, data = this.data) {
+    if (!this.program || !data) throw new Error('the figure has not started');
     try {
-      this.#load(changes.data ?? data, changes.values ?? this.values);
+      this.#load(data, {...this.choices, ...changes});
     } catch (error) {
       this.#revive(error);
       throw error;
     }
-    this.values = changes.values ?? this.values;
-    this.data = changes.data ?? data;
     this.invalidate();
   }
 
@@ -188,8 +193,15 @@ class Figure {
     const program = /** @type {Program} */ (this.program);
     program.restart().then(() => {
       program.setViews(this.views);
+      this.is_revived = true;
       this.invalidate();
-    }, () => this.hooks.failed('no-start', message_of(error)));
+    }, () => this.#give_up(error));
+  }
+
+  /** @param {unknown} error */
+  #give_up(error) {
+    this.program = null;
+    this.hooks.failed('no-start', message_of(error));
   }
 
   /** The motion's time at a second of the film. @param {number} film_s */
@@ -230,8 +242,14 @@ class Figure {
     this.film.advance(step_s);
     try {
       this.#draw();
+      this.is_revived = false;
     } catch (error) {
       this.film.pause();
+      if (this.is_revived) {
+        // It would crash again and again.
+        this.#give_up(error);
+        return;
+      }
       this.#revive(error);
       this.hooks.failed('draw', message_of(error));
     }

@@ -157,8 +157,10 @@ class Film {
     if (this.waiting >= 0) {
       const stop = /** @type {Stop} */ (stops[this.waiting]);
       const loop_s = stop.loop_s ?? 0;
-      if (this.speed < 0) this.waiting = -1;
-      else if (to_s < stop.at_s) {
+      if (this.speed < 0) {
+        this.waiting = -1;
+        this.leaving = false;
+      } else if (to_s < stop.at_s) {
         this.at_s = to_s;
         return;
       } else if (!this.leaving) {
@@ -171,23 +173,24 @@ class Film {
         this.at_s = stop.at_s;
       }
     }
-    if (this.speed > 0) {
-      const reached = stops.findIndex((s) => s.at_s > this.at_s + 1e-9 && s.at_s <= to_s);
-      const stop = stops[reached];
-      if (stop) {
-        this.waiting = reached;
-        const loop_s = stop.loop_s ?? 0;
-        if (loop_s > 0) this.at_s = stop.at_s - loop_s + ((to_s - stop.at_s) % loop_s);
-        else {
-          this.at_s = stop.at_s;
-          this.playing = false;
-        }
-        return;
-      }
-    }
+    if (this.speed > 0 && this.#reaches_stop(this.at_s + 1e-9, to_s)) return;
     const past = to_s >= length_s || to_s < 0;
-    if (past && this.repeat && length_s > 0) to_s = ((to_s % length_s) + length_s) % length_s;
-    else if (past && (this.speed > 0 ? to_s >= length_s : to_s < 0)) this.playing = false;
+    if (past && this.repeat && length_s > 0) {
+      if (this.speed > 0 && this.#reaches_stop(0, to_s - length_s)) return;
+      to_s = ((to_s % length_s) + length_s) % length_s;
+    } else if (past && (this.speed > 0 ? to_s >= length_s : to_s < 0)) this.playing = false;
     this.at_s = this.#within(to_s);
+  }
+
+  /** Waits at the first stop of a span, if it has one. @param {number} from_s @param {number} to_s */
+  #reaches_stop(from_s, to_s) {
+    const reached = this.plan.stops.findIndex((s) => s.at_s >= from_s && s.at_s <= to_s);
+    const stop = this.plan.stops[reached];
+    if (!stop) return false;
+    this.waiting = reached;
+    const loop_s = stop.loop_s ?? 0;
+    this.at_s = loop_s > 0 ? stop.at_s - loop_s + ((to_s - stop.at_s) % loop_s) : stop.at_s;
+    if (loop_s <= 0) this.playing = false;
+    return true;
   }
 }

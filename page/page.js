@@ -19,7 +19,7 @@ class Page {
         bytes: () => (this.bytes ??= Promise.all([unpacked('program-module'), unpacked('program-fonts')]).then(([module, fonts]) => ({module, fonts}))),
         drawn: () => this.#drawn(),
         loaded: () => this.#loaded(),
-        failed: (kind, message) => (kind === 'draw' ? this.#say(message) : this.#fail(kind)),
+        failed: (kind, message) => (kind === 'draw' ? this.#say(message) : this.#fail(kind, message)),
       });
     const words = () => this.words;
     this.bar = new Bar(this.figure, words, () => this.changed());
@@ -41,7 +41,7 @@ class Page {
     });
     this.controls = new Controls(part('controls'), words, (key, value) => this.set_soon(key, value));
     this.notes = new Notes(part('notes'), words, (event) => this.#key(event));
-    /** Told after the program has read a scene. @type {() => void} */
+    /** Called after a scene is loaded. @type {() => void} */
     this.said = () => {};
     /** Values that are set at the next frame. @type {Map<string, string>} */
     this.coming = new Map();
@@ -54,7 +54,7 @@ class Page {
     this.regime = '';
     document.body.classList.toggle('embedded', this.embedded);
     this.#colour(document.documentElement.dataset['ground'] ?? '#ffffff', null);
-    this.#read_fragment();
+    this.figure.choices = this.#read_fragment();
     this.#name();
     this.#wire();
     this.#fit();
@@ -74,6 +74,7 @@ class Page {
     // Here already, so that the picture keeps its size.
     part('bar').hidden = false;
     part('bar').inert = true;
+    part('sentence').hidden = true;
     try {
       await this.figure.start(this.data);
     } catch (error) {
@@ -83,7 +84,6 @@ class Page {
       throw error instanceof Error ? error : new Error(message_of(error));
     }
     this.failure = '';
-    part('sentence').hidden = true;
     part('bar').inert = false;
     this.#wake();
   }
@@ -108,18 +108,22 @@ class Page {
       this.start().catch(() => {});
       return;
     }
-    this.figure.film.at_s = this.data.poster_at_s;
+    if (this.figure.film.untouched) this.figure.film.at_s = this.data.poster_at_s;
     part('begin').hidden = false;
     let timer = 0;
+    let seen = false;
+    const rest = () => {
+      if (seen || !this.figure.program) return;
+      this.figure.rest();
+      document.body.classList.remove('drawn');
+    };
     new IntersectionObserver((entries) => {
-      const seen = entries[entries.length - 1]?.isIntersecting ?? false;
+      seen = entries[entries.length - 1]?.isIntersecting ?? false;
       window.clearTimeout(timer);
       timer = window.setTimeout(() => {
         if (seen && !this.failure) this.start().catch(() => {});
-        else if (!seen && this.figure.program) {
-          this.figure.rest();
-          document.body.classList.remove('drawn');
-        }
+        else if (this.starting) this.starting.then(rest, () => {});
+        else rest();
       }, seen ? 120 : 400);
     }, {threshold: 0.05}).observe(part('stage'));
   }
@@ -199,25 +203,29 @@ class Page {
   // ── The state in the address ────────────────────────────────────────────────────────────
 
   fragment() {
-    const {film, values, shown, names, theme} = this.figure;
+    const {film} = this.figure;
+    const {values, shown, names, theme} = this.figure.choices;
     const has_moved = !film.untouched || this.views.list().length > 0 || values.size > 0;
     const look = this.follows_system ? '' : theme || (this.#system_is_dark ? 'scene' : '');
     return fragment_of({at_s: has_moved ? film.at_s : null, speed: film.speed, views: this.views.list(), values, shown, names, theme: look});
   }
 
+  /** Takes instant, speed and views from the address. @returns {Choices} the choices that it holds */
   #read_fragment() {
     const state = state_of(location.hash);
-    const {figure} = this;
-    if (state.at_s !== null) figure.film.at_s = state.at_s;
-    figure.film.untouched = state.at_s === null;
-    figure.film.speed = state.speed;
-    figure.values = new Map([...state.values].filter(([key]) => this.data.controls.includes(key)));
-    figure.shown = state.shown;
-    figure.names = state.names;
+    const {film} = this.figure;
+    if (state.at_s === null) film.untouched = true;
+    else film.seek(state.at_s);
+    film.speed = state.speed;
     this.follows_system = state.theme === '' && this.#system_is_dark;
-    figure.theme = this.follows_system ? 'dark' : ['light', 'dark'].includes(state.theme) ? state.theme : '';
     this.views.set(state.views);
-    figure.views = state.views;
+    this.figure.set_views(state.views);
+    return {
+      values: new Map([...state.values].filter(([key]) => this.data.controls.includes(key))),
+      shown: state.shown,
+      names: state.names,
+      theme: this.follows_system ? 'dark' : ['light', 'dark'].includes(state.theme) ? state.theme : '',
+    };
   }
 
   /** Whether the system's dark colours are those of this page: a frame has the colours of the page around it, and a scene its own, if it sets any. */
@@ -251,18 +259,18 @@ class Page {
 
   /** Sets values as --set does; throws the program's refusal. @param {Map<string, string>} changes */
   set(changes) {
-    this.figure.reload({values: new Map([...this.figure.values, ...changes])});
+    this.figure.reload({values: new Map([...this.figure.choices.values, ...changes])});
     this.#settle();
   }
 
-  /** Reads the scene again; a refusal is said. @param {Map<string, string>} [values] */
-  #reload(values = this.figure.values) {
+  /** Reads the scene with changed choices; a refusal is said. @param {Partial<Choices>} changes */
+  #reload(changes) {
     try {
-      this.figure.reload({values});
+      this.figure.reload(changes);
       part('sentence').hidden = true;
     } catch (error) {
-      part('sentence').textContent = message_of(error);
-      part('sentence').hidden = false;
+      this.#say(error);
+      this.#show_elements();
     }
     this.#settle();
   }
@@ -370,7 +378,7 @@ class Page {
       radio.type = 'radio';
       radio.name = 'theme';
       radio.value = theme;
-      radio.checked = theme === this.figure.theme;
+      radio.checked = theme === this.figure.choices.theme;
       radio.addEventListener('change', () => this.set_theme(theme));
       text.textContent = this.words.of(theme || 'of_scene');
       label.append(radio, text);
@@ -381,14 +389,12 @@ class Page {
   /** @param {string} theme */
   set_theme(theme) {
     this.follows_system = false;
-    this.figure.theme = theme;
+    this.#reload({theme});
     this.#name_themes();
-    this.#reload();
   }
 
   #show_elements() {
-    const {figure} = this;
-    const {loaded} = figure;
+    const {loaded, choices} = this.figure;
     if (!loaded) return;
     const rows = [{name: '', summary: '', offered: true}, ...loaded.elements].filter((row) => row.offered !== false);
     const boxes = () => [...part('elements').querySelectorAll('input')];
@@ -398,24 +404,19 @@ class Page {
         const box = document.createElement('input');
         box.type = 'checkbox';
         box.name = name;
-        box.addEventListener('change', () => {
-          if (name === '') figure.names = box.checked ? null : false;
-          else this.#show_element(name, box.checked);
-          this.#reload();
-        });
+        box.addEventListener('change', () => this.#reload(name === '' ? {names: box.checked ? null : false} : {shown: this.#shown_with(name, box.checked)}));
         label.title = summary;
         label.append(box, name === '' ? this.words.of('names') : this.words.element(name));
         return label;
       }));
     }
     for (const box of boxes())
-      box.checked = box.name === '' ? figure.names !== false : loaded.elements.some((e) => e.name === box.name && e.shown);
+      box.checked = box.name === '' ? choices.names !== false : loaded.elements.some((e) => e.name === box.name && e.shown);
   }
 
-  /** @param {string} name @param {boolean} shown */
-  #show_element(name, shown) {
-    const names = (this.figure.loaded?.elements ?? []).filter((e) => (e.name === name ? shown : e.shown)).map((e) => e.name);
-    this.figure.shown = names;
+  /** The elements that are shown after one is shown or hidden. @param {string} name @param {boolean} shown */
+  #shown_with(name, shown) {
+    return (this.figure.loaded?.elements ?? []).filter((e) => (e.name === name ? shown : e.shown)).map((e) => e.name);
   }
 
   async #copy_link() {
@@ -484,7 +485,7 @@ class Page {
         this.changed();
       }, () => {});
     });
-    part('original').addEventListener('click', () => this.#reload(new Map()));
+    part('original').addEventListener('click', () => this.#reload({values: new Map()}));
     part('scene-view').addEventListener('click', () => this.views.reset());
     part('save-png').addEventListener('click', () => {
       const [width, height] = [input('png-width'), input('png-height')].map((field) => Math.min(16384, Math.max(16, Math.round(field.valueAsNumber) || 1080)));
@@ -509,11 +510,9 @@ class Page {
     sizes.observe(part('stage'));
     sizes.observe(part('panel'));
     window.addEventListener('hashchange', () => {
-      const {values} = this.figure;
-      this.#read_fragment();
-      const asked = this.figure.values;
-      this.figure.values = values;
-      if (this.figure.program) this.#reload(asked);
+      const choices = this.#read_fragment();
+      if (this.figure.program) this.#reload(choices);
+      else this.figure.choices = choices;
     });
   }
 

@@ -10,16 +10,16 @@
  *   How a viewer changed a panel's camera. The shifts move the picture to the right and up, in
  *   heights of the panel.
  * @typedef {{key: string, label: string, unit: string, kind: string, value: any, min: number|null,
- *   max: number|null, step: number, choices?: string[]}} Control
+ *   max: number|null, step: number, choices?: string[], size?: number}} Control
+ *   `size`: of the largest component of a vector.
  * @typedef {{title: string, caption: string, language: string,
  *   theme: {name: string, background: string, text: string}, first_time_s: number,
  *   last_time_s: number, film_length_s: number, loops: boolean, frames_per_s: number,
- *   playback_speed: number, width: number, height: number, regime: string, notes: string[],
+ *   width: number, height: number, regime: string, notes: string[],
  *   panels: Panel[], chapters: {at_s: number, title: string}[],
  *   stops: {at_s: number, title: string, loop_s: number|null, note: string}[],
- *   controls: Control[], elements: {name: string, summary: string, overlay: boolean, offered: boolean, shown: boolean}[],
- *   captions: {at_s: number, text: string}[]}} Loaded
- *   Chapters, stops and captions are at seconds of the film; the other times are the motion's.
+ *   controls: Control[], elements: {name: string, summary: string, overlay: boolean, offered: boolean, shown: boolean}[]}} Loaded
+ *   Chapters and stops are at seconds of the film; the other times are the motion's.
  * @typedef {{time_s: number, omega_body: number[], space_from_body: number[],
  *   herpolhode: number[], angles?: number[]}} Digits
  *   `angles`: θ, φ and ψ of a heavy top, rad.
@@ -361,7 +361,7 @@ class Program {
   #open(canvas) {
     const gl = /** @type {WebGL2RenderingContext|null} */ (
       canvas.getContext('webgl2', {alpha: true, antialias: false, depth: false, stencil: false, premultipliedAlpha: true}));
-    if (!gl) throw new ProgramError({kind: 'no-webgl', message: 'this browser gives no WebGL 2'});
+    if (!gl) throw new ProgramError({kind: 'no-webgl', message: 'this browser has no WebGL 2'});
     this.gl = gl;
     this.#ask_extensions();
   }
@@ -371,7 +371,7 @@ class Program {
     const floats = gl.getExtension('EXT_color_buffer_float') || gl.getExtension('EXT_color_buffer_half_float');
     this.has_integer_light = Boolean(gl.getExtension('EXT_texture_norm16'));
     if (!floats && !gl.isContextLost())
-      throw new ProgramError({kind: 'no-webgl', message: 'this browser draws no light of 16 bits'});
+      throw new ProgramError({kind: 'no-webgl', message: 'this browser cannot draw into textures with 16 bits a component'});
   }
 
   /** Calls a function of the module; throws what it refuses. @param {string} name @param {any[]} given @returns {any} */

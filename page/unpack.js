@@ -20,7 +20,7 @@ function bytes_of_base85(text) {
 
 /**
  * Unpacks a file of `xz --format=lzma` (Igor Pavlov, "LZMA specification", the LZMA SDK). Browsers unpack
- * gzip themselves, but pages would be a fifth larger.
+ * gzip themselves, but with gzip a page is 27 % larger.
  * @param {Uint8Array} packed @returns {Uint8Array<ArrayBuffer>}
  */
 function unpacked_lzma(packed) {

@@ -24,8 +24,11 @@ class Views {
     this.frames = [];
     /** Pointers that are down, in CSS pixels. @type {Map<number, {x: number, y: number}>} */
     this.pointers = new Map();
-    this.drags_omega = false;
+    /** Whether the pointer moves what it picked. */
+    this.drags = false;
     this.pans = false;
+    /** Pixels of the canvas for a CSS pixel. */
+    this.ratio = 1;
   }
 
   /** @returns {View[]} */
@@ -149,8 +152,7 @@ class Views {
   /** Where the pointer is on the canvas, in its pixels. @param {PointerEvent} event */
   #on_canvas(event) {
     const box = this.holder.getBoundingClientRect();
-    const ratio = this.ratio ?? 1;
-    return {x: (event.clientX - box.left) * ratio, y: (event.clientY - box.top) * ratio};
+    return {x: (event.clientX - box.left) * this.ratio, y: (event.clientY - box.top) * this.ratio};
   }
 
   /** @param {HTMLElement} frame @param {number} panel @param {PointerEvent} event */
@@ -162,9 +164,9 @@ class Views {
     if (this.pointers.size === 1) {
       const {x, y} = this.#on_canvas(event);
       this.pans = event.button !== 0 || event.shiftKey || event.ctrlKey;
-      this.drags_omega = !this.pans && this.events.picked(x, y, panel);
-    } else this.#end_omega();
-    frame.classList.toggle('held', true);
+      this.drags = !this.pans && this.events.picked(x, y, panel);
+    } else this.#end_drag();
+    frame.classList.add('held');
   }
 
   /** @param {HTMLElement} frame @param {number} panel @param {PointerEvent} event */
@@ -187,7 +189,7 @@ class Views {
       const is = Math.hypot(event.clientX - other.x, event.clientY - other.y);
       if (was > 1 && is > 1) this.zoom(panel, is / was);
       this.pan(panel, dx / 2 / height, -dy / 2 / height);
-    } else if (this.drags_omega) {
+    } else if (this.drags) {
       const {x, y} = this.#on_canvas(event);
       this.events.dragged(x, y, panel);
     } else if (this.pans) this.pan(panel, dx / height, -dy / height);
@@ -199,12 +201,12 @@ class Views {
     this.pointers.delete(event.pointerId);
     if (this.pointers.size > 0) return;
     for (const frame of this.frames) frame.classList.remove('held');
-    this.#end_omega();
+    this.#end_drag();
   }
 
-  #end_omega() {
-    if (this.drags_omega) this.events.dropped();
-    this.drags_omega = false;
+  #end_drag() {
+    if (this.drags) this.events.dropped();
+    this.drags = false;
   }
 
   /** @param {number} panel @param {WheelEvent} event */

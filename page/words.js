@@ -1,7 +1,5 @@
 // The words of the page in the program's six languages.
 
-/** @typedef {'en'|'de'|'fr'|'es'|'it'|'ja'} Language */
-
 const languages = ['en', 'de', 'fr', 'es', 'it', 'ja'];
 
 /** Each word in the order of `languages`. @type {Record<string, string[]>} */
@@ -45,7 +43,6 @@ const all_words = {
   figure: ['Figure', 'Bild', 'Figure', 'Figura', 'Figura', '図'],
   stop: ['Stop', 'Halt', 'Arrêt', 'Parada', 'Sosta', '停止点'],
   start_figure: ['Start the figure', 'Bild starten', 'Démarrer la figure', 'Iniciar la figura', 'Avvia la figura', '図を開始'],
-  starting: ['Starting …', 'Startet …', 'Démarrage …', 'Iniciando …', 'Avvio …', '起動中…'],
   no_webgl: ['This browser offers no WebGL 2, so you see a still picture. A current browser with hardware acceleration shows the motion.',
     'Dieser Browser bietet kein WebGL 2; darum sehen Sie ein Standbild. Ein aktueller Browser mit Hardwarebeschleunigung zeigt die Bewegung.',
     'Ce navigateur n’offre pas WebGL 2 ; vous voyez donc une image fixe. Un navigateur récent avec accélération matérielle montre le mouvement.',
@@ -61,9 +58,9 @@ const all_words = {
   no_start: ['The figure did not start, so you see a still picture.', 'Das Bild konnte nicht starten; darum sehen Sie ein Standbild.',
     'La figure n’a pas pu démarrer ; vous voyez donc une image fixe.', 'La figura no pudo iniciarse; por eso ve una imagen fija.',
     'La figura non si è avviata: per questo si vede un’immagine fissa.', '図を開始できなかったため、静止画を表示しています。'],
-  lost: ['The graphics processor gave up. Click the figure to start it again.', 'Der Grafikprozessor hat abgebrochen. Klicken Sie auf das Bild, um es neu zu starten.',
-    'Le processeur graphique a abandonné. Cliquez sur la figure pour la redémarrer.', 'El procesador gráfico se detuvo. Haga clic en la figura para reiniciarla.',
-    'Il processore grafico si è fermato. Fate clic sulla figura per riavviarla.', '描画が中断しました。図をクリックすると再開します。'],
+  lost: ['The browser stopped the drawing. Click the figure to start it again.', 'Der Browser hat das Zeichnen abgebrochen. Klicken Sie auf das Bild, um es neu zu starten.',
+    'Le navigateur a interrompu le dessin. Cliquez sur la figure pour la redémarrer.', 'El navegador interrumpió el dibujo. Haga clic en la figura para reiniciarla.',
+    'Il browser ha interrotto il disegno. Fate clic sulla figura per riavviarla.', '描画が中断しました。図をクリックすると再開します。'],
   key_play: ['play, pause, go on', 'abspielen, anhalten, weiter', 'lecture, pause, continuer', 'reproducir, pausar, continuar', 'riproduci, pausa, continua', '再生・一時停止・続ける'],
   key_frame: ['one frame', 'ein Einzelbild', 'une image', 'un fotograma', 'un fotogramma', '1 コマ'],
   key_stop: ['previous, next stop or chapter', 'voriger, nächster Halt oder Abschnitt', 'arrêt ou chapitre précédent, suivant', 'parada o capítulo anterior, siguiente', 'sosta o capitolo precedente, successivo', '前・次の停止点か章'],

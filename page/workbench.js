@@ -2,7 +2,7 @@
 
 /**
  * @typedef {{name: string, title: string, text: string, files: Record<string, string>, thumbnail: string}} GalleryScene
- * @typedef {{schema: string, scenes: GalleryScene[], template: string}} WorkbenchData
+ * @typedef {{schema: string, scenes: GalleryScene[], template: string, no_script: Record<string, string>}} WorkbenchData
  */
 
 const write_after_ms = 250;
@@ -74,8 +74,8 @@ class Workbench {
     });
     part('file-save').addEventListener('click', () => this.page.save(new Blob([this.editor.text], {type: 'application/toml'}), '.toml'));
     part('export-csv').addEventListener('click', () => this.page.save(new Blob([this.csv()], {type: 'text/csv'}), '.csv'));
-    part('export-page').addEventListener('click', () => void this.page_of_scene().then((text) =>
-      this.page.save(new Blob([text], {type: 'text/html'}), '.html')));
+    part('export-page').addEventListener('click', () => void this.page_of_scene().then(
+      (text) => this.page.save(new Blob([text], {type: 'text/html'}), '.html'), (error) => this.#find(error)));
     document.addEventListener('dragover', (event) => {
       event.preventDefault();
       document.body.classList.add('dropping');
@@ -110,20 +110,22 @@ class Workbench {
   /** @param {string} name @param {string} text @param {Record<string, string>} files */
   open(name, text, files) {
     this.editor.text = text;
-    this.files = {...files};
+    this.files = {...this.files, ...files};
     this.page.views.reset();
-    this.page.figure.values = new Map();
     this.page.figure.film.seek(0);
     this.page.figure.film.pause();
     this.page.figure.film.untouched = true;
-    this.#write(name);
+    this.#write(name, {values: new Map(), shown: null});
   }
 
   /** Opens scenes, and keeps the files that scenes name. @param {File[]} files */
   async #take(files) {
     const scene = files.find((file) => file.name.toLowerCase().endsWith('.toml'));
-    for (const file of files) if (file !== scene) this.files[file.name] = base64_of_bytes(new Uint8Array(await file.arrayBuffer()));
-    if (scene) this.open(scene.name.replace(/\.toml$/i, ''), await scene.text(), this.files);
+    /** @type {Record<string, string>} */
+    const taken = {};
+    for (const file of files) if (file !== scene) taken[file.name] = base64_of_bytes(new Uint8Array(await file.arrayBuffer()));
+    this.files = {...this.files, ...taken};
+    if (scene) this.open(scene.name.replace(/\.toml$/i, ''), await scene.text(), {});
     else this.#write(this.page.data.name);
   }
 
@@ -132,16 +134,15 @@ class Workbench {
     this.timer = window.setTimeout(() => this.#write(this.page.data.name), write_after_ms);
   }
 
-  /** Gives the text to the program. @param {string} name */
-  #write(name) {
+  /** Gives the text to the program. @param {string} name @param {Partial<Choices>} [changes] */
+  #write(name, changes = {}) {
     const {page} = this;
     const data = {...page.data, name, text: this.editor.text, files: this.files};
     try {
       if (!page.figure.program) return;
       for (const [file, bytes] of Object.entries(this.files)) page.figure.program.addFile(file, bytes_of_base64(bytes));
-      page.figure.reload({data});
+      page.figure.reload(changes, data);
       page.data = data;
-      this.#find();
     } catch (error) {
       page.data = {...page.data, name};
       this.#find(error);
@@ -196,14 +197,17 @@ class Workbench {
     const {loaded} = figure;
     const width = 1280;
     const height = Math.round((width * (loaded?.height ?? page.data.height)) / (loaded?.width ?? page.data.width));
+    const language = loaded?.language ?? 'en';
     const poster = await figure.png(width, height, 'image/jpeg');
-    const used = Object.fromEntries(Object.entries(this.files).filter(([name]) => this.editor.text.includes(name)));
-    const scene = {...page.data, text: this.editor.text, files: used, controls: loaded?.controls.map((c) => c.key) ?? [],
-      overrides: [...figure.values].map(([key, value]) => `${key}=${value}`), language: loaded?.language ?? 'en', width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
+    // The text that the program accepted last, and its files.
+    const {text} = page.data;
+    const files = Object.fromEntries(Object.entries(page.data.files).filter(([name]) => text.includes(name)));
+    const scene = {...page.data, files, controls: loaded?.controls.map((c) => c.key) ?? [],
+      overrides: [...figure.choices.values].map(([key, value]) => `${key}=${value}`), language, width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
       poster_at_s: figure.film.at_s};
     /** @type {Record<string, string>} */
     const values = {
-      language: escaped(loaded?.language ?? 'en'), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),
+      language: escaped(language), 'no-script': escaped(this.data.no_script[language] ?? ''), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),
       poster: `data:${poster.type};base64,${base64_of_bytes(new Uint8Array(await poster.arrayBuffer()))}`,
       scene: script_json(scene), fonts: block('program-fonts'), module: block('program-module'),
     };

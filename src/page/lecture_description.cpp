@@ -107,16 +107,13 @@ std::string control_of(const Scene& scene, const std::string& name) {
 std::string Lecture::description() const {
     const Scene& scene = session_.scene;
     const Theme& theme = session_.theme;
-    std::vector<std::string> notes, chapters, captions;
+    std::vector<std::string> notes, chapters;
     for (const auto* from : {&scene.notes, &session_.notes})
         for (const std::string& note : *from) notes.push_back(json_string(note));
     for (const std::string& note : stage_->notes()) notes.push_back(json_string(note));
     for (const ChapterSpec& chapter : scene.chapters)
         chapters.push_back(
             JsonObject().add("at_s", chapter.at_s).add("title", chapter.title).line());
-    for (const TimedCaptionSpec& caption : scene.captions)
-        captions.push_back(
-            JsonObject().add("at_s", caption.at_s).add("text", plain_text(caption.text)).line());
     std::vector<std::string> stops, controls;
     for (const StopSpec& stop : scene.stops)
         stops.push_back(JsonObject()
@@ -143,7 +140,6 @@ std::string Lecture::description() const {
         .add("film_length_s", film_.length_s)
         .add("loops", film_.loop_s > 0.0)
         .add("frames_per_s", film_.rate.per_second())
-        .add("playback_speed", scene.film.speed)
         .add("width", scene.film.width_px)
         .add("height", scene.film.height_px)
         .add("regime", regime_sentence(session_))
@@ -153,7 +149,6 @@ std::string Lecture::description() const {
         .json("stops", json_list(stops))
         .json("controls", json_list(controls))
         .json("elements", elements_of(*stage_))
-        .json("captions", json_list(captions))
         .line();
 }
 

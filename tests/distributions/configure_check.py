@@ -3,7 +3,8 @@
 
 Each library of the tests is hidden in turn, then all of them. The program alone (BUILD_TESTING=OFF, as `sh .ci/film` configures it)
 must configure without any message about tests; with BUILD_TESTING=ON the tests are omitted and a warning names the Debian package.
-Each library of the program is hidden in turn, too: CMake must stop and name its Debian package.
+Each library of the program is hidden in turn, too: CMake must stop and name its Debian package. Without a package for pages it must go
+on and name it, and stop where a module was given.
 Usage: configure_check.py CMAKE SOURCE
 """
 import pathlib
@@ -25,6 +26,7 @@ PROGRAM_PACKAGES = {
     "libfmt-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_fmt=ON",
     "libcli11-dev": "-DCMAKE_DISABLE_FIND_PACKAGE_CLI11=ON",
 }
+NO_XZ = "-DXZ_PROGRAM="
 
 
 def unset(option):
@@ -35,7 +37,7 @@ def main():
     cmake, source = sys.argv[1:]
     failures = []
     with tempfile.TemporaryDirectory() as build:
-        every = [*TEST_PACKAGES.values(), *PROGRAM_PACKAGES.values()]
+        every = [*TEST_PACKAGES.values(), *PROGRAM_PACKAGES.values(), "-DPOINSOT_PAGE=auto", NO_XZ]
 
         def configure(*options):
             """Configures with only these options: libraries hidden by an earlier run are found again."""
@@ -65,6 +67,14 @@ def main():
         for name, hidden in PROGRAM_PACKAGES.items():
             code, said = configure(tests_off, hidden)
             expect(code != 0 and f"install {name}" in said, f"without {name}", said)
+        code, said = configure(tests_off, NO_XZ)
+        expect(code == 0 and re.search(r"cannot write pages [^:]*: these packages are missing:[^:]* xz-utils", said), "pages without xz", said)
+        module = pathlib.Path(build, "given.wasm")
+        code, said = configure(tests_off, f"-DPOINSOT_PAGE={module}")
+        expect(code != 0 and "no such file" in said, "a module that does not exist", said)
+        module.touch()
+        code, said = configure(tests_off, f"-DPOINSOT_PAGE={module}", NO_XZ)
+        expect(code != 0 and "install xz-utils" in said, "a module without xz", said)
         # With nothing hidden, the tests are configured; otherwise the checks above would prove nothing.
         code, said = configure(tests_on)
         expect(code == 0 and (pathlib.Path(build) / "tests").exists() and "left out" not in said, "with all packages", said)

@@ -8,6 +8,7 @@ const os = require('os');
 const path = require('path');
 const zlib = require('zlib');
 const {execFileSync, spawn} = require('child_process');
+const {files_of} = require('./scene_files.js');
 
 const [browser, poinsot, module_file, fonts_file, program_file, folder, out, size, ...only] = process.argv.slice(2);
 const [width, height] = size.split('x').map(Number);
@@ -91,11 +92,12 @@ const say = (of, body) => fetch('/' + of, {method: 'POST', body});
     let program = await Program.start(module, fonts, canvas);
     const gl = program.gl;
     const start_ms = performance.now() - began;
-    for (const {name, overrides} of await (await fetch('/list')).json()) {
+    for (const {name, files} of await (await fetch('/list')).json()) {
       try {
         const text = await (await fetch('/scene/' + name)).text();
+        for (const file of files) program.addFile(file, await bytes('/file/' + encodeURIComponent(file)));
         began = performance.now();
-        const loaded = program.load(text, name + '.toml', overrides, {width: ${width}, height: ${height}});
+        const loaded = program.load(text, name + '.toml', [], {width: ${width}, height: ${height}});
         const n_frames = Math.max(1, Math.round(loaded.film_length_s * loaded.frames_per_s));
         const film_s = loaded.loops ? loaded.film_length_s * (40 / n_frames) : 40 / loaded.frames_per_s;
         const time_s = program.timeAt(film_s);
@@ -135,7 +137,7 @@ const list = scenes.map((name) => {
   const text = fs.readFileSync(path.join(folder, `${name}.toml`), 'utf8');
   execFileSync(poinsot, ['render', path.join(folder, `${name}.toml`), '-q', '--portable', '--size', size, '--frames', `${frame}-${frame}`,
                          '-o', path.join(out, `${name}.native_####.png`)]);
-  return {name, overrides: [], has_mesh: /\[object\]|"body"/.test(text)};
+  return {name, files: files_of(text), has_mesh: /\[object\]|"body"/.test(text)};
 });
 
 const server = http.createServer((request, response) => {
@@ -150,6 +152,7 @@ const server = http.createServer((request, response) => {
     if (kind === 'module') return send('application/octet-stream', fs.readFileSync(module_file));
     if (kind === 'fonts') return send('application/octet-stream', fs.readFileSync(fonts_file));
     if (kind === 'list') return send('application/json', JSON.stringify(list));
+    if (kind === 'file') return send('application/octet-stream', fs.readFileSync(path.join(folder, decodeURIComponent(request.url.slice('/file/'.length)))));
     if (kind === 'scene') return send('text/plain', fs.readFileSync(path.join(folder, `${name}.toml`)));
     response.statusCode = 404;
     return response.end();

@@ -2,32 +2,21 @@
 // Usage: node browser_test.js POINSOT [NAME…]; POINSOT_PAGE names a page that exists already.
 'use strict';
 const assert = require('node:assert/strict');
-const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {is_firefox, opened_file, press, ready, run_checks, settled, until, wait} = require('./browsers.js');
-const {skip, needed} = require('./skip.js');
+const {faults_of, is_firefox, opened_file, page_of, press, ready, run_checks, settled, until, violations, wait} = require('./browsers.js');
 
 const [program, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-page-'));
 process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
-
-/** The page of a scene. @param {string} scene its file @param {string[]} [options] of the program */
-function page_of(scene, options = []) {
-  const file = path.join(folder, `${path.basename(scene, '.toml')}${options.length > 0 ? checks.length : ''}.html`);
-  const outcome = spawnSync(program, ['render', scene, '-o', file, '--quiet', ...options], {encoding: 'utf8'});
-  if (outcome.status === 3 && outcome.stderr.includes('without its module')) skip('the program was built without the module');
-  assert.equal(outcome.status, 0, outcome.stderr);
-  return file;
-}
 
 /** @type {[string, (browser: any) => Promise<void>][]} */
 const checks = [];
 const check = (name, run) => checks.push([name, run]);
 
 const lecture = path.join(__dirname, 'lecture.toml');
-const page_file = process.env['POINSOT_PAGE'] ?? page_of(lecture);
+const page_file = process.env['POINSOT_PAGE'] ?? page_of(program, lecture, path.join(folder, 'lecture.html'));
 
 /** Writes a scene, and the files that it names, into the test's folder. @param {string} name @param {string} text @param {Record<string, string>} [files] */
 function scene_file(name, text, files = {}) {
@@ -230,7 +219,7 @@ check('drags the tip of ω along the ellipsoid, with the same energy', async (br
 check('drags the plane along L to another polhode, with the same L', async (browser) => {
   const scene = scene_file('plane', fs.readFileSync(lecture, 'utf8').replace(/omega_rad_s = .*/, '$&\nenergy_J = 3.0\nmomentum_kg_m2_s = 3.5')
     .replace('"start.omega_rad_s", ', '"start.energy_J", '));
-  const {tab, faults} = await opened_file(browser, page_of(scene), {size: {width: 800, height: 560}});
+  const {tab, faults} = await opened_file(browser, page_of(program, scene, `${scene}.html`), {size: {width: 800, height: 560}});
   await ready(tab);
   const foot = await place_of(tab, 'plane');
   assert.ok(foot, 'the foot of L is in sight');
@@ -244,7 +233,7 @@ check('drags the plane along L to another polhode, with the same L', async (brow
   await until(tab, 'document.querySelector(".view.omega")');
   await tab.mouse.down();
   await tab.mouse.move(foot[0], foot[1] + 12, {steps: 2});
-  await until(tab, 'the_page.figure.values.has("start.energy_J")');
+  await until(tab, 'the_page.figure.choices.values.has("start.energy_J")');
   await settled(tab);
   await tab.mouse.up();
   const after = await values();
@@ -291,6 +280,61 @@ check('shows and hides elements and names, and changes its colours', async (brow
   const ground = await tab.evaluate(() => getComputedStyle(document.body).backgroundColor);
   await press(tab, 't');
   assert.notEqual(await tab.evaluate(() => getComputedStyle(document.body).backgroundColor), ground);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('after a refused element, the others can still be shown and hidden', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  const click = (name) => tab.evaluate((name) => [...document.querySelectorAll('#elements input')].find((box) => box.name === name).click(), name);
+  const is_checked = (name) => tab.evaluate((name) => [...document.querySelectorAll('#elements input')].find((box) => box.name === name).checked, name);
+  await click('ghost'); // there is no second method
+  assert.match(await tab.$eval('#sentence', (p) => (p.hidden ? '' : p.textContent)), /beside/);
+  assert.equal(await is_checked('ghost'), false);
+  await click('plane');
+  assert.equal(await is_checked('plane'), false);
+  assert.equal(await tab.$eval('#sentence', (p) => p.hidden), true);
+  await until(tab, 'location.hash.includes("show=")');
+  assert.doesNotMatch(await tab.evaluate(() => location.hash), /ghost/);
+  // A link that holds it shows the scene itself, and says why.
+  const other = await opened(browser, {fragment: '#show=ghost&names=false'});
+  await ready(other.tab);
+  assert.match(await other.tab.$eval('#sentence', (p) => (p.hidden ? '' : p.textContent)), /beside/);
+  assert.deepEqual(await other.tab.evaluate(() => [the_page.figure.choices.shown, the_page.figure.choices.names]), [null, null]);
+  assert.deepEqual([...faults, ...other.faults], []);
+  await tab.close();
+  await other.tab.close();
+});
+
+check('a drawing that crashes again ends, and a click starts it', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.evaluate(() => {
+    const {figure} = the_page;
+    figure.program.draw = () => { throw new ProgramError({kind: 'crash', message: 'unreachable'}); };
+    figure.invalidate();
+  });
+  await until(tab, 'the_page.failure === "no-start"');
+  assert.match(await tab.$eval('#sentence', (p) => (p.hidden ? '' : p.textContent)), /unreachable/);
+  await tab.click('#stage');
+  await until(tab, 'document.getElementById("sentence").hidden && document.body.classList.contains("drawn")');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('a link opened in the loop of a stop goes to its instant', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await tab.evaluate(() => {
+    const {film} = the_page.figure;
+    film.seek(5.9);
+    film.play();
+    film.advance(0.2);
+    location.hash = '#at=8';
+  });
+  await until(tab, 'the_page.figure.film.at_s >= 8');
+  assert.deepEqual(await tab.evaluate(() => [the_page.figure.film.waiting, the_page.figure.film.leaving]), [-1, false]);
   assert.deepEqual(faults, []);
   await tab.close();
 });
@@ -396,7 +440,7 @@ check('starts again by a click where the browser does not give the context back'
 check('carries the files of its scene, also past a lost context', async (browser) => {
   const scene = scene_file('mesh', 'show = ["ellipsoid", "body", "momentum"]\n[body]\nmesh = "solid.obj"\ndensity_kg_m3 = 1000\n[start]\nomega_rad_s = [0.1, 2, 0.1]\n',
     {'solid.obj': 'v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n'});
-  const {tab, faults} = await opened_file(browser, page_of(scene));
+  const {tab, faults} = await opened_file(browser, page_of(program, scene, `${scene}.html`));
   await ready(tab);
   assert.equal(await tab.evaluate(() => window.poinsot.at(0).omega_body[1]), 2);
   const before = await picture(tab);
@@ -427,9 +471,7 @@ check('without WebGL or wasm: the poster and a sentence', async (browser) => {
 
 check('runs in a sandboxed frame, and gives it unused keys', async (browser) => {
   const tab = await browser.newPage();
-  const faults = [];
-  tab.on('console', (message) => message.text().includes('GL Driver Message') || faults.push(message.text()));
-  tab.on('pageerror', (error) => faults.push(error.message));
+  const faults = faults_of(tab);
   await tab.setViewport({width: 700, height: 500});
   await tab.setContent('<!doctype html><iframe sandbox="allow-scripts" style="width:600px;height:400px"></iframe>');
   await tab.evaluate((html) => {
@@ -449,11 +491,36 @@ check('runs in a sandboxed frame, and gives it unused keys', async (browser) => 
   await tab.close();
 });
 
+check('an embedded figure starts at the instant of its link, and rests where it left the window as it started', async (browser) => {
+  const tab = await browser.newPage();
+  const faults = faults_of(tab);
+  await tab.setViewport({width: 500, height: 420});
+  const file = path.join(folder, 'below.html');
+  const frame = `<iframe src="file://${page_file}#at=2" style="display:block;width:320px;height:200px;border:0"></iframe>`;
+  fs.writeFileSync(file, `<!doctype html><meta charset="utf-8"><div style="height:2000px"></div>${frame}`);
+  await tab.goto(`file://${file}`, {timeout: 120000});
+  const figure = tab.frames()[1];
+  await figure.evaluate(() => {
+    const start = Program.start;
+    Program.start = async (...given) => {
+      await new Promise((resolve) => { window.go_on = resolve; });
+      return start(...given);
+    };
+  });
+  await tab.evaluate(() => window.scrollTo(0, 1900));
+  await figure.waitForFunction('window.go_on', {timeout: 60000});
+  await tab.evaluate(() => window.scrollTo(0, 0));
+  await wait(600);
+  await figure.evaluate(() => window.go_on());
+  await figure.waitForFunction('!document.getElementById("last").hidden && !the_page.figure.program', {timeout: 60000});
+  assert.equal(await figure.evaluate(() => the_page.figure.film.at_s), 2);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('forty figures on one page start in sight and rest out of it', async (browser) => {
   const tab = await browser.newPage();
-  const faults = [];
-  tab.on('console', (message) => message.text().includes('GL Driver Message') || faults.push(message.text()));
-  tab.on('pageerror', (error) => faults.push(error.message));
+  const faults = faults_of(tab);
   await tab.setViewport({width: 500, height: 420});
   const file = path.join(folder, 'forty.html');
   const frame = `<iframe src="file://${page_file}" style="display:block;width:320px;height:200px;margin:6px;border:0"></iframe>`;
@@ -532,7 +599,7 @@ check('the notes have a window of their own', async (browser) => {
 });
 
 check('speaks the language of its scene', async (browser) => {
-  const {tab, faults} = await opened_file(browser, page_of(lecture, ['--set', 'language=de']), {size: {width: 1280, height: 720}});
+  const {tab, faults} = await opened_file(browser, page_of(program, lecture, path.join(folder, 'german.html'), ['--set', 'language=de']), {size: {width: 1280, height: 720}});
   await ready(tab);
   assert.equal(await tab.$eval('html', (root) => root.lang), 'de');
   await press(tab, 'o');
@@ -567,7 +634,8 @@ check('begins with the colours of the system where the scene chooses none', asyn
   await ready(tab);
   assert.equal(await is_dark(tab), false);
   await tab.close();
-  const own = await dark(page_of(scene_file('own', fs.readFileSync(lecture, 'utf8').replace('caption', 'theme = "light"\ncaption'))));
+  const scene = scene_file('own', fs.readFileSync(lecture, 'utf8').replace('caption', 'theme = "light"\ncaption'));
+  const own = await dark(page_of(program, scene, `${scene}.html`));
   assert.equal(await is_dark(own), false);
   await own.close();
 });
@@ -603,22 +671,12 @@ check('shows the focus, and says each change once it is over', async (browser) =
 });
 
 check('is accessible by the rules of axe', async (browser) => {
-  let axe;
-  try {
-    axe = fs.readFileSync(needed('axe-core/axe.min.js'), 'utf8');
-  } catch {
-    return;
-  }
-  // A policy forbids scripts from outside; the test alone sets it aside.
   const {tab} = await opened(browser, {size: {width: 1280, height: 720}});
   await ready(tab);
   for (const theme of ['light', 'dark']) {
     await press(tab, 'o');
     await wait(300);
-    await tab.evaluate(axe);
-    const violations = await tab.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']})
-      .then((r) => r.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(' ')}`)));
-    assert.deepEqual(violations, [], theme);
+    assert.deepEqual(await violations(tab), [], theme);
     await press(tab, 'Escape');
     await press(tab, 't');
     await wait(500);

@@ -1,8 +1,14 @@
 // Browsers for the tests of the page: opens a page, and collects what goes wrong in it. POINSOT_BROWSER=firefox takes
 // Firefox in place of Chromium; it needs a display, as xvfb-run gives one.
 'use strict';
+const assert = require('node:assert/strict');
+const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const {skip, needed} = require('./skip.js');
+
+// Looked for before the first check, because a test that is skipped in the middle hides failures.
+const puppeteer = require(needed('puppeteer-core'));
+const axe = fs.readFileSync(needed('axe-core/axe.min.js'), 'utf8');
 
 const wait = (ms) => new Promise((resolve) => setTimeout(resolve, ms));
 
@@ -12,7 +18,6 @@ async function launched() {
   const files = is_firefox ? ['/usr/bin/firefox-esr', '/usr/bin/firefox'] : ['/usr/bin/chromium', '/usr/bin/chromium-browser', '/usr/bin/google-chrome'];
   const file = files.find((name) => fs.existsSync(name));
   if (!file) skip(`there is no ${is_firefox ? 'Firefox' : 'Chromium'}`);
-  const puppeteer = require(needed('puppeteer-core'));
   // Firefox has WebGL only with a display, and by Mesa's software renderer only if it is told so.
   if (is_firefox)
     return puppeteer.launch({browser: 'firefox', executablePath: file, headless: false, extraPrefsFirefox: {'webgl.force-enabled': true}});
@@ -20,9 +25,21 @@ async function launched() {
     args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--allow-file-access-from-files']});
 }
 
-/** Opens a file; `faults` collects its errors, its messages and its requests. */
-async function opened_file(browser, file, {fragment = '', size = {width: 640, height: 400}, before = null} = {}) {
-  const tab = await browser.newPage();
+/** Runs a program that writes a page or the workbench; the test is skipped if the program has no module. @param {string} program @param {string[]} options */
+function write_page(program, options) {
+  const outcome = spawnSync(program, options, {encoding: 'utf8'});
+  if (outcome.status === 3 && outcome.stderr.includes('without its module')) skip('the program was built without its module; run sh .ci/setup page');
+  assert.equal(outcome.status, 0, outcome.stderr);
+}
+
+/** Writes the page of a scene. @param {string} program @param {string} scene @param {string} file @param {string[]} [options] */
+function page_of(program, scene, file, options = []) {
+  write_page(program, ['render', scene, '-o', file, '--quiet', ...options]);
+  return file;
+}
+
+/** Collects the errors of a tab, its messages and its requests. @returns {string[]} */
+function faults_of(tab) {
   const faults = [];
   // Chromium says itself when its software renderer waits.
   tab.on('console', (message) => message.text().includes('GL Driver Message') || faults.push(`console: ${message.text()}`));
@@ -30,6 +47,13 @@ async function opened_file(browser, file, {fragment = '', size = {width: 640, he
   tab.on('request', (request) => {
     if (!/^(file|data|blob|about):/.test(request.url())) faults.push(`request: ${request.url()}`);
   });
+  return faults;
+}
+
+/** Opens a file; `faults` are those of its tab. */
+async function opened_file(browser, file, {fragment = '', size = {width: 640, height: 400}, before = null} = {}) {
+  const tab = await browser.newPage();
+  const faults = faults_of(tab);
   // Counts the frames asked for, as a measure of work.
   await tab.evaluateOnNewDocument(() => {
     window.n_frames = 0;
@@ -43,6 +67,13 @@ async function opened_file(browser, file, {fragment = '', size = {width: 640, he
   await tab.setViewport(size);
   await tab.goto(`file://${file}${fragment}`, {timeout: 120000});
   return {tab, faults};
+}
+
+/** What breaks the rules of axe. @returns {Promise<string[]>} */
+async function violations(tab) {
+  await tab.evaluate(axe);
+  return tab.evaluate(() => window.axe.run(document, {runOnly: ['wcag2a', 'wcag2aa', 'wcag21a', 'wcag21aa', 'wcag22aa', 'best-practice']})
+    .then((r) => r.violations.map((v) => `${v.id}: ${v.nodes.map((n) => n.target).join(' ')}`)));
 }
 
 const ready = (tab) => tab.evaluate(() => window.poinsot.ready);
@@ -82,4 +113,4 @@ async function run_checks(checks, only) {
   process.exit(n_failed > 0 ? 1 : 0);
 }
 
-module.exports = {is_firefox, launched, opened_file, press, ready, run_checks, settled, until, wait};
+module.exports = {faults_of, is_firefox, launched, opened_file, page_of, press, ready, run_checks, settled, until, violations, wait, write_page};

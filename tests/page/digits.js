@@ -4,6 +4,7 @@
 const fs = require('fs');
 const path = require('path');
 const {execFileSync} = require('child_process');
+const {files_of} = require('./scene_files.js');
 
 const [poinsot, module_file, fonts_file, program_file, folder, n_given, ...only] = process.argv.slice(2);
 const {Program} = require(path.resolve(program_file));
@@ -33,7 +34,7 @@ async function main() {
   for (const name of scenes) {
     const file = path.join(folder, `${name}.toml`);
     const text = fs.readFileSync(file, 'utf8');
-    for (const [, named] of text.matchAll(/^file *= *"(.*)"/gm)) program.addFile(named, fs.readFileSync(path.join(folder, named)));
+    for (const named of files_of(text)) program.addFile(named, fs.readFileSync(path.join(folder, named)));
     const loaded = program.load(text, file, [], {width: 640, height: 360});
     const report = JSON.parse(execFileSync(poinsot, ['check', file, '--json']).toString());
     const is_stepped = text.includes('[beside]') || report.regime === 'integrated' || !['exact', undefined].includes(report.method);
@@ -54,15 +55,15 @@ async function main() {
       const digits = program.at(times[k]);
       const own = [...digits.omega_body, ...digits.space_from_body, ...digits.herpolhode, ...(digits.angles ?? [])];
       let differs = false;
-      const scale = [0, 0, 0].fill(Math.max(...digits.omega_body.map(Math.abs)));
+      const speed = Math.max(...digits.omega_body.map(Math.abs));
       own.forEach((value, i) => {
         if (columns[i] < 0) return;
         ++n_compared;
         const native = Number(row[columns[i]]);
         if (Object.is(value, native) || value === native) return;
         differs = true;
-        const turned = is_object ? 1 + scale[0] * Math.abs(times[k]) : 1;
-        worst = Math.max(worst, Math.abs(value - native) / turned / (i > 9 ? Math.max(1, Math.abs(native)) : i < 3 || i > 6 ? scale[0] || 1 : 1));
+        const turned = is_object ? 1 + speed * Math.abs(times[k]) : 1;
+        worst = Math.max(worst, Math.abs(value - native) / turned / (i > 9 ? Math.max(1, Math.abs(native)) : i < 3 || i > 6 ? speed || 1 : 1));
       });
       n_differ += differs ? 1 : 0;
     });

@@ -2,12 +2,9 @@
 // on sheets. Usage: node every_scene.js POINSOT SCENES OUT [SCENE…]; POINSOT is "-" where OUT holds the pages
 // already.
 'use strict';
-const assert = require('node:assert/strict');
-const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const path = require('node:path');
-const {launched, opened_file, ready, settled, wait} = require('./browsers.js');
-const {skip} = require('./skip.js');
+const {launched, opened_file, page_of, ready, settled, wait} = require('./browsers.js');
 
 const [program, folder, out, ...only] = process.argv.slice(2);
 const all = fs.readdirSync(folder).filter((name) => name.endsWith('.toml')).map((name) => name.slice(0, -5));
@@ -18,16 +15,6 @@ const screens = [
   {name: 'desk', size: {width: 1280, height: 720}, n_columns: 4, tile_px: 480, a_sheet: 8},
   {name: 'phone', size: {width: 390, height: 844, deviceScaleFactor: 2}, n_columns: 8, tile_px: 240, a_sheet: 12},
 ];
-
-/** @param {string} scene @returns {string} its page */
-function page_of(scene) {
-  const file = path.join(out, `${scene}.html`);
-  if (program === '-') return file;
-  const outcome = spawnSync(program, ['render', path.join(folder, `${scene}.toml`), '-o', file, '--quiet'], {encoding: 'utf8'});
-  if (outcome.status === 3 && outcome.stderr.includes('without its module')) skip('the program was built without the module');
-  assert.equal(outcome.status, 0, outcome.stderr);
-  return file;
-}
 
 /** What is wrong with the layout; runs in the page. @returns {string[]} */
 function faults_of_layout() {
@@ -72,7 +59,8 @@ async function main() {
   let n_failed = 0;
   for (const scene of scenes) {
     const wrong = [];
-    const file = page_of(scene);
+    const file = path.join(out, `${scene}.html`);
+    if (program !== '-') page_of(program, path.join(folder, `${scene}.toml`), file);
     const {tab, faults} = await opened_file(browser, file, {size: screens[0].size});
     try {
       await ready(tab);

@@ -10,8 +10,8 @@ const pages = path.join(__dirname, '../../page');
 const context = vm.createContext({URLSearchParams, Intl});
 for (const name of ['words.js', 'film.js', 'link.js', 'controls.js'])
   vm.runInContext(fs.readFileSync(path.join(pages, name), 'utf8'), context, {filename: name});
-const {Film, Words, all_words, languages, fragment_of, state_of, empty_state, toml_of} =
-  vm.runInContext('({Film, Words, all_words, languages, fragment_of, state_of, empty_state, toml_of})', context);
+const {Film, Words, all_words, languages, fragment_of, state_of, empty_state, toml_of, slider_span, component_of} =
+  vm.runInContext('({Film, Words, all_words, languages, fragment_of, state_of, empty_state, toml_of, slider_span, component_of})', context);
 
 const stop = (at_s, loop_s = 0) => ({at_s, title: '', loop_s, note: ''});
 const film_with = (changes = {}) => new Film({length_s: 10, frames_per_s: 30, loops: false, stops: [], chapters: [], ...changes});
@@ -96,6 +96,33 @@ test('asked twice, leaves a loop at once', () => {
   film.next();
   near(film.at_s, 4);
   assert.equal(film.waiting, -1);
+});
+
+test('turned backwards and forwards, keeps the loop', () => {
+  const film = film_with({stops: [stop(4, 2)]});
+  film.seek(3.9);
+  film.play();
+  film.advance(0.2);
+  film.toggle();
+  film.speed = -1;
+  film.advance(0.1);
+  film.speed = 1;
+  for (let i = 0; i < 40; ++i) film.advance(0.1);
+  assert.ok(film.is_looping && film.at_s < 4);
+});
+
+test('waits at stops just after the seam of a repeated film', () => {
+  for (const at_s of [0, 0.02]) {
+    const film = film_with({loops: true, stops: [stop(at_s)]});
+    film.seek(9.99);
+    film.play();
+    film.advance(0.1);
+    near(film.at_s, at_s);
+    assert.equal(film.playing, false);
+    film.next();
+    film.advance(1);
+    near(film.at_s, at_s + 1);
+  }
 });
 
 test('a stop at the end of the film waits there', () => {
@@ -191,6 +218,22 @@ test('a broken link is an empty one', () => {
     assert.equal(state.theme, '');
     assert.equal(state.speed, 1);
   }
+});
+
+test('sliders reach from bound to bound, or to three times the value', () => {
+  const span = (min, max, value, size) => {
+    const {least, most} = slider_span({min, max, size}, value);
+    return [least, most];
+  };
+  assert.deepEqual(span(null, null, 0, 2), [-6, 6]);
+  assert.deepEqual(span(null, null, 0), [-3, 3]);
+  assert.deepEqual(span(null, null, -5), [-15, 15]);
+  assert.deepEqual(span(0, null, 2), [0, 6]);
+  assert.deepEqual(span(-90, 90, 0.01), [-90, 90]);
+  assert.deepEqual(span(0, Math.PI, 0), [0, Math.PI]);
+  assert.deepEqual(span(1e-12, 1e12, 1), [1e-12, 3 + 1e-12]);
+  const omega = {key: 'start.omega_rad_s', label: '', unit: '', kind: 'vector', value: [0, -2, 0], min: null, max: null, step: null};
+  for (const key of [omega.key, `${omega.key}[0]`]) assert.equal(component_of({...omega, key}, new Words('en')).size, 2);
 });
 
 test('values become TOML', () => {

@@ -1,4 +1,4 @@
-// What unpacks the program in a page, against xz, which packed it. No browser is needed.
+// Unpacks with page/unpack.js what xz packs, and compares the bytes. Needs no browser.
 'use strict';
 const test = require('node:test');
 const assert = require('node:assert/strict');

@@ -165,7 +165,7 @@ Values operator+(Values values, Values more) {
     return values;
 }
 
-// The page but for its scene.
+// All values except the scene's.
 Values page_values() {
     return program_values(joined(page_scripts), compact_script(page_file("page.css"))) +
            Values{{"body", "page"}, {"before", ""}, {"data", ""}};
@@ -189,6 +189,9 @@ std::string html_workbench(const PageContents& first, const std::vector<GalleryS
                            .json("files", files_json(scene.files))
                            .add("thumbnail", picture_url(scene.thumbnail_png))
                            .line());
+    JsonObject no_script;
+    for (const std::string_view language : languages())
+        no_script.json(language, script_string(phrase_in(language, no_scripts)));
     // The workbench writes pages, too: their template, without a scene. The schema is a text in it,
     // for a description may hold any character.
     const std::string data =
@@ -196,6 +199,7 @@ std::string html_workbench(const PageContents& first, const std::vector<GalleryS
             .json("schema", script_string(schema))
             .json("scenes", json_list(rows))
             .json("template", script_string(filled(page_file("index.html"), page_values())))
+            .json("no_script", no_script.line())
             .line();
     const Values values =
         program_values(joined(page_scripts) + joined(workbench_scripts),
