@@ -160,6 +160,8 @@ void describe_stream(AVStream& stream, const AlphaFormat& format, const OutputPl
     parameters.codec_id = format.codec;
     parameters.codec_tag = format.codec_tag;
     parameters.format = settings_of(format, plan, alpha).pixel_format;
+    // QuickTime's depth, by which editors find the alpha plane.
+    if (alpha) parameters.bits_per_coded_sample = 32;
     parameters.width = plan.width_px;
     parameters.height = plan.height_px;
     parameters.sample_aspect_ratio = {1, 1};

@@ -283,7 +283,7 @@ TEST_P(InterruptedFilm, IsNotFoundWithoutALog) {
 
 INSTANTIATE_TEST_SUITE_P(Formats, InterruptedFilm,
                          ::testing::Values(Film{"a.mp4", 120}, Film{"a.webm", 120},
-                                           Film{"a.gif", 1}),
+                                           Film{"a.mov", 120}, Film{"a.gif", 1}),
                          [](const auto& tested) {
                              return fs::path(tested.param.name).extension().string().substr(1);
                          });
