@@ -84,7 +84,7 @@ TEST(Mov, HasThePlannedFramesSizeRateAndTags) {
 }
 
 // Whatever the first frame is: a scene may begin opaque and end transparent. Alpha is coded without
-// loss.
+// loss; FFmpeg decodes 12 bits, and rounds half of the levels up by one when it makes 8 of them.
 TEST(Mov, HasTheAlphaOfEveryFrameAndLevel) {
     const TemporaryFolder folder;
     const OutputPlan plan = small_plan(folder / "a.mov", 3);
@@ -105,7 +105,8 @@ TEST(Mov, HasTheAlphaOfEveryFrameAndLevel) {
     for (int k = 0; k < 3; ++k)
         for (int y = 0; y < 48; ++y)
             for (int x = 0; x < 64; ++x)
-                if (frames[static_cast<std::size_t>(k)].at(x, y).a != alpha(k, x, y)) ++n_wrong;
+                if (std::abs(frames[static_cast<std::size_t>(k)].at(x, y).a - alpha(k, x, y)) > 1)
+                    ++n_wrong;
     EXPECT_EQ(n_wrong, 0);
 }
 
