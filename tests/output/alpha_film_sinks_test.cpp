@@ -110,7 +110,7 @@ TEST(Mov, HasTheAlphaOfEveryFrameAndLevel) {
     EXPECT_EQ(n_wrong, 0);
 }
 
-// ProRes codes each frame alone: neither threads nor quality change a byte.
+// ProRes codes each frame alone, in whole numbers.
 TEST(Mov, IsTheSameForAnyNumberOfThreads) {
     const TemporaryFolder folder;
     std::string first;
