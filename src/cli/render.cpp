@@ -149,7 +149,8 @@ extern const Command render_command{
     "SCENE",
     1,
     any_number,
-    "write a film (.mp4, .webm, .gif), a PNG sequence (#### in the name) or a page (.html) of each "
+    "write a film (.mp4, .webm, .mov, .gif), a PNG sequence (#### in the name) or a page (.html) "
+    "of each "
     "scene",
     render_line,
     {{{"poinsot render generic -o generic.mp4", "a film of a scene that comes with the program"},

@@ -11,8 +11,10 @@ std::vector<CodecStatus> codec_statuses() {
         const char* name;
         const char* use;
     };
-    constexpr std::array<Row, 3> rows{
-        {{"libx264", "H.264 for .mp4"}, {"libvpx-vp9", "VP9 for .webm"}, {"gif", "for .gif"}}};
+    constexpr std::array<Row, 4> rows{{{"libx264", "H.264 for .mp4"},
+                                       {"libvpx-vp9", "VP9 for .webm"},
+                                       {"prores_ks", "ProRes for .mov"},
+                                       {"gif", "for .gif"}}};
     std::vector<CodecStatus> statuses;
     for (const Row& row : rows) {
         const bool available = avcodec_find_encoder_by_name(row.name) != nullptr;

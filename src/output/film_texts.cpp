@@ -164,6 +164,7 @@ SubtitleTrack::SubtitleTrack(libav::Muxer& muxer, AVCodecID codec, const OutputP
     parameters.codec_type = AVMEDIA_TYPE_SUBTITLE;
     parameters.codec_id = codec;
     if (codec != AV_CODEC_ID_MOV_TEXT) return;
+    parameters.codec_tag = MKTAG('t', 'x', '3', 'g');  // in QuickTime as in MP4
     // FFmpeg frees the memory owned by the parameters.
     parameters.extradata = static_cast<std::uint8_t*>(
         av_mallocz(text_sample_entry.size() + AV_INPUT_BUFFER_PADDING_SIZE));

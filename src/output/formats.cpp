@@ -18,6 +18,7 @@ namespace poinsot {
 // The functions of the rows, one file each.
 std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan);
+std::unique_ptr<FrameSink> open_mov(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_gif(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_png_sequence(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_png_still(const OutputPlan& plan);
@@ -26,10 +27,12 @@ std::unique_ptr<FrameSink> open_null(const OutputPlan& plan);
 
 std::int64_t recover_mp4(const std::filesystem::path& path, const Tell& tell);
 std::int64_t recover_webm(const std::filesystem::path& path, const Tell& tell);
+std::int64_t recover_mov(const std::filesystem::path& path, const Tell& tell);
 std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell);
 
 void join_mp4(FrameEntries& entries, const OutputPlan& plan);
 void join_webm(FrameEntries& entries, const OutputPlan& plan);
+void join_mov(FrameEntries& entries, const OutputPlan& plan);
 void join_gif(FrameEntries& entries, const OutputPlan& plan);
 void join_md5(FrameEntries& entries, const OutputPlan& plan);
 
@@ -65,6 +68,17 @@ constexpr OutputFormat format_table[] = {
      .join = join_webm,
      .has_parts = true,
      .n_cores_a_job = cores_of_libvpx},
+    {.name = "mov",
+     .suffix = ".mov",
+     .summary = "film, ProRes 4444; for video editors, keeps transparency, large files",
+     .film = true,
+     .alpha = true,
+     .n_chunk_frames = frames_a_chunk,
+     .open = open_mov,
+     .recover = recover_mov,
+     .join = join_mov,
+     .has_parts = true,
+     .n_cores_a_job = 1},
     {.name = "gif",
      .suffix = ".gif",
      .summary = "film with 255 colours, for web pages that accept no video",
@@ -148,8 +162,7 @@ struct NearestWay {
     std::string_view suffix;
     std::string_view instead;
 };
-constexpr std::array<NearestWay, 13> ways = {{
-    {".mov", "write .mp4, and convert it without loss: `ffmpeg -i film.mp4 -c copy film.mov`"},
+constexpr std::array<NearestWay, 12> ways = {{
     {".mkv", "write .mp4, and convert it without loss: `ffmpeg -i film.mp4 -c copy film.mkv`"},
     {".m4v", "write .mp4, which is the same format"},
     {".avi", "write .mp4, which players of .avi also play"},

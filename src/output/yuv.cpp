@@ -119,4 +119,43 @@ void copy_alpha(const Image& image, std::uint8_t* plane, std::ptrdiff_t stride) 
     }
 }
 
+namespace {
+
+// A row of 10-bit components; products in 1/65536.
+void row_of_10_bits(const std::uint8_t* __restrict rgba, std::size_t n, std::uint16_t* __restrict y,
+                    std::uint16_t* __restrict cb, std::uint16_t* __restrict cr,
+                    std::uint16_t* __restrict alpha) {
+    constexpr auto fixed = [](double coefficient) {
+        return static_cast<std::int32_t>(coefficient * 65536 + (coefficient < 0 ? -0.5 : 0.5));
+    };
+    constexpr double luma = 4 * luma_scale, chroma = 4 * chroma_scale / 2;
+    constexpr std::int32_t half = 1 << 15, black = (64 << 16) + half, grey = (512 << 16) + half;
+    constexpr std::int32_t yr = fixed(luma * kr), yg = fixed(luma * kg), yb = fixed(luma * kb);
+    constexpr std::int32_t own = fixed(chroma);
+    constexpr std::int32_t br = fixed(-chroma * kr / (1 - kb)), bg = fixed(-chroma * kg / (1 - kb));
+    constexpr std::int32_t rg = fixed(-chroma * kg / (1 - kr)), rb = fixed(-chroma * kb / (1 - kr));
+    for (std::size_t x = 0; x < n; ++x) {
+        const std::int32_t r = rgba[4 * x], g = rgba[4 * x + 1], b = rgba[4 * x + 2];
+        const std::uint32_t a = rgba[4 * x + 3];
+        y[x] = static_cast<std::uint16_t>((yr * r + yg * g + yb * b + black) >> 16);
+        cb[x] = static_cast<std::uint16_t>((br * r + bg * g + own * b + grey) >> 16);
+        cr[x] = static_cast<std::uint16_t>((own * r + rg * g + rb * b + grey) >> 16);
+        alpha[x] = static_cast<std::uint16_t>(a << 2 | a >> 6);
+    }
+}
+
+}  // namespace
+
+void convert_to_10_bits(const Image& image, const std::array<std::uint8_t*, 4>& planes,
+                        const std::array<std::ptrdiff_t, 4>& strides) {
+    const auto width = static_cast<std::size_t>(image.width());
+    for (int y = 0; y < image.height(); ++y) {
+        std::array<std::uint16_t*, 4> rows{};
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            rows[i] = reinterpret_cast<std::uint16_t*>(planes[i] + y * strides[i]);
+        row_of_10_bits(image.bytes().data() + 4 * width * static_cast<std::size_t>(y), width,
+                       rows[0], rows[1], rows[2], rows[3]);
+    }
+}
+
 }  // namespace poinsot

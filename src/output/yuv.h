@@ -1,7 +1,9 @@
-// RGB → Y'CbCr for films: BT.709 coefficients, limited range, 4:2:0 with chroma sited left (between
-// the rows, on the even columns), which is the convention for H.264 and VP9.
+// RGB → Y'CbCr for films: BT.709 coefficients, limited range; 4:2:0 of 8 bits with chroma sited
+// left (between the rows, on the even columns), which is the convention for H.264 and VP9, or 4:4:4
+// of 10 bits.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <vector>
@@ -31,5 +33,11 @@ class YuvConverter {
 
 // Copies the alpha channel to a separate plane.
 void copy_alpha(const Image& image, std::uint8_t* plane, std::ptrdiff_t stride);
+
+// Converts to planes Y', Cb, Cr and alpha of 10 bits in two bytes each, the lower first; strides in
+// bytes. Accuracy: Y', Cb and Cr within 0.506 of the real-valued conversion. Alpha is 0 to 1023,
+// and its upper 8 bits are the picture's.
+void convert_to_10_bits(const Image& image, const std::array<std::uint8_t*, 4>& planes,
+                        const std::array<std::ptrdiff_t, 4>& strides);
 
 }  // namespace poinsot

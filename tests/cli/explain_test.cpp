@@ -66,7 +66,7 @@ TEST_F(ExplainedPictures, RefuseAChangedRecord) {
             EXPECT_TRUE(is_one_line(refused.err)) << refused.err;
         }
     }
-    for (const char* film : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* film : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         ASSERT_EQ(run(std::string("render scene.toml -q -o ") + film).code, 0);
         EXPECT_EQ(run(std::string("explain --verify ") + film).code, 0);
         replace_in(folder_.path() / film, "profile: native", "profile: nativE");
@@ -127,7 +127,8 @@ TEST_F(ExplainedPictures, VerifyTheirPixels) {
 
 // Data that players, browsers and demuxers ignore is detected.
 TEST_F(ExplainedPictures, WithBytesAppendedAreNotVerified) {
-    for (const std::string name : {"a.png", "a.pdf", "a.svg", "a.mp4", "a.webm", "a.gif"}) {
+    for (const std::string name :
+         {"a.png", "a.pdf", "a.svg", "a.mp4", "a.webm", "a.mov", "a.gif"}) {
         const bool is_still = name == "a.png" || name == "a.pdf" || name == "a.svg";
         ASSERT_EQ(
             run((is_still ? "still" : "render") + std::string(" scene.toml -q -o ") + name).code,

@@ -17,7 +17,7 @@ namespace fs = std::filesystem;
 using JobParts = Parts;
 
 TEST_F(JobParts, OfManyJobsAreByteIdenticalToOne) {
-    for (const std::string kind : {"a.mp4", "a.webm", "a.gif", "a.md5"}) {
+    for (const std::string kind : {"a.mp4", "a.webm", "a.mov", "a.gif", "a.md5"}) {
         make("render a.toml -q --set film.fps=20 --jobs 1 -o one_" + kind);
         make("render a.toml -q --set film.fps=20 --jobs 3 -o " + kind);
         EXPECT_TRUE(bytes(kind) == bytes("one_" + kind)) << kind;
@@ -39,7 +39,7 @@ ProgramRun run_shell(const ScratchFolder& folder, const std::string& script) {
 TEST_F(JobParts, OfLoopsAndTransparentFilmsAreByteIdentical) {
     for (const std::string film :
          {"a.mp4 --set 'film.loop=\"period\"' --set 'camera.motion=\"co-precessing\"'",
-          "a.webm --theme transparent", "a.gif --theme transparent"}) {
+          "a.webm --theme transparent", "a.mov --theme transparent", "a.gif --theme transparent"}) {
         make("render a.toml -q --set film.fps=15 --jobs 1 -o one_" + film);
         make("render a.toml -q --set film.fps=15 --jobs 2 -o " + film);
         const std::string name = film.substr(0, film.find(' '));

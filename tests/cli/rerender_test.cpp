@@ -24,6 +24,7 @@ TEST_F(RerenderedPictures, HaveRecordsAndAreRerendered) {
           Case{"n.png", "still scene.toml --time 0.3", "native"},
           Case{"a.mp4", "render scene.toml", "native"},
           Case{"a.webm", "render scene.toml --portable", "portable"},
+          Case{"a.mov", "render scene.toml --theme transparent", "native"},
           Case{"a.gif", "render scene.toml --frames 2-5", "native"},
           Case{"a_####.png", "render scene.toml --portable", "portable"}}) {
         ASSERT_EQ(run(command + " -q -o " + name).code, 0) << name;

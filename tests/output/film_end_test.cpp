@@ -47,7 +47,7 @@ TEST_P(FilmEnd, IsTheFilesAndDoesNotMoveWhenDataFollows) {
         EXPECT_EQ(end_of_bytes(film + more), film.size()) << more.size() << " bytes more";
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, FilmEnd, ::testing::Values("a.mp4", "a.webm", "a.gif"),
+INSTANTIATE_TEST_SUITE_P(Formats, FilmEnd, ::testing::Values("a.mp4", "a.webm", "a.mov", "a.gif"),
                          [](const auto& tested) { return std::string(tested.param).substr(2); });
 
 TEST(FilmEnd, IsFoundInFilmsOfOtherPrograms) {

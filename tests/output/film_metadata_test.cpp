@@ -10,7 +10,7 @@ namespace poinsot {
 namespace {
 
 TEST(FilmMetadata, IsReadBackFromEveryFormat) {
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         // As long as a complete scene, with the characters that formats escape, and of several
         // lines.
         for (const std::string& text :
@@ -26,7 +26,7 @@ TEST(FilmMetadata, IsReadBackFromEveryFormat) {
 }
 
 TEST(FilmMetadata, IsEmptyWithoutMetadata) {
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         const TemporaryFolder folder;
         OutputPlan plan = small_plan(folder / name, 1);
         plan.metadata = "";
@@ -42,7 +42,7 @@ TEST(FilmMetadata, OfAMissingFileIsRefused) {
 
 TEST(Chapters, AreReadBackFromTheFilm) {
     // WebM and MP4 store chapters in milliseconds: at these rates these identify frames.
-    for (const char* name : {"a.mp4", "a.webm"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov"}) {
         for (const FrameRate rate : {FrameRate{30, 1}, FrameRate{30000, 1001}}) {
             const TemporaryFolder folder;
             OutputPlan plan = small_plan(folder / name, 12);
@@ -62,7 +62,7 @@ TEST(Chapters, AreReadBackFromTheFilm) {
 }
 
 TEST(Chapters, AreNoneWithoutChapters) {
-    for (const char* name : {"a.mp4", "a.webm"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name, 3);
         write_film(plan);

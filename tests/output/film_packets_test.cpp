@@ -81,7 +81,8 @@ TEST_P(FilmPackets, DifferWhereABitIsChanged) {
     }
 }
 
-INSTANTIATE_TEST_SUITE_P(Formats, FilmPackets, ::testing::Values("a.mp4", "a.webm", "a.gif"),
+INSTANTIATE_TEST_SUITE_P(Formats, FilmPackets,
+                         ::testing::Values("a.mp4", "a.webm", "a.mov", "a.gif"),
                          [](const auto& tested) { return std::string(tested.param).substr(2); });
 
 TEST(FilmPackets, WithTransparencyAreReadBack) {
@@ -104,7 +105,7 @@ TEST(FilmPackets, WithTransparencyAreReadBack) {
 
 TEST(FilmPackets, OfOtherFilesAreRefused) {
     const TemporaryFolder folder;
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         std::ofstream(folder / name) << "GIF no film";
         EXPECT_THROW(packet_hash_of(folder / name), InputError) << name;
         EXPECT_THROW(packet_hash_of(folder / ("none" + std::string(name))), EnvironmentError)

@@ -107,7 +107,7 @@ TEST_P(FilmInParts, DetectsTruncatedAndChangedParts) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Formats, FilmInParts,
-                         ::testing::Values("a.mp4", "a.webm", "a.gif", "a.md5"),
+                         ::testing::Values("a.mp4", "a.webm", "a.mov", "a.gif", "a.md5"),
                          [](const auto& format) { return std::string(format.param + 2); });
 
 TEST(FilmPart, CoversEveryFrameOnceWithSeamsAtChunks) {

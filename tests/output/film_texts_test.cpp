@@ -87,9 +87,11 @@ TEST(SubtitleTrack, OfWebmHasTheTextsAtTheirTimes) {
 }
 
 // A sample is its text's length in 16 bits, and the text; samples without text fill the gaps.
-TEST(SubtitleTrack, OfMp4HasTheTextsAtTheirTimesAndEmptyGaps) {
+class TimedText : public ::testing::TestWithParam<const char*> {};
+
+TEST_P(TimedText, HasTheTextsAtTheirTimesAndEmptyGaps) {
     const TemporaryFolder folder;
-    const OutputPlan plan = told_plan(folder / "a.mp4");
+    const OutputPlan plan = told_plan(folder / GetParam());
     write_film(plan);
     const Read read = read_track(plan.path);
     EXPECT_EQ(read.codec, AV_CODEC_ID_MOV_TEXT);
@@ -112,10 +114,21 @@ TEST(SubtitleTrack, OfMp4HasTheTextsAtTheirTimesAndEmptyGaps) {
     expect(texts[3], {"the end", 1000, 1500, false});
 }
 
+INSTANTIATE_TEST_SUITE_P(Formats, TimedText, ::testing::Values("a.mp4", "a.mov"),
+                         [](const auto& tested) { return std::string(tested.param).substr(2); });
+
+// The sample entry of 3GPP TS 26.245 §5.16 is valid under its own name only; QuickTime's is "text".
+TEST(SubtitleTrack, OfMovIsNamedAsItsEntry) {
+    const TemporaryFolder folder;
+    const OutputPlan plan = told_plan(folder / "a.mov");
+    write_film(plan);
+    EXPECT_NE(bytes_of(plan.path).find(std::string("tx3g\0\0\0\0\0\0\0\1", 12)), std::string::npos);
+}
+
 // The track does not change the pictures, and a film without captions has one stream.
 TEST(SubtitleTrack, ChangesNoPictureAndIsOmittedWithoutTexts) {
     const TemporaryFolder folder;
-    for (const char* suffix : {"mp4", "webm"}) {
+    for (const char* suffix : {"mp4", "webm", "mov"}) {
         const OutputPlan with = told_plan(folder / (std::string("with.") + suffix));
         OutputPlan without = told_plan(folder / (std::string("without.") + suffix));
         without.subtitles.clear();

@@ -15,6 +15,7 @@ namespace fs = std::filesystem;
 TEST(Formats, FileNamesSelectTheirFormat) {
     EXPECT_EQ(format_for("a/b.mp4").name, "mp4");
     EXPECT_EQ(format_for("b.webm").name, "webm");
+    EXPECT_EQ(format_for("b.mov").name, "mov");
     EXPECT_EQ(format_for("b.gif").name, "gif");
     EXPECT_EQ(format_for("b.png").name, "png");
     EXPECT_EQ(format_for("b_####.png").name, "png-sequence");
@@ -25,10 +26,10 @@ TEST(Formats, FileNamesSelectTheirFormat) {
 }
 
 TEST(Formats, UnknownSuffixListsTheKnown) {
-    EXPECT_EQ(input_error_of([] { format_for("b.mov"); }),
-              "b.mov: there is no output format for the suffix \".mov\"; write .mp4, and convert "
-              "it without loss: `ffmpeg -i film.mp4 -c copy film.mov`; the formats are .mp4, "
-              ".webm, .gif, .png, .html, .md5");
+    EXPECT_EQ(input_error_of([] { format_for("b.mkv"); }),
+              "b.mkv: there is no output format for the suffix \".mkv\"; write .mp4, and convert "
+              "it without loss: `ffmpeg -i film.mp4 -c copy film.mkv`; the formats are .mp4, "
+              ".webm, .mov, .gif, .png, .html, .md5");
     EXPECT_NE(input_error_of([] { format_for("film"); }).find("a name without a suffix"),
               std::string::npos);
     EXPECT_NE(input_error_of([] { format_for("b_####.mp4"); }).find("####"), std::string::npos);
@@ -68,7 +69,7 @@ TEST(Formats, UnfinishedSinksLeaveNoFile) {
 
 TEST(Formats, FilmsRefuseUnsupportedPlans) {
     const TemporaryFolder folder;
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         OutputPlan plan = small_plan(folder / name);
         const auto open = [&] { format_for(plan.path).open(plan); };
         plan.rate = {0, 1};
@@ -97,7 +98,7 @@ TEST(Formats, FilmsRefuseUnsupportedPlans) {
 
 TEST(Formats, UnknownQualityListsTheKnown) {
     const TemporaryFolder folder;
-    for (const char* name : {"a.mp4", "a.webm"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov"}) {
         OutputPlan plan = small_plan(folder / name);
         plan.quality = "best";
         EXPECT_EQ(input_error_of([&] { format_for(plan.path).open(plan); }),
@@ -155,7 +156,7 @@ int read_number(const Image& image) {
 }
 
 TEST(Films, EveryFrameShowsItsOwnPicture) {
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name, 256);
         const auto sink = format_for(plan.path).open(plan);
@@ -170,7 +171,7 @@ TEST(Films, EveryFrameShowsItsOwnPicture) {
 
 // The first frame as decoded compared with the rendered picture, at the quality of a lecture.
 TEST(Films, FirstFrameIsCloseToItsPicture) {
-    for (const char* name : {"a.mp4", "a.webm"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov"}) {
         const TemporaryFolder folder;
         OutputPlan plan = small_plan(folder / name, 3);
         plan.width_px = 320;
@@ -186,7 +187,7 @@ TEST(Films, FirstFrameIsCloseToItsPicture) {
 TEST(Films, AreReproducible) {
     std::vector<Image> pictures;
     for (int k = 0; k < 20; ++k) pictures.push_back(synthetic_frame(320, 180, k));
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         for (const char* quality : {"draft", "lecture"}) {
             const TemporaryFolder folder;
             OutputPlan plan = small_plan(folder / name, 20);
@@ -206,7 +207,7 @@ TEST(Films, AreReproducible) {
 }
 
 TEST(Films, DoNotContainTheirPath) {
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name);
         write_film(plan);
@@ -222,7 +223,7 @@ TEST(Recover, AcceptsOnlyFilms) {
 
 TEST(Films, SecondRunOnTheSameOutputIsRefused) {
     const TemporaryFolder folder;
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         const OutputPlan plan = small_plan(folder / name);
         const auto first = format_for(plan.path).open(plan);
         EXPECT_EQ(environment_error_of([&] { format_for(plan.path).open(plan); }),
@@ -255,7 +256,7 @@ TEST(Films, FaultsAreReportedAndLeaveNothing) {
          "Permission denied"},
     };
     for (const Fault& fault : faults) {
-        for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png", "a.png"}) {
+        for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif", "a_#.png", "a.png"}) {
             const TemporaryFolder folder;
             OutputPlan plan = small_plan(folder / name, std::string(name) == "a.png" ? 1 : 130);
             plan.width_px = 160;
@@ -283,7 +284,7 @@ TEST(Films, FaultsAreReportedAndLeaveNothing) {
 }
 
 TEST(Films, VanishedFolderIsReported) {
-    for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png", "a.png", "a.md5"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif", "a_#.png", "a.png", "a.md5"}) {
         const TemporaryFolder folder;
         fs::create_directory(folder / "sub");
         const OutputPlan plan = small_plan(folder / "sub" / name, 1);
@@ -300,7 +301,7 @@ TEST(Films, VanishedFolderIsReported) {
 // No disk has half of the space that the first chunk predicts for the film.
 TEST(Films, LackOfDiskSpaceIsReportedAfterTheFirstFrames) {
     const TemporaryFolder folder;
-    for (const char* name : {"a.mp4", "a.webm", "a.gif", "a_#.png"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif", "a_#.png"}) {
         OutputPlan plan = small_plan(folder / name, 130);
         plan.n_frames = std::int64_t{1} << 50;
         const auto sink = format_for(plan.path).open(plan);

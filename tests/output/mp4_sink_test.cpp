@@ -46,7 +46,7 @@ TEST(Mp4, PreservesColours) {
     const std::vector<Rgba8> colours = {
         {255, 0, 0, 255}, {0, 255, 0, 255},     {0, 0, 255, 255},   {255, 255, 255, 255},
         {0, 0, 0, 255},   {128, 128, 128, 255}, {200, 60, 30, 255}, {245, 245, 242, 255}};
-    for (const char* name : {"a.mp4", "a.webm"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov"}) {
         for (const Rgba8 colour : colours) {
             const TemporaryFolder folder;
             OutputPlan plan = small_plan(folder / name, 1);

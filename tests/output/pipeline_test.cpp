@@ -45,7 +45,7 @@ Image numbered(int number) {
 }
 
 TEST(AsyncSink, IsByteIdenticalToTheSinkAlone) {
-    for (const char* name : {"a.mp4", "a.webm", "a.md5"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.md5"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name, 30);
         write_film(plan);
@@ -176,7 +176,7 @@ TEST(FrameWorkers, AcceptTheNextFrameOnceOneIsRead) {
 }
 
 TEST(FilmSinks, ReadAPictureBeforeEncodingAndReportOnce) {
-    for (const char* name : {"a.mp4", "a.webm", "a.gif", "####.png", "a.md5"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif", "####.png", "a.md5"}) {
         const TemporaryFolder folder;
         const OutputPlan plan = small_plan(folder / name, 3);
         write_film(plan);

@@ -8,7 +8,7 @@ namespace {
 
 TEST(VideoReader, FindsAnyFrame) {
     const TemporaryFolder folder;
-    for (const char* name : {"a.mp4", "a.webm", "a.gif"}) {
+    for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         const OutputPlan plan = small_plan(folder / name, 130);
         write_film(plan);
         const std::vector<Image> frames = frames_of(plan.path);

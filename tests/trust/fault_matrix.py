@@ -37,6 +37,7 @@ KINDS = {
     "a_####.png": ["render", "--frames", "0-11"],
     "a.mp4": ["render", "--frames", "0-199"],
     "a.webm": ["render", "--frames", "0-11"],
+    "a.mov": ["render", "--frames", "0-11"],
     "a.gif": ["render", "--frames", "0-11"],
 }
 LONG_FRAMES = 720  # of the film that is killed: six chunks
@@ -135,7 +136,7 @@ class Matrix:
                     self.judge("full tmpfs", name, kept, done)
 
     def full_device(self):
-        for name in ("a.png", "a.gif", "a.webm"):
+        for name in ("a.png", "a.gif", "a.webm", "a.mov"):
             place = self.fresh()
             (place / name).symlink_to("/dev/full")
             done = self.run(self.command(name, place))
@@ -236,8 +237,8 @@ class Matrix:
     def kills(self, n_kills):
         """Sends SIGKILL at random moments and runs the same command again; after five kills it may finish."""
         n_each = 5
-        for name, frames, share in (("a.mp4", LONG_FRAMES, 1), ("a.webm", LONG_FRAMES, 0.4), ("a.gif", 400, 0.4),
-                                    ("a_####.png", 150, 0.2)):
+        for name, frames, share in (("a.mp4", LONG_FRAMES, 1), ("a.webm", LONG_FRAMES, 0.4), ("a.mov", LONG_FRAMES, 0.4),
+                                    ("a.gif", 400, 0.4), ("a_####.png", 150, 0.2)):
             rounds = [k for k in range(max(1, round(n_kills * share / n_each))) if self.wants(name, k)]
             if not rounds:
                 continue

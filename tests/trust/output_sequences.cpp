@@ -398,7 +398,7 @@ int try_all(const Choices& choices) {
     const fs::path place = name;
     fs::create_directory(place / "source");
     std::vector<Kind> kinds;
-    for (const char* file : {"a.png", "a_#.png", "a.mp4", "a.webm", "a.gif", "a.md5"})
+    for (const char* file : {"a.png", "a_#.png", "a.mp4", "a.webm", "a.mov", "a.gif", "a.md5"})
         kinds.push_back(output_kind(file));
     kinds.push_back(baselines_kind(place / "source"));
     int n_wrong = 0;

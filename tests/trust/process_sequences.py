@@ -33,6 +33,7 @@ KINDS = {
     "a_####.png": ["render", "--frames", "0-7"],
     "a.mp4": ["render", "--frames", "0-139"],
     "a.webm": ["render", "--frames", "0-7"],
+    "a.mov": ["render", "--frames", "0-7"],
     "a.gif": ["render", "--frames", "0-11"],
 }
 SETTINGS = [[], ["--set", "start.omega_rad_s=[0.02, 2.0, 0.01]"]]

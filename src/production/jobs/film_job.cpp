@@ -94,7 +94,7 @@ void note_transparency(const Session& session, const OutputFormat& format,
     const bool one_bit = format.name == "gif";
     if (format.alpha && !one_bit) return;
     progress.say(fmt::format(
-        "note: theme = \"{}\": {}; .webm and a .png sequence keep transparency",
+        "note: theme = \"{}\": {}; .webm, .mov and a .png sequence keep transparency",
         printable(session.scene.theme),
         one_bit ? "a pixel of a GIF is either transparent or opaque"
                 : fmt::format(".{} has no transparency, so the background is white", format.name)));

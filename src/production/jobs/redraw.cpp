@@ -187,7 +187,7 @@ void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
                         printable(request.output.string()), printable(request.file.string()),
                         is_page      ? "in " + suffix_of(request.file)
                         : is_picture ? "in .png"
-                                     : "in .mp4, .webm or .gif"));
+                                     : "in .mp4, .webm, .mov or .gif"));
 
     Session session = [&] {
         try {

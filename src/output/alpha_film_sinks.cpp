@@ -1,5 +1,6 @@
-// VP9 in WebM: smaller than H.264, and with transparency. Encoded in independent chunks, like MP4;
-// the packets wait in a log until the last frame is written.
+// Films with transparency: VP9 in WebM, smaller than H.264, and ProRes 4444 in QuickTime, for video
+// editors. Encoded in independent chunks, like MP4; the packets, which are in order of display,
+// wait in a log until the last frame is written.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -28,18 +29,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// As with x264, the bytes depend on the number of threads.
+// As with x264, the bytes of VP9 depend on the number of threads.
 constexpr int usual_threads = 2;
 
-EncoderSettings vp9_settings(const OutputPlan& plan, bool alpha) {
+// What the formats of this file differ in.
+struct AlphaFormat {
+    const char* container;
+    AVCodecID codec, subtitles;
+    std::uint32_t codec_tag;  // 0: the container's own
+    // Whether each film has an alpha plane, opaque or not; otherwise its first frame determines it.
+    bool always_alpha;
+    // The container's option that writes the index at the front, so that players can seek while
+    // they load.
+    const char *option, *value;
+    void (*set_up)(EncoderSettings& settings, const OutputPlan& plan, bool alpha);
+};
+
+void set_up_vp9(EncoderSettings& settings, const OutputPlan& plan, bool alpha) {
     const Vp9Effort& effort = quality_named(plan.quality).vp9;
-    EncoderSettings settings;
     settings.codec = "libvpx-vp9";
     settings.pixel_format = alpha ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
-    settings.width_px = plan.width_px;
-    settings.height_px = plan.height_px;
-    settings.rate = plan.rate;
-    settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : usual_threads;
     // Frames that are not shown cannot carry alpha.
     settings.options = {{"deadline", effort.deadline},
                         {"cpu-used", effort.speed},
@@ -48,6 +57,44 @@ EncoderSettings vp9_settings(const OutputPlan& plan, bool alpha) {
                         {"row-mt", "1"},
                         {"lag-in-frames", "16"},
                         {"auto-alt-ref", alpha ? "0" : "1"}};
+}
+
+// The finest quantizer, for every quality: the next one exceeds the three levels within which a
+// film over a background is the picture. The alpha plane is coded without loss; eight bits are what
+// pictures have. Some editors accept only Apple's name as the encoder's.
+void set_up_prores(EncoderSettings& settings, const OutputPlan&, bool) {
+    settings.codec = "prores_ks";
+    settings.pixel_format = AV_PIX_FMT_YUVA444P10LE;
+    settings.options = {{"profile", "4444"},
+                        {"global_quality", std::to_string(FF_QP2LAMBDA)},
+                        {"alpha_bits", "8"},
+                        {"vendor", "apl0"}};
+}
+
+constexpr AlphaFormat webm{.container = "webm",
+                           .codec = AV_CODEC_ID_VP9,
+                           .subtitles = AV_CODEC_ID_WEBVTT,
+                           .codec_tag = 0,
+                           .always_alpha = false,
+                           .option = "cues_to_front",
+                           .value = "1",
+                           .set_up = set_up_vp9};
+constexpr AlphaFormat mov{.container = "mov",
+                          .codec = AV_CODEC_ID_PRORES,
+                          .subtitles = AV_CODEC_ID_MOV_TEXT,
+                          .codec_tag = MKTAG('a', 'p', '4', 'h'),
+                          .always_alpha = true,
+                          .option = "movflags",
+                          .value = "faststart+use_metadata_tags",
+                          .set_up = set_up_prores};
+
+EncoderSettings settings_of(const AlphaFormat& format, const OutputPlan& plan, bool alpha) {
+    EncoderSettings settings;
+    settings.width_px = plan.width_px;
+    settings.height_px = plan.height_px;
+    settings.rate = plan.rate;
+    settings.n_threads = plan.encoder_threads > 0 ? plan.encoder_threads : usual_threads;
+    format.set_up(settings, plan, alpha);
     return settings;
 }
 
@@ -102,15 +149,19 @@ void unpack(std::span<const std::uint8_t> entry, AVPacket& packet, const fs::pat
     std::copy_n(entry.data() + entry_head, n_side_bytes, side_data);
 }
 
-bool has_alpha(FrameEntries& log) {
-    return log.n_entries() > 0 && n_beside_of(entry_of(log, 0)) > 0;
+bool has_alpha(const AlphaFormat& format, FrameEntries& log) {
+    return format.always_alpha || (log.n_entries() > 0 && n_beside_of(entry_of(log, 0)) > 0);
 }
 
-void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
+void describe_stream(AVStream& stream, const AlphaFormat& format, const OutputPlan& plan,
+                     bool alpha) {
     AVCodecParameters& parameters = *stream.codecpar;
     parameters.codec_type = AVMEDIA_TYPE_VIDEO;
-    parameters.codec_id = AV_CODEC_ID_VP9;
-    parameters.format = alpha ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P;
+    parameters.codec_id = format.codec;
+    parameters.codec_tag = format.codec_tag;
+    parameters.format = settings_of(format, plan, alpha).pixel_format;
+    // QuickTime's depth, by which editors find the alpha plane.
+    if (alpha) parameters.bits_per_coded_sample = 32;
     parameters.width = plan.width_px;
     parameters.height = plan.height_px;
     parameters.sample_aspect_ratio = {1, 1};
@@ -122,7 +173,8 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, bool alpha) {
     parameters.chroma_location = AVCHROMA_LOC_LEFT;
     stream.time_base = av_inv_q(as_rational(plan.rate));
     stream.avg_frame_rate = as_rational(plan.rate);
-    if (alpha) av_dict_set(&stream.metadata, "alpha_mode", "1", 0);
+    if (alpha && format.codec == AV_CODEC_ID_VP9)
+        av_dict_set(&stream.metadata, "alpha_mode", "1", 0);
 }
 
 std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
@@ -135,18 +187,18 @@ std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t
     return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
 }
 
-// Assembles the film from the first entries of the log. VP9's packets are in order of display.
-void write_webm(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
+// Assembles the film from the first entries of the log.
+void write_film(const AlphaFormat& format, FrameEntries& log, const OutputPlan& plan,
+                std::int64_t n_frames) {
     const std::string text = text_of_film(log, plan, n_frames);
     AtomicFile file(plan.path);
-    libav::Muxer muxer("webm", file.descriptor(), plan.path, file.aside());
-    describe_stream(*muxer.stream(), plan, has_alpha(log));
+    libav::Muxer muxer(format.container, file.descriptor(), plan.path, file.aside());
+    describe_stream(*muxer.stream(), format, plan, has_alpha(format, log));
     av_dict_set(&muxer.context()->metadata, "poinsot", text.c_str(), 0);
     add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
-    SubtitleTrack subtitles(muxer, AV_CODEC_ID_WEBVTT, plan, n_frames);
+    SubtitleTrack subtitles(muxer, format.subtitles, plan, n_frames);
     libav::Options options;
-    // With the index at the front, players can seek while they load.
-    options.set("cues_to_front", "1");
+    options.set(format.option, format.value);
     muxer.write_header(options);
     const libav::Packet packet = libav::make_packet();
     for (std::int64_t k = 0; k < n_frames; ++k) {
@@ -160,18 +212,19 @@ void write_webm(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames
     file.commit();
 }
 
-// The film's first frame determines whether the film carries alpha; a later part receives this from
+// If the film's first frame determines whether the film has alpha, a later part receives this from
 // its plan.
-class WebmSink : public FrameSink {
+class AlphaFilmSink : public FrameSink {
  public:
-    explicit WebmSink(const OutputPlan& plan)
-        : plan_(plan),
+    AlphaFilmSink(const AlphaFormat& format, const OutputPlan& plan)
+        : format_(&format),
+          plan_(plan),
           converter_(plan.width_px),
           packet_(libav::make_packet()),
-          log_(plan, description_of(vp9_settings(plan, false)), frames_a_chunk),
+          log_(plan, description_of(settings_of(format, plan, false)), frames_a_chunk),
           n_before_(plan.part ? plan.part->n_before : 0),
           n_kept_(log_.n_entries()),
-          alpha_(has_alpha(log_)),
+          alpha_(has_alpha(format, log_)),
           n_written_(n_kept_) {}
 
     std::int64_t n_frames_kept() const override { return n_kept_; }
@@ -182,16 +235,12 @@ class WebmSink : public FrameSink {
 
     void write_telling(const Image& frame, const WasRead& was_read) override {
         check_frame(frame, plan_);
-        if (n_written_ == 0) alpha_ = plan_.has_alpha.value_or(!is_opaque(frame));
+        if (n_written_ == 0 && !format_->always_alpha)
+            alpha_ = plan_.has_alpha.value_or(!is_opaque(frame));
         if (n_written_ % frames_a_chunk == 0) end_chunk();
         if (!encoder_) start_chunk();
         libav::checked(av_frame_make_writable(frame_.get()), plan_.path, "video frame");
-        const bool flattened = !alpha_ && !is_opaque(frame);
-        if (flattened) flatten_on_white(frame, flat_);
-        converter_.convert(flattened ? flat_ : frame,
-                           {frame_->data[0], frame_->data[1], frame_->data[2], frame_->linesize[0],
-                            frame_->linesize[1], frame_->linesize[2]});
-        if (alpha_) copy_alpha(frame, frame_->data[3], frame_->linesize[3]);
+        fill_frame(frame);
         was_read();
         frame_->pts = n_before_ + n_written_++;
         encoder_->send(*frame_);
@@ -202,16 +251,31 @@ class WebmSink : public FrameSink {
         check_any_frame(n_written_, plan_);
         end_chunk();
         if (plan_.part) return log_.become_part();
-        write_webm(log_, plan_, n_shown_of(plan_, log_.n_entries()));
+        write_film(*format_, log_, plan_, n_shown_of(plan_, log_.n_entries()));
         log_.discard();
     }
 
  private:
     void start_chunk() {
-        encoder_.emplace(vp9_settings(plan_, alpha_), plan_.path);
+        const EncoderSettings settings = settings_of(*format_, plan_, alpha_);
+        encoder_.emplace(settings, plan_.path);
         if (!frame_)
-            frame_ = make_yuv_frame(alpha_ ? AV_PIX_FMT_YUVA420P : AV_PIX_FMT_YUV420P,
-                                    plan_.width_px, plan_.height_px);
+            frame_ = make_yuv_frame(settings.pixel_format, plan_.width_px, plan_.height_px);
+    }
+
+    void fill_frame(const Image& picture) {
+        std::uint8_t* const* planes = frame_->data;
+        const int* strides = frame_->linesize;
+        if (frame_->format == AV_PIX_FMT_YUVA444P10LE) {
+            convert_to_10_bits(picture, {planes[0], planes[1], planes[2], planes[3]},
+                               {strides[0], strides[1], strides[2], strides[3]});
+            return;
+        }
+        const bool flattened = !alpha_ && !is_opaque(picture);
+        if (flattened) flatten_on_white(picture, flat_);
+        converter_.convert(flattened ? flat_ : picture,
+                           {planes[0], planes[1], planes[2], strides[0], strides[1], strides[2]});
+        if (alpha_) copy_alpha(picture, planes[3], strides[3]);
     }
 
     void end_chunk() {
@@ -232,6 +296,7 @@ class WebmSink : public FrameSink {
         }
     }
 
+    const AlphaFormat* format_;
     OutputPlan plan_;
     YuvConverter converter_;
     libav::Packet packet_;
@@ -246,29 +311,42 @@ class WebmSink : public FrameSink {
     Image flat_;
 };
 
-}  // namespace
-
-std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan) {
+std::unique_ptr<FrameSink> open_film(const AlphaFormat& format, const OutputPlan& plan) {
     check_film(plan);
     quality_named(plan.quality);
     silence_libav();
-    return std::make_unique<WebmSink>(plan);
+    return std::make_unique<AlphaFilmSink>(format, plan);
 }
 
-void join_webm(FrameEntries& entries, const OutputPlan& plan) {
+void join_film(const AlphaFormat& format, FrameEntries& entries, const OutputPlan& plan) {
     silence_libav();
-    write_webm(entries, plan, entries.n_entries());
+    write_film(format, entries, plan, entries.n_entries());
 }
 
-std::int64_t recover_webm(const fs::path& path, const Tell& tell) {
+std::int64_t recover(const AlphaFormat& format, const fs::path& path, const Tell& tell) {
     silence_libav();
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
     plan.tell = tell;
     check_film(plan);
-    write_webm(log, plan, plan.n_frames);
+    write_film(format, log, plan, plan.n_frames);
     log.discard();
     return plan.n_frames;
+}
+
+}  // namespace
+
+std::unique_ptr<FrameSink> open_webm(const OutputPlan& plan) { return open_film(webm, plan); }
+std::unique_ptr<FrameSink> open_mov(const OutputPlan& plan) { return open_film(mov, plan); }
+
+void join_webm(FrameEntries& entries, const OutputPlan& plan) { join_film(webm, entries, plan); }
+void join_mov(FrameEntries& entries, const OutputPlan& plan) { join_film(mov, entries, plan); }
+
+std::int64_t recover_webm(const fs::path& path, const Tell& tell) {
+    return recover(webm, path, tell);
+}
+std::int64_t recover_mov(const fs::path& path, const Tell& tell) {
+    return recover(mov, path, tell);
 }
 
 }  // namespace poinsot
