@@ -161,6 +161,53 @@ TEST(FigureElements, DirectionTracesTheEllipsoidUntilItFadesOut) {
     EXPECT_EQ(staged.stage.at(FilmTime{0.0, 6.0}).views.front().arrows.size(), 3u);
 }
 
+// A film may show the element late: the sweep then begins at e3 when the element fades in.
+TEST(FigureElements, DirectionStartsItsSweepWhenItFadesIn) {
+    Scene scene = showing({"ellipsoid", "axes", "direction"});
+    scene.keyframes.emplace_back().speed = 0.0;  // at rest
+    scene.film.duration_s = {};
+    scene.film.length_s = 10.0;
+    scene.fades = {{.at_s = 3.0, .elements = {"direction"}},
+                   {.at_s = 7.0, .elements = {"direction"}, .opacity = 0.0}};
+    const StagedScene staged(scene, 1.0);
+    for (const double film_s : {3.5, 5.0, 6.9}) {
+        const Drawing drawing = staged.stage.at(FilmTime{0.0, film_s});
+        const View& view = drawing.views.front();
+        ASSERT_EQ(view.arrows.size(), 5u);
+        const double cosine = view.arrows[2].tip.normalized().dot(view.arrows[4].tip.normalized());
+        EXPECT_NEAR(std::acos(std::clamp(cosine, -1.0, 1.0)),
+                    std::numbers::pi * (film_s - 3.0) / 4.0, 3e-8)
+            << film_s;
+    }
+}
+
+// The dot and the right angle at the foot of L belong to the plane.
+TEST(FigureElements, FootOfMomentumAppearsWithThePlane) {
+    Scene scene = showing({"plane", "momentum"});
+    scene.film.length_s = 10.0;
+    scene.film.duration_s = {};
+    scene.fades = {{.at_s = 4.0, .elements = {"plane"}}};
+    const StagedScene staged(scene, 10.0);
+    EXPECT_EQ(staged.stage.at(FilmTime{1.0, 1.0}).views.front().dots.size(), 0u);
+    EXPECT_EQ(staged.stage.at(FilmTime{6.0, 6.0}).views.front().dots.size(), 1u);
+}
+
+// ω begins at the centre until ρ covers its first part.
+TEST(FigureElements, OmegaBeginsAtTheCentreUntilRhoAppears) {
+    Scene scene = showing({"omega", "radius"});
+    scene.film.length_s = 10.0;
+    scene.film.duration_s = {};
+    scene.fades = {{.at_s = 4.0, .elements = {"radius"}}};
+    const StagedScene staged(scene, 10.0);
+    for (const auto& [film_s, least] : {std::pair{1.0, 0.0}, std::pair{6.0, 0.1}}) {
+        double tail = 0.0;  // of the arrow that begins farthest from the centre
+        const View view = staged.stage.at(FilmTime{film_s, film_s}).views.front();
+        for (const Arrow& arrow : view.arrows) tail = std::max(tail, arrow.tail.norm());
+        EXPECT_GE(tail, least) << film_s;
+        EXPECT_LE(tail, least > 0.0 ? 1.5 : 1e-14) << film_s;
+    }
+}
+
 TEST(FigureElements, DimensionLineSpansThePlaneDistance) {
     const StagedScene staged(showing({"plane", "distance"}), 10.0);
     const View view = staged.stage.at(0.0).views.front();

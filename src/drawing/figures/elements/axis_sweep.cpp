@@ -108,19 +108,27 @@ void AxisSweep::add_to(const Eigen::Matrix3d& picture_from_principal, double sha
     name_shapes("moment", builder);
 }
 
-// The sweep from the film's beginning until the element fades out.
+// The sweep from the start of the fade that shows the element, or else the film's beginning, until
+// the element fades out.
 Drawer make_direction(const Panel& panel, StageStore& store) {
     const AxisSweep sweep(panel, store, picture_of(panel).half_axes);
     const Scene& scene = panel.stage->scene;
+    double begin_s = 0.0;
     double end_s = FilmClock(scene).length_s().value_or(default_film_s);
+    bool is_first = true;
     for (const FadeSpec& fade : scene.fades) {
         const auto& names = fade.elements;
-        const bool fades_out = !(fade.opacity > 0.0) &&
-                               std::find(names.begin(), names.end(), "direction") != names.end();
-        if (fades_out) end_s = fade.at_s;
+        if (std::find(names.begin(), names.end(), "direction") == names.end()) continue;
+        if (!(fade.opacity > 0.0))
+            end_s = fade.at_s;
+        else if (is_first)
+            begin_s = fade.at_s;
+        is_first = false;
     }
-    return [&panel, sweep, end_s](const FrameInput& instant, ViewBuilder& builder) {
-        const double share = end_s > 0.0 ? std::clamp(instant.film_s / end_s, 0.0, 1.0) : 1.0;
+    return [&panel, sweep, begin_s, end_s](const FrameInput& instant, ViewBuilder& builder) {
+        const double share =
+            end_s > begin_s ? std::clamp((instant.film_s - begin_s) / (end_s - begin_s), 0.0, 1.0)
+                            : 1.0;
         sweep.add_to(picture_of(panel).principal_axes(instant), share, builder);
     };
 }

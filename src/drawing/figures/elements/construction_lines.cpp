@@ -10,6 +10,8 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <span>
+#include <string_view>
 #include <vector>
 
 #include "drawing/figures/elements/elements.h"
@@ -122,15 +124,24 @@ Drawer make_momentum(const Panel& panel, StageStore& store) {
     arrow.hidden_opacity = seen_through;
     const TextBlock type = set_label(panel, store, "\\mathbf{L}");
     const bool has_foot = shows_plane(*panel.stage);
+    const std::string_view plane = is_shown(*panel.stage, "plane") ? "plane" : "tangent";
     const Dot foot = dot_at(panel, picture.foot(), panel.stage->theme.momentum, 4.0);
-    return [&panel, arrow, type, has_foot, foot](const FrameInput& instant, ViewBuilder& builder) {
+    return [&panel, arrow, type, has_foot, plane, foot](const FrameInput& instant,
+                                                        ViewBuilder& builder) {
         builder.view.arrows.push_back(arrow);
-        if (has_foot) {
+        // The foot belongs to the plane and fades with it.
+        const double presence =
+            has_foot ? panel.stage->timeline.opacity_of(plane, instant.film_s) : 0.0;
+        if (presence > 0.0) {
             Dot here = foot;
             here.at = picture_of(panel).foot(instant);
+            here.opacity *= presence;
             // On the side where the plane is visible: away from the camera's right.
+            const std::size_t n_curves = builder.view.curves.size();
             add_right_angle(panel, here.at, -right_of(builder), -picture_of(panel).normal,
                             arrow.colour, builder);
+            for (Curve& side : std::span(builder.view.curves).subspan(n_curves))
+                side.opacity *= presence;
             builder.view.dots.push_back(here);
         }
         wish_at_tip(panel, arrow, type, builder);
@@ -146,8 +157,9 @@ Drawer make_omega(const Panel& panel, StageStore& store) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         Arrow arrow =
             arrow_to(panel, beyond ? spin_axis_end(rho) : rho, panel.stage->theme.omega, 1.15);
-        // ρ covers the beginning of ω: of two arrows on one line, either might be in front.
-        if (beyond) arrow.tail = rho;
+        // ρ covers the beginning of ω: of two arrows on one line, either might be in front. While ρ
+        // fades in, the tail of ω moves from the centre to the tip of ρ.
+        if (beyond) arrow.tail = panel.stage->timeline.opacity_of("radius", instant.film_s) * rho;
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         // The label is further along the line, away from the contact and the lines that meet there.
