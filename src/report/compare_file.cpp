@@ -151,8 +151,8 @@ Gates CompareFile::gates_of(std::string_view picture) const {
 void CompareFile::check_used(const std::vector<std::string>& pictures) const {
     const std::vector<std::string_view> names(pictures.begin(), pictures.end());
     for (const Entry& entry : entries) {
-        const bool is_used = std::any_of(names.begin(), names.end(), [&](std::string_view name) {
-            return matches_glob(name, entry.glob);
+        const bool is_used = std::any_of(names.begin(), names.end(), [&](std::string_view picture) {
+            return matches_glob(picture, entry.glob);
         });
         if (is_used) continue;
         throw SceneError(entry.where, fmt::format("\"{}\" matches none of the {} pictures{}",
