@@ -81,7 +81,7 @@ int run(const ExplainChoices& choices) {
     else
         print_text(record);
     const auto named = frame_of_name(file);
-    if (record.frame && named && *named != *record.frame)
+    if (record.frames && record.frame && named && *named != *record.frame)
         say(fmt::format("note: {}: its record says frame {}, its name gives another number",
                         printable(file.string()), *record.frame));
     if (!verification) return 0;

@@ -19,6 +19,7 @@
 #include "production/jobs/film_job.h"
 #include "production/pages/page_job.h"
 #include "production/parts/jobs.h"
+#include "production/slides/slide_deck.h"
 #include "system/files/file_kind.h"
 #include "text/printable.h"
 
@@ -29,6 +30,7 @@ namespace {
 struct RenderChoices {
     std::vector<std::string> scenes;
     std::string output;
+    std::string slides;  // folder; empty: no slides
     std::vector<std::string> sweeps;
     SceneOptions scene;
     ContextOptions context;
@@ -53,6 +55,12 @@ int render(const SceneJob& job, const RenderChoices& choices, LazyRenderer& rend
     ProgressBar bar(choices.quiet);
     const ProgressSink progress = bar.sink();
     const SceneRequest scene = scene_request_of(job.scene, choices.scene, job.overrides);
+    if (!choices.slides.empty()) {
+        const Session session = open_session(scene, progress);
+        if (choices.certify && !certified(session, film_plan(session), progress)) return 1;
+        write_deck(session, {scene, job.output, choices.n_jobs}, renderer, progress);
+        return 0;
+    }
     if (is_page_name(job.output)) {
         write_page(scene, job.output, renderer, progress);
         return 0;
@@ -93,8 +101,21 @@ void check_page(const RenderChoices& choices) {
                             printable(choices.output), option));
 }
 
+// Options that name another output or choose frames.
+void check_slides(const RenderChoices& choices) {
+    if (choices.slides.empty()) return;
+    const std::pair<bool, std::string_view> options[] = {{!choices.output.empty(), "-o"},
+                                                         {choices.frames.has_value(), "--frames"},
+                                                         {choices.part.has_value(), "--part"}};
+    for (const auto& [is_given, option] : options)
+        if (is_given)
+            throw InputError(fmt::format(
+                "--slides writes a film for each stop into its folder; leave {} out", option));
+}
+
 void check(const RenderChoices& choices) {
-    check_page(choices);
+    check_slides(choices);
+    if (choices.slides.empty()) check_page(choices);
     constexpr int most = 4096;
     if (choices.n_jobs && (*choices.n_jobs < 1 || *choices.n_jobs > most))
         throw InputError(fmt::format("--jobs {}: not a number of processes; give 1 to {}",
@@ -108,9 +129,9 @@ void check(const RenderChoices& choices) {
 int run(const RenderChoices& choices) {
     check(choices);
     LazyRenderer renderer(context_choice_of(choices.context));
-    return for_each_scene(
-        jobs_of(choices.scenes, output_of(choices), OutputKind::film, choices.sweeps),
-        [&](const SceneJob& job) { return render(job, choices, renderer); });
+    const std::string output = choices.slides.empty() ? output_of(choices) : choices.slides;
+    return for_each_scene(jobs_of(choices.scenes, output, OutputKind::film, choices.sweeps),
+                          [&](const SceneJob& job) { return render(job, choices, renderer); });
 }
 
 CommandLine render_line(std::any& storage) {
@@ -118,6 +139,14 @@ CommandLine render_line(std::any& storage) {
     return {
         &c.scenes,
         {output_option(c.output, "output file; default output/SCENE.mp4"),
+         {"--slides",
+          "FOLDER: a film, a PNG and a PDF for each stop of the scene, or without stops for each "
+          "chapter, with slides.json, in this folder",
+          ReadText{[&c](const std::string& text) { c.slides = parse_text("--slides", text); }},
+          "",
+          {},
+          false,
+          "folder"},
          set_option(c.scene),
          sweep_option(c.sweeps),
          size_option(c.scene),

@@ -28,9 +28,10 @@ std::string scene_name(const std::string& file) {
     return std::filesystem::path(file).stem().string();
 }
 
-// Whether #### may number the frames of each output.
+// Whether #### may number the pictures of each output.
 bool is_sequence(const std::filesystem::path& output, OutputKind kind) {
-    return kind == OutputKind::film && suffix_of(output) == ".png";
+    return kind == OutputKind::pictures ||
+           (kind == OutputKind::film && suffix_of(output) == ".png");
 }
 
 // Whether #### in the output counts scenes.

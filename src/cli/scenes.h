@@ -24,13 +24,14 @@ struct SceneJob {
     std::vector<std::string> overrides;  // see load_scene; applied after those of the command line
 };
 
-// The output of a command. In the name of a film made of pictures, #### may number its frames.
-enum class OutputKind { picture, film };
+// The output of a command. In the name of a film made of pictures, and of pictures of one scene,
+// #### may number these.
+enum class OutputKind { picture, pictures, film };
 
 // Returns one job for each scene. In the output, {scene} is replaced by the scene's name and the
-// first #### by the scene's number from 0; the #### of a PNG sequence numbers its frames if there
-// is one scene or the scene's name makes the outputs distinct. Throws InputError if two scenes
-// would have the same output.
+// first #### by the scene's number from 0; the #### of a PNG sequence or of pictures of a scene
+// numbers these if there is one scene or the scene's name makes the outputs distinct. Throws
+// InputError if two scenes would have the same output.
 std::vector<SceneJob> jobs_of(const std::vector<std::string>& scenes, const std::string& output,
                               OutputKind kind);
 

@@ -17,11 +17,15 @@
 #include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
+#include "output/frame_name.h"
 #include "production/jobs/contact_sheet.h"
+#include "production/jobs/output_place.h"
 #include "production/jobs/still_job.h"
+#include "production/slides/slide_plan.h"
 #include "production/vectors/journal.h"
 #include "scene/files/load_scene.h"
 #include "text/label_text.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -39,6 +43,7 @@ struct StillChoices {
     std::optional<double> time_s;
     bool keeps_text = false;                   // --keep-text
     bool clearest = false;                     // --time auto
+    bool chapters = false;                     // --chapters
     std::optional<std::pair<int, int>> sheet;  // columns, rows
     bool quiet = false;
 };
@@ -131,18 +136,68 @@ void follow_journal(const StillChoices& choices, SceneRequest& request,
         request.overrides.emplace_back("--journal panel_letters=true");
 }
 
-std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
-                                   const ProgressSink& progress) {
+SceneRequest request_of(const SceneJob& job, const StillChoices& choices,
+                        const ProgressSink& progress) {
     SceneRequest request = scene_request_of(job.scene, choices.scene, job.overrides);
     request.print = choices.print;
     if (!choices.print.journal.empty()) follow_journal(choices, request, progress);
     // Vector output is for paper, with or without a print option.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};
+    return request;
+}
+
+std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
+                                   const ProgressSink& progress) {
+    const SceneRequest request = request_of(job, choices, progress);
     return std::make_unique<StillJob>(
         open_session(request, progress),
         StillRequest{job.output, choices.time_s, request.print, choices.bit_depth, choices.vectors,
                      choices.clearest ? StillTime::clearest : StillTime::of_scene});
+}
+
+// Draws a picture at each stop of a scene, numbered from 1.
+int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer& renderer,
+                  StillWriter& writer, const ProgressSink& progress) {
+    if (!job.output.empty() && !has_frame_number(job.output))
+        throw InputError(fmt::format(
+            "{}: --chapters writes several pictures; put #### into the name for their number{}",
+            printable(choices.output),
+            choices.scenes.size() > 1 || !choices.sweeps.empty()
+                ? ", and {scene} or {KEY} for the scene or the swept value"
+                : ""));
+    const SceneRequest request = request_of(job, choices, progress);
+    const Session session = open_session(request, progress);
+    const std::vector<Slide> stops = stops_of(session.scene, film_plan(session), "--chapters");
+    const OutputPlace place(job.output, session.scene, "_####.png");
+    // The notes are the same for all pictures.
+    ProgressSink without_notes = progress;
+    without_notes.say = [say = progress.say](const std::string& line) {
+        if (!line.starts_with("note: ")) say(line);
+    };
+    for (std::size_t i = 0; i < stops.size(); ++i) {
+        StillRequest still;
+        still.output = frame_name(place.path(), static_cast<std::int64_t>(i) + 1).string();
+        still.frame = stops[i].last_frame;
+        still.print = request.print;
+        still.bit_depth = choices.bit_depth;
+        still.vectors = choices.vectors;
+        StillJob(Session(session), std::move(still))
+            .draw(renderer, writer, i == 0 ? progress : without_notes);
+    }
+    writer.finish();
+    return 0;
+}
+
+void check_chapters(const StillChoices& choices) {
+    const std::pair<bool, std::string_view> options[] = {
+        {choices.time_s || choices.clearest, "--time"}, {choices.sheet.has_value(), "--sheet"}};
+    for (const auto& [is_given, option] : options)
+        if (is_given)
+            throw InputError(fmt::format(
+                "--chapters draws a picture at each stop or chapter, which {0} does not; leave one "
+                "of them out",
+                option));
 }
 
 // Each scene is read and prepared while the previous one is drawn.
@@ -187,15 +242,21 @@ int run(const StillChoices& choices) {
     if (choices.keeps_text && choices.print.journal.empty())
         throw InputError(
             "--keep-text: only --journal leaves text out; add --journal, or leave it out");
+    if (choices.chapters) check_chapters(choices);
     if (choices.sheet) return draw_sheet_of(choices);
     const std::vector<SceneJob> jobs =
-        jobs_of(choices.scenes, choices.output, OutputKind::picture, choices.sweeps);
+        jobs_of(choices.scenes, choices.output,
+                choices.chapters ? OutputKind::pictures : OutputKind::picture, choices.sweeps);
     ProgressBar bar(choices.quiet);
     const ProgressSink progress = bar.sink();
     StillWriter writer;
     std::optional<LazyRenderer> renderer(context_choice_of(choices.context));
     int code = 0;
-    if (jobs.size() == 1)
+    if (choices.chapters)
+        code = for_each_scene(jobs, [&](const SceneJob& job) {
+            return draw_chapters(job, choices, *renderer, writer, progress);
+        });
+    else if (jobs.size() == 1)
         draw_alone(jobs.front(), choices, *renderer, writer, progress);
     else
         code = draw_all(jobs, choices, *renderer, writer, progress);
@@ -242,6 +303,10 @@ CommandLine still_line(std::any& storage) {
          {"--sheet",
           "CxR: draw all pictures on one sheet of C columns and R rows, each with its values",
           ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
+         {"--chapters",
+          "draw a picture at each stop of the scene, or without stops at the end of each chapter; "
+          "#### in the output becomes its number, from 1",
+          &c.chapters},
          quality_option(c.scene),
          theme_option(c.scene),
          {"--time",

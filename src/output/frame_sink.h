@@ -70,6 +70,9 @@ struct OutputPlan {
     // Only n_frames from the n_before-th on, as a part of the film; metadata, chapters and
     // first_frame stay the film's. For formats that have parts.
     std::optional<FilmPart> part = {};
+    // Encode the film's first and last frame alone, so that their packets depend on no other frame.
+    // For .mp4.
+    bool ends_alone = false;
     // Whether the film's first frame has transparent pixels; a part that begins later needs to
     // know.
     std::optional<bool> has_alpha = {};

@@ -33,7 +33,9 @@ using Bytes = std::vector<std::uint8_t>;
 // x264's output depends on the number of threads, so this number must not depend on the machine.
 constexpr int usual_threads = 3;
 
-EncoderSettings x264_settings(const OutputPlan& plan) {
+// `alone`: for a frame of a chunk of its own. mbtree lowers the quality of what no later frame
+// refers to, as of such a frame; a viewer looks at it longest.
+EncoderSettings x264_settings(const OutputPlan& plan, bool alone = false) {
     const X264Effort& effort = quality_named(plan.quality).x264;
     EncoderSettings settings;
     settings.codec = "libx264";
@@ -44,7 +46,8 @@ EncoderSettings x264_settings(const OutputPlan& plan) {
     settings.header_in_container = true;
     settings.options = {{"preset", effort.preset},
                         {"crf", effort.crf},
-                        {"x264-params", fmt::format("cpu-independent=1:{}", effort.parameters)}};
+                        {"x264-params", fmt::format("cpu-independent=1:{}{}", effort.parameters,
+                                                    alone ? ":mbtree=0" : "")}};
     return settings;
 }
 
@@ -62,8 +65,10 @@ void check_mp4(const OutputPlan& plan) {
 // encoder's version, come last.
 constexpr std::string_view header_key = " header=";
 
-std::string description_of(const EncoderSettings& settings, const AVCodecContext& encoder) {
+std::string description_of(const EncoderSettings& settings, const AVCodecContext& encoder,
+                           bool ends_alone) {
     std::string text = fmt::format("{} threads={}", settings.codec, settings.n_threads);
+    if (ends_alone) text += " ends-alone";
     for (const auto& [key, value] : settings.options) text += fmt::format(" {}={}", key, value);
     text += header_key;
     for (int i = 0; i < encoder.extradata_size; ++i)
@@ -225,8 +230,11 @@ class Mp4Sink : public FrameSink {
           frame_(make_yuv_frame(AV_PIX_FMT_YUV420P, plan.width_px, plan.height_px)),
           packet_(libav::make_packet()),
           encoder_(std::make_unique<VideoEncoder>(settings_, plan.path)),
-          log_(plan, description_of(settings_, encoder_->context()), frames_a_chunk),
+          log_(plan, description_of(settings_, encoder_->context(), plan.ends_alone),
+               frames_a_chunk),
           n_before_(plan.part ? plan.part->n_before : 0),
+          last_frame_((plan.part ? plan.part->n_film_frames : plan.n_frames) - 1),
+          n_reordered_(encoder_->context().has_b_frames),
           n_kept_(log_.n_entries()),
           n_written_(n_kept_) {}
 
@@ -238,7 +246,8 @@ class Mp4Sink : public FrameSink {
 
     void write_telling(const Image& frame, const WasRead& was_read) override {
         check_frame(frame, plan_);
-        if (n_in_chunk_ == frames_a_chunk) start_chunk();
+        const std::int64_t number = n_before_ + n_written_;
+        if (starts_chunk(number) && (n_in_chunk_ > 0 || is_alone(number))) start_chunk(number);
         libav::checked(av_frame_make_writable(frame_.get()), plan_.path, "video frame");
         const bool opaque = is_opaque(frame);
         if (!opaque) flatten_on_white(frame, flat_);
@@ -261,10 +270,18 @@ class Mp4Sink : public FrameSink {
     }
 
  private:
-    void start_chunk() {
-        end_chunk();
+    bool is_alone(std::int64_t frame) const {
+        return plan_.ends_alone && (frame == 0 || frame == last_frame_);
+    }
+    bool starts_chunk(std::int64_t frame) const {
+        return frame % frames_a_chunk == 0 || is_alone(frame) || (frame > 0 && is_alone(frame - 1));
+    }
+
+    void start_chunk(std::int64_t frame) {
+        if (n_in_chunk_ > 0) end_chunk();
         encoder_.reset();  // first, so that two never coexist
-        encoder_ = std::make_unique<VideoEncoder>(settings_, plan_.path);
+        encoder_ = std::make_unique<VideoEncoder>(
+            is_alone(frame) ? x264_settings(plan_, true) : settings_, plan_.path);
         n_in_chunk_ = 0;
         check_free_space(plan_.path, log_.n_bytes(), n_written_, plan_.n_frames);
     }
@@ -279,6 +296,8 @@ class Mp4Sink : public FrameSink {
 
     void take_packets() {
         while (encoder_->receive(*packet_)) {
+            // A short chunk ends before the encoder knows how far its frames are reordered.
+            if (plan_.ends_alone) packet_->dts = n_before_ + log_.n_entries() - n_reordered_;
             pack(*packet_, entry_);
             log_.append(entry_);
         }
@@ -293,6 +312,8 @@ class Mp4Sink : public FrameSink {
     std::unique_ptr<VideoEncoder> encoder_;
     FrameLog log_;
     std::int64_t n_before_;  // frames of the film before the first one written here
+    std::int64_t last_frame_;
+    int n_reordered_;  // frames by which decoding runs ahead of showing
     std::int64_t n_kept_;
     std::int64_t n_written_;
     Bytes entry_;

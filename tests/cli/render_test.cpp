@@ -229,5 +229,35 @@ TEST_F(RenderMessages, AnUnsupportedSuffixGetsTheNearestAlternative) {
     refuses("render scene.toml -o a.xyzzy", 2, {"the formats are .mp4, .webm, .mov, .gif"});
 }
 
+// The stops of tests/production/slide_deck_test.cpp are drawn by one process.
+TEST(Slides, HaveTheSameBytesFromSeveralProcesses) {
+    const ScratchFolder folder;
+    folder.write("a.toml", racket + "fps = 200\n[[stops]]\nat_s = 0.8\nloop_s = 0.7\n");
+    for (const std::string n_jobs : {"1", "3"}) {
+        const ProgramRun run =
+            run_program_in(folder, "render a.toml --slides deck" + n_jobs + " --jobs " + n_jobs);
+        ASSERT_EQ(run.code, 0) << run.err;
+        EXPECT_EQ(run.out, "");
+    }
+    for (const std::string file :
+         {"01.mp4", "01-loop.mp4", "01.png", "01.pdf", "02.mp4", "02.png", "02.pdf", "slides.json"})
+        EXPECT_EQ(text_of(folder.path() / "deck1" / file), text_of(folder.path() / "deck3" / file))
+            << file;
+}
+
+TEST_F(RenderMessages, SlidesAreRefusedWithOptionsOfOneFilmAndWithoutStops) {
+    refuses("render scene.toml --slides d -o a.mp4", 2, {"--slides", "leave -o out"});
+    refuses("render scene.toml --slides d --part 1/2", 2, {"--slides", "leave --part out"});
+    refuses("render scene.toml --slides d --frames 0-1", 2, {"--slides", "leave --frames out"});
+    refuses("render scene.toml --slides d", 2,
+            {"scene.toml:1:1", "no [[stops]] and no [[chapters]] for --slides"});
+    folder_.write("stops.toml", scene + "[[stops]]\nat_s = 0.1\n");
+    refuses("render stops.toml --slides d --size 65x49", 2, {"--size 65x49", "even"});
+    refuses("render stops.toml --slides stops.toml", 2, {"stops.toml", "not a folder"});
+    refuses("render stops.toml --slides .", 2, {"current folder"});
+    refuses("render stops.toml --slides no/d", 3, {"cannot write no/d"});
+    refuses("render scene.toml stops.toml --slides d", 2, {"d", "{scene}"});
+}
+
 }  // namespace
 }  // namespace poinsot::testing

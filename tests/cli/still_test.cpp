@@ -328,5 +328,78 @@ TEST(PrintedStill, ErrorsAreOneLineAndLeaveNoFile) {
                   "or the path of a theme file, as in my.toml\n");
 }
 
+TEST(StillChapters, AreTheFramesAtWhichTheFilmStops) {
+    const ScratchFolder folder;
+    folder.write("a.toml", racket +
+                               "[[stops]]\nat_s = 0.3\n[[stops]]\nat_s = 0.7\n[[captions]]\nat_s = "
+                               "0.5\ntext = \"Later\"\n");
+    ASSERT_EQ(run_program_in(folder, "still a.toml --chapters -o 's_##.png'").code, 0);
+    ASSERT_EQ(run_program_in(folder, "render a.toml -o 'f_##.png'").code, 0);
+    const auto pixels = [&](const std::string& name) {
+        const Image image = read_png(folder.path() / name);
+        return std::vector<std::uint8_t>(image.bytes().begin(), image.bytes().end());
+    };
+    EXPECT_EQ(pixels("s_01.png"), pixels("f_09.png"));
+    EXPECT_EQ(pixels("s_02.png"), pixels("f_21.png"));
+    EXPECT_NE(pixels("s_01.png"), pixels("s_02.png"));
+    EXPECT_EQ(text_of(folder.path() / "s_03.png"), "");
+    ASSERT_EQ(run_program_in(folder, "rerender s_02.png -o again.png").code, 0);
+    EXPECT_EQ(text_of(folder.path() / "again.png"), text_of(folder.path() / "s_02.png"));
+    const ProgramRun explained = run_program_in(folder, "explain s_02.png");
+    EXPECT_NE(explained.out.find("\nframe: 21\nfilm-frames: 30\n"), std::string::npos);
+    EXPECT_EQ(explained.err.find("another number"), std::string::npos) << explained.err;
+    EXPECT_EQ(run_program_in(folder, "compare s_02.png f_21.png --ignore clock").code, 0);
+}
+
+// A halt shows one instant in many frames, with other captions.
+TEST(StillChapters, DistinguishTheFramesOfAHalt) {
+    const ScratchFolder folder;
+    folder.write("a.toml",
+                 "title = \"Halt\"\n[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n[start]\nomega_rad_s "
+                 "= [0.01, 2.0, 0.01]\n[film]\nsize = [320, 180]\nlength_s = 1.0\n"
+                 "[[keyframes]]\nat_s = 0.0\nspeed = 0.0\n"
+                 "[[stops]]\nat_s = 0.3\n[[stops]]\nat_s = 0.7\n[[captions]]\nat_s = 0.5\n"
+                 "text = \"Later\"\n");
+    const ProgramRun run = run_program_in(folder, "still a.toml --chapters -o 's_#.png'");
+    ASSERT_EQ(run.code, 0) << run.err;
+    EXPECT_NE(text_of(folder.path() / "s_1.png"), text_of(folder.path() / "s_2.png"));
+    ASSERT_EQ(run_program_in(folder, "rerender s_2.png -o again.png").code, 0);
+    EXPECT_EQ(text_of(folder.path() / "again.png"), text_of(folder.path() / "s_2.png"));
+}
+
+// For each kind of file and option, the same pictures in the same frame, numbered from 1.
+TEST(StillChapters, TakeTheOptionsOfStills) {
+    const ScratchFolder folder;
+    folder.write("a.toml", racket +
+                               "[[chapters]]\nat_s = 0.0\ntitle = \"A\"\n[[chapters]]\nat_s = "
+                               "0.5\ntitle = \"B\"\n");
+    for (const std::string name : {"f_#.pdf --width-mm 86", "f_#.svg --shading none",
+                                   "f_#.png --depth 16", "g_#.png --width-mm 40 --theme print"}) {
+        const ProgramRun run = run_program_in(folder, "still a.toml --chapters -o " + name);
+        ASSERT_EQ(run.code, 0) << name << run.err;
+        const std::string suffix = name.substr(3, 4);
+        for (const std::string number : {"1", "2"}) {
+            const std::string file = name.substr(0, 2) + number + suffix;
+            EXPECT_NE(text_of(folder.path() / file), "") << file;
+            ASSERT_EQ(run_program_in(folder, "rerender " + file + " -o again" + suffix).code, 0);
+            EXPECT_EQ(text_of(folder.path() / ("again" + suffix)), text_of(folder.path() / file))
+                << file;
+        }
+        EXPECT_EQ(text_of(folder.path() / (name.substr(0, 2) + "3" + suffix)), "");
+    }
+    ASSERT_EQ(run_program_in(folder, "still a.toml --chapters").code, 0);
+    EXPECT_NE(text_of(folder.path() / "output/a_0002.png"), "");
+}
+
+TEST_F(StillMessages, ChaptersAreRefusedWithoutStopsANumberAndWithOneInstant) {
+    refuses("still scene.toml --chapters -o a_#.png", 2,
+            {"scene.toml:1:1", "no [[stops]] and no [[chapters]] for --chapters"});
+    refuses("still scene.toml --chapters -o a.png", 2, {"a.png", "put #### into the name"});
+    refuses("still scene.toml --chapters -o -", 2, {"put #### into the name"});
+    refuses("still scene.toml --chapters --time 0 -o a_#.png", 2, {"--chapters", "--time"});
+    refuses("still scene.toml --chapters --time auto -o a_#.png", 2, {"--chapters", "--time"});
+    refuses("still scene.toml --chapters --sheet 1x1 -o a.png", 2, {"--chapters", "--sheet"});
+}
+
 }  // namespace
 }  // namespace poinsot::testing

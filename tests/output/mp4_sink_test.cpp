@@ -1,6 +1,8 @@
 // MP4 films decoded by libavformat: players get the planned properties and pictures.
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "output/films.h"
 
 namespace poinsot {
@@ -87,6 +89,33 @@ TEST(Mp4, HasItsIndexAtTheFront) {
     const std::string bytes = bytes_of(plan.path);
     EXPECT_LT(bytes.find("moov"), bytes.find("mdat"));
     EXPECT_EQ(bytes.find("moof"), std::string::npos);
+}
+
+// Whatever the frames around it, a frame at an end decodes to the same pixels.
+TEST(Mp4, EncodesTheEndsAloneIfAsked) {
+    const TemporaryFolder folder;
+    for (const std::string quality : {"draft", "lecture", "print"}) {
+        for (const std::int64_t n_frames : {1, 2, 3, 4, 120, 121, 122, 250}) {
+            OutputPlan plan = small_plan(folder / "a.mp4", n_frames);
+            plan.quality = quality;
+            plan.ends_alone = true;
+            write_film(plan);
+            // The same last picture after others.
+            OutputPlan next = small_plan(folder / "b.mp4", 30);
+            next.quality = quality;
+            next.ends_alone = true;
+            const auto sink = format_for(next.path).open(next);
+            for (std::int64_t k = 0; k < 30; ++k) sink->write(frame_of(next, n_frames - 1 + k));
+            sink->finish();
+            VideoReader film(plan.path), after(next.path);
+            ASSERT_EQ(film.info().n_frames, n_frames) << quality;
+            EXPECT_NEAR(film.info().duration_s, static_cast<double>(n_frames) / 30.0, 1e-3)
+                << quality << " " << n_frames;
+            EXPECT_TRUE(
+                std::ranges::equal(film.frame(n_frames - 1).bytes(), after.frame(0).bytes()))
+                << quality << " " << n_frames;
+        }
+    }
 }
 
 }  // namespace

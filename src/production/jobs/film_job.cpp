@@ -132,7 +132,8 @@ OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
     plan.first_frame = first_;
     plan.n_frames = last_ - first_ + 1;
     plan.quality = film.quality;
-    plan.chapters = chapters_of(session_->scene, film_, first_, last_);
+    if (!request_.is_slide) plan.chapters = chapters_of(session_->scene, film_, first_, last_);
+    plan.ends_alone = request_.is_slide;
     plan.subtitles = subtitles_of(*session_, film_, first_, last_);
     plan.resume = true;
     return plan;
@@ -193,7 +194,8 @@ void FilmJob::write_beside(OutputPlan plan, const ProgressSink& progress) const 
     const OutputFormat& format = format_for(plan.path);
     if (plan.n_shown > 0) {
         plan.n_frames = plan.n_shown;
-        plan.chapters = chapters_of(session_->scene, film_, first_, first_ + plan.n_shown - 1);
+        if (!request_.is_slide)
+            plan.chapters = chapters_of(session_->scene, film_, first_, first_ + plan.n_shown - 1);
     }
     if (!plan.chapters.empty() && (format.film || format.name == "png-sequence"))
         write_chapters(plan, film_);
@@ -228,11 +230,13 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
         plan.n_frames = std::min(plan.n_frames, (request_.n_shown + chunk - 1) / chunk * chunk);
         plan.n_shown = request_.n_shown;
     }
-    PictureMaker pictures(*session_, renderer,
-                          {.first_time_s = film_.time_of(0), .last_time_s = film_.time_of(last_)});
+    const PictureSpan to_last{.first_time_s = film_.time_of(0),
+                              .last_time_s = film_.time_of(last_)};
+    PictureMaker pictures(*session_, renderer, request_.is_slide ? whole_film(film_) : to_last);
     tell_stage_notes(pictures.stage(), progress);
     Record record = record_of(*session_, pictures, renderer.is_portable());
     record.frames = {first_, last_};
+    if (request_.is_slide) record.film_frames = film_.n_frames;
     plan.metadata = to_text(record);
     plan.tell = told;
     const std::string name = printable(plan.path.string());

@@ -22,6 +22,9 @@ struct FilmRequest {
     std::int64_t n_shown = 0;
     // Part K of N of those frames, both from 1; empty: all of them.
     std::optional<std::pair<std::int64_t, std::int64_t>> part{};
+    // The frames are pictures of the whole film, and the first and the last are encoded alone:
+    // films that share such a frame decode to the same pixels there.
+    bool is_slide = false;
 };
 
 class FilmJob {

@@ -156,16 +156,21 @@ Session session_of_picture(const Record& record) {
 struct PictureRegions::Contents {
     Session session;
     FilmPlan film;
-    std::optional<double> time_s;
+    std::optional<FilmTime> moment;  // of a still
     std::optional<PreparedPicture> picture;
 
     explicit Contents(const Record& record)
-        : session(session_of_picture(record)), film(film_plan(session)), time_s(record.time_s) {
+        : session(session_of_picture(record)), film(film_plan(session)) {
         PictureSpan span{.first_time_s = film.time_of(0)};
-        if (time_s) {
-            span.first_time_s = std::min(film.start_s, *time_s);
-            span.last_time_s = *time_s;
-            span.first_shown_s = time_s;
+        if (record.time_s)
+            moment = record.frame ? film.moment_of(*record.frame)
+                                  : still_moment(session, record.time_s, StillTime::of_scene);
+        if (record.film_frames) {
+            span = whole_film(film);
+        } else if (record.time_s) {
+            span.first_time_s = std::min(film.start_s, *record.time_s);
+            span.last_time_s = *record.time_s;
+            span.first_shown_s = record.time_s;
         } else {
             span.last_time_s = film.time_of(record.frames->second);
         }
@@ -177,8 +182,7 @@ struct PictureRegions::Contents {
     }
 
     Drawing drawing(std::optional<std::int64_t> frame) const {
-        if (!time_s) return picture->stage.at(film.moment_of(frame.value_or(0)));
-        return picture->stage.at(still_moment(session, time_s, StillTime::of_scene));
+        return picture->stage.at(moment ? *moment : film.moment_of(frame.value_or(0)));
     }
 };
 

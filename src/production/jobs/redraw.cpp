@@ -62,6 +62,7 @@ std::int64_t frame_of_picture(const std::filesystem::path& file, const Record& r
 
 // The span of the histories in a film's frames.
 PictureSpan span_of(const FilmPlan& film, const Record& record) {
+    if (record.film_frames) return whole_film(film);
     return {.first_time_s = film.time_of(0), .last_time_s = film.time_of(record.frames->second)};
 }
 
@@ -123,6 +124,11 @@ ContextChoice context_for(const RedrawRequest& request, const Record& record) {
 
 StillRequest still_request_of(const RedrawRequest& request, const Record& record) {
     StillRequest still{.output = request.output.string(), .time_s = record.time_s};
+    // A halt shows one instant in many frames.
+    if (record.frame) {
+        still.frame = record.frame;
+        still.time_s.reset();
+    }
     still.print.dpi = record.dpi;
     still.print.type_pt = record.type_pt;
     if (!record.journal.empty()) set_least_sizes(journal_named(record.journal), still.print);
@@ -211,6 +217,7 @@ void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
         const auto [first, last] = *record.frames;
         FilmRequest film{request.output.string(), record.run ? record.run : record.frames};
         if (record.run) film.n_shown = last - first + 1;
+        film.is_slide = record.film_frames.has_value();
         FilmJob(session, film).make(renderer, progress);
     }
     for (const std::string& note : differences(record, read_record(request.output)))

@@ -58,8 +58,15 @@ StillRequest accepted(StillRequest request, const Scene& scene) {
     return request;
 }
 
-// The histories start with the film and end at the instant.
-PictureSpan span_of(const Session& session, double time_s) {
+FilmTime moment_for(const Session& session, const StillRequest& request) {
+    if (request.frame) return film_plan(session).moment_of(*request.frame);
+    return still_moment(session, request.time_s, request.when);
+}
+
+// The histories start with the film. They end at the instant, or with the film of which the picture
+// is a frame.
+PictureSpan span_of(const Session& session, const StillRequest& request, double time_s) {
+    if (request.frame) return whole_film(film_plan(session));
     return {.first_time_s = std::min(film_plan(session).start_s, time_s),
             .last_time_s = time_s,
             .first_shown_s = time_s};
@@ -122,9 +129,9 @@ void tell_figure(const Session& session, const Drawing& drawing, double dpi,
 StillJob::StillJob(Session&& session, StillRequest request)
     : session_(std::move(session)),
       request_(accepted(std::move(request), session_.scene)),
-      moment_(still_moment(session_, request_.time_s, request_.when)),
-      staging_(session_, span_of(session_, moment_.time_s), setting_for(session_.scene, request_)) {
-}
+      moment_(moment_for(session_, request_)),
+      staging_(session_, span_of(session_, request_, moment_.time_s),
+               setting_for(session_.scene, request_)) {}
 
 std::int64_t StillJob::n_pixels() const {
     return std::int64_t{session_.scene.film.width_px} * session_.scene.film.height_px;
@@ -135,9 +142,16 @@ Record StillJob::record() const {
                      in_words(staging_.bound, session_.accuracy.asked_px));
 }
 
+void StillJob::add_moment(Record& record) const {
+    record.time_s = moment_.time_s;
+    if (!request_.frame) return;
+    record.frame = request_.frame;
+    record.film_frames = film_plan(session_).n_frames;
+}
+
 Record StillJob::vector_record() const {
     Record record = this->record();
-    record.time_s = moment_.time_s;
+    add_moment(record);
     record.dpi = request_.print.dpi;
     record.type_pt = request_.print.type_pt.value_or(default_type_pt);
     record.shading = request_.vectors.shading;
@@ -175,7 +189,7 @@ void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
 Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {
     PictureMaker pictures(std::move(staging_), renderer);
     Record record = record_of(session_, pictures, renderer.is_portable());
-    record.time_s = moment_.time_s;
+    add_moment(record);
     pictures.draw(moment_, image);
     return record;
 }
@@ -195,7 +209,7 @@ void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressS
                     staging_.samples * request_.print.dpi.value_or(default_dpi), progress);
     PictureMaker pictures(std::move(staging_), renderer);
     Record record = record_of(session_, pictures, renderer.is_portable());
-    record.time_s = moment_.time_s;
+    add_moment(record);
     PngOptions png;
     if (const auto paper =
             print_size_of(request_.print, scene.film.width_px, scene.film.height_px)) {

@@ -26,6 +26,9 @@ struct StillRequest {
     int bit_depth = 8;  // of a component
     VectorChoices vectors{};
     StillTime when = StillTime::of_scene;
+    // The picture is this frame of the film, with the film's histories and places of names; time_s
+    // must be empty.
+    std::optional<std::int64_t> frame{};
     std::vector<std::optional<Camera>> views{};  // as in StageOptions
 };
 
@@ -60,6 +63,7 @@ class StillJob {
     std::string title() const { return title_of(session_.scene); }
 
  private:
+    void add_moment(Record& record) const;
     void draw_vectors(OutputPlace place, LazyRenderer& renderer, const ProgressSink& progress);
 
     Session session_;

@@ -188,7 +188,12 @@ void check_frames(const Record& record, const std::string& name) {
             record.run->first == record.frames->first && record.frames->second < record.run->second;
     if (right && record.frames && record.frame)
         right = record.frames->first <= *record.frame && *record.frame <= record.frames->second;
-    if (!right || ((record.run || record.frame) && !record.frames))
+    if (right && record.film_frames) {
+        const std::int64_t last = record.frames ? record.frames->second : record.frame.value_or(-1);
+        right = 0 <= last && last < *record.film_frames && *record.film_frames < most;
+    }
+    const bool frame_is_alone = record.frame && !record.frames && !record.film_frames;
+    if (!right || (record.run && !record.frames) || frame_is_alone)
         refuse(name, "has impossible frame numbers");
 }
 

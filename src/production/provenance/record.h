@@ -38,6 +38,10 @@ struct Record {
     // whose packets it contains.
     std::optional<std::pair<std::int64_t, std::int64_t>> run;
     std::optional<std::int64_t> frame;  // of a picture of a sequence; `frames` are the sequence's
+    // Of what a slide shows: the number of frames of the whole film, whose histories it shows. A
+    // still has the number of its frame in `frame`; a film begins and ends with frames that are
+    // encoded alone.
+    std::optional<std::int64_t> film_frames;
     std::string pixels;                 // of a picture, hash; see image/pixels_xxh64.h
     std::string packets;                // of a film, hash; see output/film_packets.h
     std::string page;                   // of vectors, hash; see production/vectors/vector_still.h

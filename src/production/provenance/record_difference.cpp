@@ -109,7 +109,7 @@ struct NamedField {
     std::string_view key, name;
     std::string_view absent = "none";
 };
-constexpr std::array<NamedField, 19> named_fields{{{"time_s", "time in s"},
+constexpr std::array<NamedField, 20> named_fields{{{"time_s", "time in s"},
                                                    {"size", "size"},
                                                    {"depth", "bits per component", "8"},
                                                    {"dpi", "dpi"},
@@ -119,6 +119,7 @@ constexpr std::array<NamedField, 19> named_fields{{{"time_s", "time in s"},
                                                    {"type-as", "text"},
                                                    {"frames", "frames"},
                                                    {"frame", "frame"},
+                                                   {"film-frames", "frames of the whole film"},
                                                    {"run", "frames of the interrupted run"},
                                                    {"sheet", "contact sheet"},
                                                    {"method", "method"},

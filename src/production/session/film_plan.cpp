@@ -13,6 +13,17 @@ FilmTime FilmPlan::moment_of(std::int64_t frame) const {
     return {clock.time_at(film_s), film_s};
 }
 
+std::int64_t FilmPlan::frame_at(double film_s) const {
+    constexpr double rounding = 1e-9;
+    std::int64_t before = -1;
+    std::int64_t after = n_frames;
+    while (after - before > 1) {
+        const std::int64_t middle = before + (after - before) / 2;
+        (moment_of(middle).film_s < film_s - rounding ? before : after) = middle;
+    }
+    return after;
+}
+
 FilmPlan film_plan(const ResolvedScene& resolved) {
     const Scene& scene = resolved.scene;
     FilmPlan plan{.rate = {scene.film.fps_numerator, scene.film.fps_denominator},

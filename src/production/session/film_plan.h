@@ -22,6 +22,8 @@ struct FilmPlan {
 
     FilmTime moment_of(std::int64_t frame) const;
     double time_of(std::int64_t frame) const { return moment_of(frame).time_s; }
+    // The first frame at or after a second of the film; n_frames if there is none.
+    std::int64_t frame_at(double film_s) const;
     double last_time_s() const { return n_frames > 0 ? time_of(n_frames - 1) : start_s; }
 };
 

@@ -14,6 +14,10 @@
 
 namespace poinsot {
 
+PictureSpan whole_film(const FilmPlan& film) {
+    return {.first_time_s = film.time_of(0), .last_time_s = film.last_time_s()};
+}
+
 PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {
     // Returned as a pointer: g++ 14 warns that a reference may dangle.
     const PictureQuality& quality = *at_scene_key(

@@ -20,6 +20,9 @@ struct PictureSpan {
     std::optional<double> first_shown_s{};  // no picture is earlier; else the first
 };
 
+// That of the pictures of a whole film.
+PictureSpan whole_film(const FilmPlan& film);
+
 // Settings of a picture's quality; --quality selects some of these.
 struct PictureSetting {
     double curve_tolerance = 1.0;                // in units of the scene's accuracy_px

@@ -15,18 +15,6 @@ namespace poinsot {
 
 namespace {
 
-// The first frame at or after this second of the film.
-std::int64_t frame_at(const FilmPlan& film, double film_s) {
-    constexpr double rounding = 1e-9;
-    std::int64_t before = -1;
-    std::int64_t after = film.n_frames;
-    while (after - before > 1) {
-        const std::int64_t middle = before + (after - before) / 2;
-        (film.moment_of(middle).film_s < film_s - rounding ? before : after) = middle;
-    }
-    return after;
-}
-
 // The first lines of the file, which identify it as the film's.
 std::string chapters_head(const std::filesystem::path& film) {
     return fmt::format("{{\n  \"film\": {},\n", json_string(film.filename().string()));
@@ -39,9 +27,9 @@ std::vector<FilmChapter> chapters_of(const Scene& scene, const FilmPlan& film, s
     std::vector<FilmChapter> chapters;
     for (std::size_t i = 0; i < scene.chapters.size(); ++i) {
         const bool is_last = i + 1 == scene.chapters.size();
-        const std::int64_t begin = frame_at(film, scene.chapters[i].at_s);
+        const std::int64_t begin = film.frame_at(scene.chapters[i].at_s);
         const std::int64_t end =
-            is_last ? film.n_frames : frame_at(film, scene.chapters[i + 1].at_s);
+            is_last ? film.n_frames : film.frame_at(scene.chapters[i + 1].at_s);
         FilmChapter chapter;
         chapter.title = scene.chapters[i].title;
         chapter.first_frame = std::clamp(begin, first, last + 1) - first;

@@ -1,0 +1,234 @@
+// A deck of slides: its seams to the pixel, its files, and what happens to folders that hold
+// others.
+#include "production/slides/slide_deck.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "error/error.h"
+#include "image/files/png_files.h"
+#include "image/pixels_sha256.h"
+#include "output/video_reader.h"
+#include "production/jobs/film_job.h"
+#include "production/jobs/redraw.h"
+#include "production/provenance/record.h"
+#include "production/provenance/verify.h"
+#include "system/faults.h"
+#include "system/files/file_contents.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+
+// Chunks of 120 frames: the second slide has several.
+const std::string deck_scene = R"(title = "Deck"
+[body]
+moments_kg_m2 = [1.0, 2.0, 2.9]
+[start]
+omega_rad_s = [1.5, 0.3, 0.75]
+[film]
+size = [96, 54]
+fps = 60
+length_s = 4.0
+[[stops]]
+at_s = 0.5
+title = "One"
+note = "Ask \"why\"."
+[[stops]]
+at_s = 3.5
+loop_s = 0.5
+[[captions]]
+at_s = 1.0
+text = "It rolls."
+)";
+
+class SlideDeck : public ::testing::Test {
+ protected:
+    SlideDeck() { write_scene(deck_scene); }
+
+    void write_scene(const std::string& text) const {
+        std::ofstream(folder_ / "a.toml", std::ios::binary) << text;
+    }
+    SceneRequest scene(const std::string& name = "a.toml") const {
+        SceneRequest request;
+        request.file = (folder_ / name).string();
+        return request;
+    }
+
+    void write(const std::string& name) const {
+        const Session session = open_session(scene());
+        write_deck(session, {scene(), folder_ / name, 1}, *renderer_, {});
+    }
+
+    std::string refusal(const std::string& name) const {
+        try {
+            write(name);
+        } catch (const InputError& error) {
+            return error.what();
+        }
+        return "";
+    }
+
+    // All files of a folder, hidden ones included.
+    std::set<std::string> files_of(const fs::path& folder) const {
+        std::set<std::string> names;
+        for (const auto& entry : fs::directory_iterator(folder))
+            names.insert(entry.path().filename().string());
+        return names;
+    }
+
+    TemporaryFolder folder_;
+    std::unique_ptr<LazyRenderer> renderer_ = std::make_unique<LazyRenderer>();
+};
+
+std::string frame_hash(VideoReader& film, std::int64_t k) { return pixels_sha256(film.frame(k)); }
+
+const std::set<std::string> deck_files{"01.mp4", "01.png", "01.pdf", "02.mp4",      "02-loop.mp4",
+                                       "02.png", "02.pdf", "02.vtt", "02-loop.vtt", "03.mp4",
+                                       "03.png", "03.pdf", "03.vtt", "slides.json"};
+
+TEST_F(SlideDeck, FilmsMeetToThePixel) {
+    write("deck");
+    EXPECT_EQ(files_of(folder_ / "deck"), deck_files);
+    VideoReader one(folder_ / "deck/01.mp4"), two(folder_ / "deck/02.mp4"),
+        loop(folder_ / "deck/02-loop.mp4"), three(folder_ / "deck/03.mp4");
+    EXPECT_EQ(one.info().n_frames, 31);
+    EXPECT_EQ(two.info().n_frames, 181);
+    EXPECT_EQ(loop.info().n_frames, 30);
+    EXPECT_EQ(three.info().n_frames, 30);
+    EXPECT_NEAR(two.info().duration_s, 181.0 / 60.0, 1e-3);
+    EXPECT_EQ(frame_hash(one, 30), frame_hash(two, 0));
+    EXPECT_EQ(frame_hash(two, 180), frame_hash(loop, 29));
+    EXPECT_EQ(frame_hash(two, 180), frame_hash(three, 0));
+    EXPECT_NE(frame_hash(two, 179), frame_hash(two, 180));
+    EXPECT_EQ(two.info().codec, "h264");
+    EXPECT_EQ(two.info().pixel_format, "yuv420p");
+}
+
+// The stills are the frames at which the films stop.
+TEST_F(SlideDeck, StillsAreFramesOfTheWholeFilm) {
+    write("deck");
+    const Session session = open_session(scene());
+    FilmJob(session, {(folder_ / "f_####.png").string(), {}}).make(*renderer_, {});
+    EXPECT_EQ(pixels_sha256(read_png(folder_ / "deck/01.png")),
+              pixels_sha256(read_png(folder_ / "f_0030.png")));
+    EXPECT_EQ(pixels_sha256(read_png(folder_ / "deck/02.png")),
+              pixels_sha256(read_png(folder_ / "f_0210.png")));
+    EXPECT_EQ(pixels_sha256(read_png(folder_ / "deck/03.png")),
+              pixels_sha256(read_png(folder_ / "f_0239.png")));
+}
+
+TEST_F(SlideDeck, FilesAreDrawnAgainFromTheirRecords) {
+    write("deck");
+    for (const std::string name : {"02.mp4", "02-loop.mp4", "01.png", "01.pdf"}) {
+        const fs::path file = folder_ / "deck" / name, again = folder_ / ("again-" + name);
+        EXPECT_EQ(verify(file, read_record(file)).verified, Verified::yes) << name;
+        RedrawRequest request;
+        request.file = file;
+        request.output = again;
+        redraw(request, {});
+        EXPECT_EQ(read_bytes(again), read_bytes(file)) << name;
+    }
+}
+
+TEST_F(SlideDeck, ThePlanNamesTimesTitlesNotesAndFiles) {
+    write("deck");
+    const std::string plan = read_text(folder_ / "deck/slides.json");
+    for (
+        const std::string part :
+        {R"("slides_of": "a")", R"("title": "Deck")", R"("frames_per_second": "60/1")",
+         R"("size": [96, 54])",
+         R"({"number": 1, "is_stop": true, "title": "One", "note": "Ask \"why\".", "film": "01.mp4", "loop": null, "captions": null, "loop_captions": null, "png": "01.png", "pdf": "01.pdf", "begin_s": 0, "end_s": 0.5, "loop_s": 0, "motion_time_s": 0.5, "first_frame": 0, "last_frame": 30})",
+         R"("loop": "02-loop.mp4", "captions": "02.vtt", "loop_captions": "02-loop.vtt")",
+         R"("number": 3, "is_stop": false)"})
+        EXPECT_NE(plan.find(part), std::string::npos) << part << "\n" << plan;
+}
+
+TEST_F(SlideDeck, ReplacesItsOwnDeckAndLeavesNoOldFile) {
+    write("deck");
+    std::string shorter = deck_scene;
+    shorter.erase(shorter.find("[[stops]]\nat_s = 3.5"),
+                  std::string("[[stops]]\nat_s = 3.5\nloop_s = 0.5\n").size());
+    write_scene(shorter);
+    write("deck/");
+    EXPECT_EQ(files_of(folder_ / "deck"),
+              (std::set<std::string>{"01.mp4", "01.png", "01.pdf", "02.mp4", "02.png", "02.pdf",
+                                     "02.vtt", "slides.json"}));
+    EXPECT_EQ(files_of(folder_.path()), (std::set<std::string>{"a.toml", "deck"}));
+}
+
+TEST_F(SlideDeck, RefusesAFolderThatHoldsOtherThings) {
+    fs::create_directory(folder_ / "mine");
+    std::ofstream(folder_ / "mine/01.png") << "mine";
+    EXPECT_NE(refusal("mine").find("mine: holds other files, such as 01.png; name a new or an "
+                                   "empty folder"),
+              std::string::npos);
+    EXPECT_EQ(read_text(folder_ / "mine/01.png"), "mine");
+    EXPECT_NE(refusal("a.toml").find("exists and is not a folder"), std::string::npos);
+    EXPECT_EQ(files_of(folder_.path()), (std::set<std::string>{"a.toml", "mine"}));
+
+    fs::create_directory(folder_ / "empty");
+    write("empty");
+    EXPECT_EQ(files_of(folder_ / "empty"), deck_files);
+    std::ofstream(folder_ / "empty/notes.txt") << "mine";
+    EXPECT_NE(refusal("empty").find("such as notes.txt"), std::string::npos);
+    fs::remove(folder_ / "empty/notes.txt");
+    fs::rename(folder_ / "a.toml", folder_ / "b.toml");
+    const SceneRequest other = scene("b.toml");
+    EXPECT_THROW(write_deck(open_session(other), {other, folder_ / "empty", 1}, *renderer_, {}),
+                 InputError);
+    EXPECT_EQ(files_of(folder_ / "empty"), deck_files);
+}
+
+// An interrupted run leaves the films that are complete in the hidden folder.
+TEST_F(SlideDeck, ContinuesAnInterruptedRun) {
+    write("deck");
+    fs::rename(folder_ / "deck", folder_ / ".deck.part");
+    fs::remove(folder_ / ".deck.part/03.mp4");
+    fs::remove(folder_ / ".deck.part/03.png");
+    const auto written = fs::last_write_time(folder_ / ".deck.part/01.mp4");
+    write("deck");
+    EXPECT_EQ(files_of(folder_ / "deck"), deck_files);
+    EXPECT_EQ(fs::last_write_time(folder_ / "deck/01.mp4"), written);
+
+    // The films of another plan are drawn anew.
+    fs::rename(folder_ / "deck", folder_ / ".deck.part");
+    std::ofstream(folder_ / ".deck.part/slides.json") << "{}";
+    write("deck");
+    EXPECT_EQ(files_of(folder_ / "deck"), deck_files);
+    EXPECT_NE(fs::last_write_time(folder_ / "deck/01.mp4"), written);
+    EXPECT_EQ(files_of(folder_.path()), (std::set<std::string>{"a.toml", "deck"}));
+}
+
+TEST_F(SlideDeck, ReportsALoopThatJumps) {
+    std::vector<std::string> said;
+    ProgressSink progress;
+    progress.say = [&said](const std::string& line) { said.push_back(line); };
+    const auto has_jump = [&](const std::string& loop) {
+        said.clear();
+        // It turns once in 2 s.
+        write_scene(
+            "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.5]\n[start]\nomega_rad_s = [0.0, 0.0, "
+            "3.141592653589793]\n[film]\nsize = [192, 108]\nlength_s = "
+            "4.0\n[[stops]]\nat_s = 3.5\nloop_s = " +
+            loop + "\n");
+        const Session session = open_session(scene());
+        write_deck(session, {scene(), folder_ / "deck", 1}, *renderer_, progress);
+        return std::any_of(said.begin(), said.end(), [](const std::string& line) {
+            return line.find("stops[0].loop_s: the tip of an arrow jumps") != std::string::npos;
+        });
+    };
+    EXPECT_TRUE(has_jump("1.0"));
+    EXPECT_FALSE(has_jump("2.0"));
+}
+
+}  // namespace
+}  // namespace poinsot
