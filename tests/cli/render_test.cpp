@@ -222,8 +222,8 @@ TEST_F(RenderMessages, AGifCanBeWrittenToAPipe) {
 TEST_F(RenderMessages, AnUnsupportedSuffixGetsTheNearestAlternative) {
     refuses("render scene.toml --size 20000x100 -o a.mp4", 2,
             {"film.size is 20000x100", "at most 16384 pixels per side"});
-    refuses("render scene.toml -o a.mov", 2, {"\".mov\"", "write .mp4", "ffmpeg -i film.mp4"});
     refuses("render scene.toml -o a.mpg4", 2, {"did you mean \".mp4\"?"});
+    refuses("render scene.toml -o a.mkv", 2, {"\".mkv\"", "write .mp4", "ffmpeg -i film.mp4"});
     refuses("render scene.toml -o a.avi", 2, {"write .mp4"});
     refuses("render scene.toml -o a.jpg", 2, {"write .png"});
     refuses("render scene.toml -o a.xyzzy", 2, {"the formats are .mp4, .webm, .mov, .gif"});
