@@ -42,12 +42,12 @@ struct Record {
     // still has the number of its frame in `frame`; a film begins and ends with frames that are
     // encoded alone.
     std::optional<std::int64_t> film_frames;
-    std::string pixels;                 // of a picture, hash; see image/pixels_xxh64.h
-    std::string packets;                // of a film, hash; see output/film_packets.h
-    std::string page;                   // of vectors, hash; see production/vectors/vector_still.h
-    std::string shading;                // likewise: style of surfaces
-    std::string lettering;              // likewise: representation of text; empty: fonts
-    std::string journal;                // of a still for print: whose limits it follows
+    std::string pixels;     // of a picture, hash; see image/pixels_xxh64.h
+    std::string packets;    // of a film, hash; see output/film_packets.h
+    std::string page;       // of vectors, hash; see production/vectors/vector_still.h
+    std::string shading;    // likewise: style of surfaces
+    std::string lettering;  // likewise: representation of text; empty: fonts
+    std::string journal;    // of a still for print: whose limits it follows
     std::string
         sheet;  // of a contact sheet: "2x1: fps = 30; fps = 60"; other fields are the first cell's
     bool sealed = false;     // it was read and its hash is correct
