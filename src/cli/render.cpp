@@ -140,8 +140,9 @@ CommandLine render_line(std::any& storage) {
         &c.scenes,
         {output_option(c.output, "output file; default output/SCENE.mp4"),
          {"--slides",
-          "FOLDER: a film, a PNG and a PDF for each stop of the scene, or without stops for each "
-          "chapter, with slides.json, in this folder",
+          "FOLDER: write a film, a PNG and a PDF for each stop (without stops: for each chapter) "
+          "and "
+          "slides.json into this folder",
           ReadText{[&c](const std::string& text) { c.slides = parse_text("--slides", text); }},
           "",
           {},

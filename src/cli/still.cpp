@@ -195,9 +195,7 @@ void check_chapters(const StillChoices& choices) {
     for (const auto& [is_given, option] : options)
         if (is_given)
             throw InputError(fmt::format(
-                "--chapters draws a picture at each stop or chapter, which {0} does not; leave one "
-                "of them out",
-                option));
+                "--chapters and {} cannot be used together; leave one of them out", option));
 }
 
 // Each scene is read and prepared while the previous one is drawn.
@@ -305,7 +303,7 @@ CommandLine still_line(std::any& storage) {
           ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
          {"--chapters",
           "draw a picture at each stop of the scene, or without stops at the end of each chapter; "
-          "#### in the output becomes its number, from 1",
+          "#### in the output becomes the picture's number, from 1",
           &c.chapters},
          quality_option(c.scene),
          theme_option(c.scene),

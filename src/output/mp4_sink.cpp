@@ -33,8 +33,8 @@ using Bytes = std::vector<std::uint8_t>;
 // x264's output depends on the number of threads, so this number must not depend on the machine.
 constexpr int usual_threads = 3;
 
-// `alone`: for a frame of a chunk of its own. mbtree lowers the quality of what no later frame
-// refers to, as of such a frame; a viewer looks at it longest.
+// `alone`: for a frame in a chunk of its own. mbtree would lower the quality of a frame that no
+// later frame refers to. The film stops at this frame, so its quality matters most.
 EncoderSettings x264_settings(const OutputPlan& plan, bool alone = false) {
     const X264Effort& effort = quality_named(plan.quality).x264;
     EncoderSettings settings;

@@ -158,7 +158,10 @@ TEST_F(SlideDeck, ReplacesItsOwnDeckAndLeavesNoOldFile) {
     shorter.erase(shorter.find("[[stops]]\nat_s = 3.5"),
                   std::string("[[stops]]\nat_s = 3.5\nloop_s = 0.5\n").size());
     write_scene(shorter);
-    write("deck/");
+    // A folder that only looks like ours stays.
+    fs::create_directory(folder_ / ".deck.old");
+    write("deck/.");
+    EXPECT_TRUE(fs::remove(folder_ / ".deck.old"));
     EXPECT_EQ(files_of(folder_ / "deck"),
               (std::set<std::string>{"01.mp4", "01.png", "01.pdf", "02.mp4", "02.png", "02.pdf",
                                      "02.vtt", "slides.json"}));
@@ -181,6 +184,15 @@ TEST_F(SlideDeck, RefusesAFolderThatHoldsOtherThings) {
     std::ofstream(folder_ / "empty/notes.txt") << "mine";
     EXPECT_NE(refusal("empty").find("such as notes.txt"), std::string::npos);
     fs::remove(folder_ / "empty/notes.txt");
+    // Names that stand in slides.json, and folders with names of files.
+    std::ofstream(folder_ / "empty/note") << "mine";
+    EXPECT_NE(refusal("empty").find("such as note;"), std::string::npos);
+    fs::remove(folder_ / "empty/note");
+    for (const std::string name : {"pdf", "04.pdf"}) {
+        fs::create_directory(folder_ / "empty" / name);
+        EXPECT_NE(refusal("empty").find("such as " + name), std::string::npos);
+        fs::remove(folder_ / "empty" / name);
+    }
     fs::rename(folder_ / "a.toml", folder_ / "b.toml");
     const SceneRequest other = scene("b.toml");
     EXPECT_THROW(write_deck(open_session(other), {other, folder_ / "empty", 1}, *renderer_, {}),
@@ -194,6 +206,8 @@ TEST_F(SlideDeck, ContinuesAnInterruptedRun) {
     fs::rename(folder_ / "deck", folder_ / ".deck.part");
     fs::remove(folder_ / ".deck.part/03.mp4");
     fs::remove(folder_ / ".deck.part/03.png");
+    fs::remove(folder_ / ".deck.part/02.vtt");
+    std::ofstream(folder_ / ".deck.part/.01.mp4.part.frames") << "rest";
     const auto written = fs::last_write_time(folder_ / ".deck.part/01.mp4");
     write("deck");
     EXPECT_EQ(files_of(folder_ / "deck"), deck_files);

@@ -207,8 +207,8 @@ void FilmJob::write_beside(OutputPlan plan, const ProgressSink& progress) const 
     if (format.name == "png-sequence") note_others(plan, progress);
 }
 
-void FilmJob::end_sequence(const std::filesystem::path& pattern,
-                           const ProgressSink& progress) const {
+void FilmJob::write_sidecars(const std::filesystem::path& pattern,
+                             const ProgressSink& progress) const {
     write_beside(output_plan(pattern), progress);
 }
 

@@ -22,8 +22,9 @@ struct FilmRequest {
     std::int64_t n_shown = 0;
     // Part K of N of those frames, both from 1; empty: all of them.
     std::optional<std::pair<std::int64_t, std::int64_t>> part{};
-    // The frames are pictures of the whole film, and the first and the last are encoded alone:
-    // films that share such a frame decode to the same pixels there.
+    // The film is one slide: its frames are drawn as frames of the whole film, and the first and
+    // last are encoded independently of the others, so that films that share such a frame decode to
+    // the same pixels there.
     bool is_slide = false;
 };
 
@@ -41,8 +42,9 @@ class FilmJob {
     // and EnvironmentError.
     void make(LazyRenderer& renderer, const ProgressSink& progress) const;
 
-    // Writes the chapters of a sequence whose pictures exist. Throws EnvironmentError.
-    void end_sequence(const std::filesystem::path& pattern, const ProgressSink& progress) const;
+    // Writes the chapters and captions beside a film or sequence that exists. Throws
+    // EnvironmentError.
+    void write_sidecars(const std::filesystem::path& pattern, const ProgressSink& progress) const;
 
  private:
     OutputPlan output_plan(const std::filesystem::path& path) const;

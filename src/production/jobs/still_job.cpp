@@ -59,7 +59,13 @@ StillRequest accepted(StillRequest request, const Scene& scene) {
 }
 
 FilmTime moment_for(const Session& session, const StillRequest& request) {
-    if (request.frame) return film_plan(session).moment_of(*request.frame);
+    if (request.frame) {
+        const FilmPlan film = film_plan(session);
+        if (*request.frame < 0 || *request.frame >= film.n_frames)
+            throw InputError(fmt::format("frame {}: the film has frames 0-{}; choose one of these",
+                                         *request.frame, film.n_frames - 1));
+        return film.moment_of(*request.frame);
+    }
     return still_moment(session, request.time_s, request.when);
 }
 

@@ -198,7 +198,7 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
         const AtomicFile held(path, aside_path_of(path));
         const std::vector<std::string> outputs(static_cast<std::size_t>(n_parts), path.string());
         draw_parts(session, request, n_parts, renderer.choice(), outputs, progress);
-        film.end_sequence(path, progress);
+        film.write_sidecars(path, progress);
     } else {
         PartsAside aside(path, n_parts);
         std::vector<std::string> parts;

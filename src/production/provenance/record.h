@@ -38,9 +38,9 @@ struct Record {
     // whose packets it contains.
     std::optional<std::pair<std::int64_t, std::int64_t>> run;
     std::optional<std::int64_t> frame;  // of a picture of a sequence; `frames` are the sequence's
-    // Of what a slide shows: the number of frames of the whole film, whose histories it shows. A
-    // still has the number of its frame in `frame`; a film begins and ends with frames that are
-    // encoded alone.
+    // Of slides: the number of frames of the whole film; curves and traces extend over it. `frame`
+    // is the number of a still's frame. The first and last frames of a slide's film are encoded
+    // independently of the others.
     std::optional<std::int64_t> film_frames;
     std::string pixels;     // of a picture, hash; see image/pixels_xxh64.h
     std::string packets;    // of a film, hash; see output/film_packets.h

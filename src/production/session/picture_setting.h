@@ -20,7 +20,7 @@ struct PictureSpan {
     std::optional<double> first_shown_s{};  // no picture is earlier; else the first
 };
 
-// That of the pictures of a whole film.
+// The span of a whole film.
 PictureSpan whole_film(const FilmPlan& film);
 
 // Settings of a picture's quality; --quality selects some of these.

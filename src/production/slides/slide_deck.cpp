@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <system_error>
 #include <utility>
@@ -41,28 +42,53 @@ std::string plan_head(const Scene& scene) {
     return fmt::format("{{\n  \"slides_of\": {},\n", json_string(scene.name));
 }
 
-std::string row_of(const Session& session, const FilmPlan& film, const Slide& slide,
-                   std::size_t index) {
-    const auto or_null = [](bool is_there, const std::string& name) {
-        return is_there ? json_string(name) : "null";
+// The names of a slide's files; an empty name stands for a file that it does not have.
+struct SlideFiles {
+    std::string film, loop, captions, loop_captions, png, pdf;
+
+    std::vector<std::string> all() const {
+        std::vector<std::string> names;
+        for (const std::string& name : {film, loop, captions, loop_captions, png, pdf})
+            if (!name.empty()) names.push_back(name);
+        return names;
+    }
+};
+
+SlideFiles files_of(const Session& session, const FilmPlan& film, const Slide& slide,
+                    std::size_t index) {
+    const auto name_if = [index](bool is_there, std::string_view suffix) {
+        return is_there ? file_of(index, suffix) : std::string();
     };
-    const double loop_s = static_cast<double>(slide.n_loop_frames) / film.rate.per_second();
     const auto has_captions = [&](std::int64_t first) {
         return !subtitles_of(session, film, first, slide.last_frame).empty();
     };
     const bool loops = slide.n_loop_frames > 0;
+    return {.film = file_of(index, ".mp4"),
+            .loop = name_if(loops, "-loop.mp4"),
+            .captions = name_if(has_captions(slide.first_frame), ".vtt"),
+            .loop_captions = name_if(loops && has_captions(slide.first_loop_frame()), "-loop.vtt"),
+            .png = file_of(index, ".png"),
+            .pdf = file_of(index, ".pdf")};
+}
+
+std::string row_of(const Session& session, const FilmPlan& film, const Slide& slide,
+                   std::size_t index) {
+    const auto or_null = [](const std::string& name) {
+        return name.empty() ? "null" : json_string(name);
+    };
+    const double loop_s = static_cast<double>(slide.n_loop_frames) / film.rate.per_second();
+    const SlideFiles files = files_of(session, film, slide, index);
     return JsonObject()
         .add("number", index + 1)
         .add("is_stop", slide.is_stop)
         .add("title", slide.title)
         .add("note", slide.note)
-        .add("film", file_of(index, ".mp4"))
-        .json("loop", or_null(loops, file_of(index, "-loop.mp4")))
-        .json("captions", or_null(has_captions(slide.first_frame), file_of(index, ".vtt")))
-        .json("loop_captions",
-              or_null(loops && has_captions(slide.first_loop_frame()), file_of(index, "-loop.vtt")))
-        .add("png", file_of(index, ".png"))
-        .add("pdf", file_of(index, ".pdf"))
+        .add("film", files.film)
+        .json("loop", or_null(files.loop))
+        .json("captions", or_null(files.captions))
+        .json("loop_captions", or_null(files.loop_captions))
+        .add("png", files.png)
+        .add("pdf", files.pdf)
         .add("begin_s", film.moment_of(slide.first_frame).film_s)
         .add("end_s", film.moment_of(slide.last_frame).film_s)
         .add("loop_s", loop_s)
@@ -73,7 +99,7 @@ std::string row_of(const Session& session, const FilmPlan& film, const Slide& sl
 }
 
 // The text of slides.json. It changes with everything that the films depend on, except for the
-// machine.
+// machine and the renderer.
 std::string plan_of(const Session& session, const FilmPlan& film, const std::vector<Slide>& slides,
                     bool is_portable) {
     const Scene& scene = session.scene;
@@ -96,6 +122,22 @@ std::string plan_of(const Session& session, const FilmPlan& film, const std::vec
     return plan_head(scene) + text.substr(std::string_view("{\n").size());
 }
 
+// Whether a file of a deck can have this name, as "01.mp4", "02-loop.vtt" or "slides.json".
+bool is_deck_name(std::string_view name) {
+    if (name == plan_name) return true;
+    const std::size_t n_digits = std::min(name.find_first_not_of("0123456789"), name.size());
+    if (n_digits < 2) return false;
+    name.remove_prefix(n_digits);
+    constexpr std::string_view loop = "-loop";
+    if (name.starts_with(loop)) name.remove_prefix(loop.size());
+    return name == ".mp4" || name == ".vtt" || name == ".png" || name == ".pdf";
+}
+
+bool is_deck_file(const fs::directory_entry& entry) {
+    return fs::is_regular_file(entry.symlink_status()) &&
+           is_deck_name(entry.path().filename().string());
+}
+
 // Throws InputError for a folder that holds other files than a deck of the scene.
 void check_folder(const fs::path& folder, const Scene& scene) {
     const std::string name = printable(folder.string());
@@ -106,43 +148,40 @@ void check_folder(const fs::path& folder, const Scene& scene) {
     std::error_code error;
     if (fs::equivalent(folder, fs::current_path(error), error))
         throw InputError(fmt::format(
-            "{}: is the current folder, and the slides get a folder of their own; name a new one",
+            "{}: is the current folder; slides need a folder of their own, so name a new one",
             name));
     const fs::path plan = folder / plan_name;
     const std::string text = kind_of_file(plan) == FileKind::regular ? read_text(plan) : "";
-    if (text.starts_with("{\n  \"slides_of\": ") && !text.starts_with(plan_head(scene)))
+    const bool is_own = text.starts_with(plan_head(scene));
+    if (text.starts_with("{\n  \"slides_of\": ") && !is_own)
         throw InputError(fmt::format(
-            "{}: holds the slides of another scene; name another folder, or remove it", name));
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
-        const std::string file = entry.path().filename().string();
-        const bool is_of_deck =
-            text.starts_with(plan_head(scene)) &&
-            (file == plan_name || text.find(json_string(file)) != std::string::npos);
-        if (!is_of_deck)
+            "{}: holds the slides of another scene; name another folder, or remove this one",
+            name));
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
+        if (!is_own || !is_deck_file(entry))
             throw InputError(
                 fmt::format("{}: holds other files, such as {}; name a new or an empty folder",
-                            name, printable(file)));
-    }
+                            name, printable(entry.path().filename().string())));
 }
 
-// The hidden folder in which a deck is made. It is removed unless it holds frames from which
-// another run can continue.
+// The hidden folder in which a deck is made, with a lock beside it. It is removed unless it holds
+// frames from which another run can continue.
 class DeckAside {
  public:
     DeckAside(const fs::path& folder, const std::string& plan)
-        : folder_(folder), aside_(aside_path_of(folder)) {
-        make();
-        lock_.emplace(aside_ / plan_name, aside_ / "held");
+        : folder_(folder),
+          aside_(made(folder)),
+          lock_(aside_path_of(folder, ".held"), aside_path_of(folder, ".held")) {
+        // Another run may have renamed it before it gave up the lock.
+        made(folder);
         const fs::path file = aside_ / plan_name;
-        const bool goes_on = kind_of_file(file) == FileKind::regular && read_text(file) == plan;
-        if (goes_on) return;
-        for (const fs::path& other : others()) fs::remove_all(other);
+        if (kind_of_file(file) == FileKind::regular && read_text(file) == plan) return;
+        for (const fs::path& other : contents()) fs::remove_all(other);
         write_whole(file, plan);
     }
     ~DeckAside() {
-        lock_.reset();
+        const std::vector<fs::path> left = contents();
         std::error_code ignored;
-        const std::vector<fs::path> left = others();
         if (left.empty() || left == std::vector{aside_ / plan_name})
             fs::remove_all(aside_, ignored);
     }
@@ -151,38 +190,48 @@ class DeckAside {
 
     fs::path file(const std::string& name) const { return aside_ / name; }
 
-    // Gives the deck its name; an earlier deck of this name is removed.
-    void commit() {
-        lock_.reset();
-        std::error_code error;
-        const fs::path old = aside_path_of(folder_, ".old");
-        fs::remove_all(old, error);
-        if (kind_of_file(folder_) == FileKind::folder) fs::rename(folder_, old, error);
-        if (!error) fs::rename(aside_, folder_, error);
-        if (error) throw_write_error(folder_, error.value());
-        fs::remove_all(old, error);
+    // Gives these files, the plan among them, to the folder. In an earlier deck each replaces the
+    // file of its name, the plan last; files that only the earlier deck has are removed.
+    void commit(const std::set<std::string>& files) const {
+        for (const fs::path& other : contents())
+            if (!files.contains(other.filename().string())) fs::remove_all(other);
+        if (kind_of_file(folder_) == FileKind::missing) return move(aside_, folder_);
+        for (const std::string& name : files)
+            if (name != plan_name) move(aside_ / name, folder_ / name);
+        move(aside_ / plan_name, folder_ / plan_name);
+        std::vector<fs::path> old;
+        for (const fs::directory_entry& entry : fs::directory_iterator(folder_))
+            if (is_deck_file(entry) && !files.contains(entry.path().filename().string()))
+                old.push_back(entry.path());
+        for (const fs::path& file : old) fs::remove(file);
     }
 
  private:
-    void make() const {
+    static fs::path made(const fs::path& folder) {
+        fs::path aside = aside_path_of(folder);
         std::error_code error;
-        fs::create_directory(aside_, error);
-        if (error) throw_write_error(folder_, error.value());
+        fs::create_directory(aside, error);
+        if (error) throw_write_error(folder, error.value());
+        return aside;
     }
 
-    // All but the lock.
-    std::vector<fs::path> others() const {
+    static void move(const fs::path& from, const fs::path& to) {
+        std::error_code error;
+        fs::rename(from, to, error);
+        if (error) throw_write_error(to, error.value());
+    }
+
+    std::vector<fs::path> contents() const {
         std::vector<fs::path> files;
         std::error_code error;
         for (fs::directory_iterator at(aside_, error); !error && at != fs::directory_iterator();
              at.increment(error))
-            if (at->path().filename() != "held" && at->path().filename() != ".held.part")
-                files.push_back(at->path());
+            files.push_back(at->path());
         return files;
     }
 
     fs::path folder_, aside_;
-    std::optional<AtomicFile> lock_;
+    AtomicFile lock_;
 };
 
 // Reports loops that jump where they begin again, as far as arrows show it.
@@ -204,7 +253,7 @@ void note_jumps(const Session& session, const FilmPlan& film, const std::vector<
         if (jump_px > seen_px)
             progress.say(fmt::format(
                 "note: {}stops[{}].loop_s: the tip of an arrow jumps by {:.0f} px where the loop "
-                "begins again; let it last a period of the motion",
+                "begins again; set loop_s to a period of the motion",
                 session.scene.where(fmt::format("stops[{}].loop_s", i)), i, jump_px));
     }
 }
@@ -222,8 +271,8 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     on_paper.print.dpi = session.scene.film.width_px * 25.4 / beamer_width_mm;
     on_paper.print.type_pt = 11.0;
     const Session paper = open_session(on_paper);
-    fs::path folder =
-        request.folder.filename().empty() ? request.folder.parent_path() : request.folder;
+    fs::path folder = request.folder.lexically_normal();
+    if (folder.filename().empty()) folder = folder.parent_path();
     if (fs::is_symlink(folder)) folder = fs::weakly_canonical(folder);
     check_folder(folder, session.scene);
     watch_for_interrupts();
@@ -245,11 +294,14 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     const auto make_film = [&](const std::string& name, std::int64_t first, std::int64_t last) {
         FilmRequest one{aside.file(name).string(), std::pair(first, last)};
         one.is_slide = true;
-        // It was finished by an interrupted run.
-        if (kind_of_file(one.output) != FileKind::regular)
+        if (kind_of_file(one.output) == FileKind::regular) {
+            // An interrupted run has finished this film, perhaps without its captions.
+            FilmJob(session, one).write_sidecars(one.output, films);
+        } else {
             make_in_jobs(session, one, request.n_jobs, renderer, films);
+            has_told_notes = true;
+        }
         n_before += last - first + 1;
-        has_told_notes = true;
     };
     for (std::size_t i = 0; i < slides.size(); ++i) {
         const Slide& slide = slides[i];
@@ -275,7 +327,11 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     }
     writer.finish();
     note_jumps(session, film, slides, progress);
-    aside.commit();
+    std::set<std::string> files{plan_name};
+    for (std::size_t i = 0; i < slides.size(); ++i)
+        for (std::string& name : files_of(session, film, slides[i], i).all())
+            files.insert(std::move(name));
+    aside.commit(files);
     progress.finish(fmt::format("{}, {} slide{}", folder.string(), slides.size(),
                                 slides.size() == 1 ? "" : "s"));
 }

@@ -12,15 +12,17 @@
 namespace poinsot {
 
 struct DeckRequest {
-    SceneRequest scene;            // of the session
-    std::filesystem::path folder;  // missing, empty, or a deck of this scene, which is replaced
-    std::optional<int> n_jobs;     // as for make_in_jobs
+    SceneRequest scene;  // of the session
+    // Missing, empty, or a deck of a scene of this name, whose files are replaced.
+    std::filesystem::path folder;
+    std::optional<int> n_jobs;  // as for make_in_jobs
 };
 
-// Writes 01.mp4, 01-loop.mp4, 01.png, 01.pdf, … and slides.json. They are made in a hidden folder
-// beside, which takes the folder's name when it is complete; an interrupted run leaves it, and the
-// same request continues there. Films that follow each other share a frame, which decodes to the
-// same pixels in both. Throws InputError and EnvironmentError; then the folder is unchanged.
+// Writes 01.mp4, 01-loop.mp4, 01.vtt, 01.png, 01.pdf, … and slides.json. The files are made in a
+// hidden folder next to it, which is renamed when all are complete. An interrupted run leaves the
+// hidden folder, and the same request continues in it. In an existing deck the new files replace
+// the old ones, each at once. Films that follow each other share a frame, which decodes to the same
+// pixels in both. Throws InputError and EnvironmentError.
 void write_deck(const Session& session, const DeckRequest& request, LazyRenderer& renderer,
                 const ProgressSink& progress);
 
