@@ -330,13 +330,14 @@ MeasuredMotion read_measured(std::string_view text, const std::string& name) {
 void add_omega_by_differences(MeasuredMotion& motion) {
     std::vector<MeasuredRow>& rows = motion.rows;
     if (motion.has_omega || rows.size() < 2) return;
-    std::vector<bool> has_gap_before(rows.size() + 1, false);
+    std::vector<bool> has_gap_before(rows.size() + 1, false);  // or the table's end
+    has_gap_before.front() = has_gap_before.back() = true;
     for (const MeasuredGap& gap : gaps_of(rows)) has_gap_before[gap.before + 1] = true;
     for (std::size_t i = 0; i < rows.size(); ++i) {
         // Not across a gap, in which ω changes; but from a single row there is no other way.
         const bool is_alone = has_gap_before[i] && has_gap_before[i + 1];
-        const bool takes_before = i > 0 && (is_alone || !has_gap_before[i]);
-        const bool takes_after = i + 1 < rows.size() && (is_alone || !has_gap_before[i + 1]);
+        const bool takes_before = is_alone ? i > 0 : !has_gap_before[i];
+        const bool takes_after = is_alone ? i + 1 < rows.size() : !has_gap_before[i + 1];
         const MeasuredRow& before = rows[takes_before ? i - 1 : i];
         const MeasuredRow& after = rows[takes_after ? i + 1 : i];
         Eigen::Quaterniond turn = before.space_from_body.conjugate() * after.space_from_body;

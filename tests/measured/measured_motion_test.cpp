@@ -103,6 +103,21 @@ TEST(MeasuredMotion, GetsOmegaOnEachSideOfAGap) {
         EXPECT_LT((row.omega_body - Eigen::Vector3d::UnitZ()).norm(), 1e-12) << row.time_s;
 }
 
+// A single row before the first gap, or after the last one, has a neighbour only across the gap.
+TEST(MeasuredMotion, GetsOmegaOfLoneRowsAcrossTheGap) {
+    MeasuredMotion motion;
+    motion.has_attitude = true;
+    for (const double time_s : {0.0, 5.0, 5.1, 5.2, 5.3, 10.0}) {
+        MeasuredRow row;
+        row.time_s = time_s;
+        row.space_from_body = Eigen::AngleAxisd(0.1 * time_s, Eigen::Vector3d::UnitZ());
+        motion.rows.push_back(row);
+    }
+    add_omega_by_differences(motion);
+    for (const MeasuredRow& row : motion.rows)
+        EXPECT_LT((row.omega_body - 0.1 * Eigen::Vector3d::UnitZ()).norm(), 1e-12) << row.time_s;
+}
+
 TEST(MeasuredReader, TakesPiecesCutAnywhere) {
     const std::string table = "t,wx,wy,wz\n0,1,2,3\n1,4,5,6\n2,7,8,9";
     for (std::size_t cut = 0; cut <= table.size(); ++cut) {
