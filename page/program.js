@@ -412,6 +412,8 @@ class Program {
     if (options.theme) all.push(`theme=${JSON.stringify(options.theme)}`);
     if (options.language) all.push(`language=${JSON.stringify(options.language)}`);
     if (options.shown) all.push(`show=${JSON.stringify(options.shown)}`);
+    // NUL ends an override, so that a value with NUL would set another key.
+    if (all.some((item) => item.includes('\0'))) throw new Error('a value holds the character NUL; leave it out');
     const {width, height, type_scale = 1} = options;
     this.#with([text, name, all.map((item) => `${item}\0`).join('')],
                (...at) => this.#call('load', ...at, width, height, type_scale));
