@@ -46,7 +46,7 @@ class Figure {
     this.film = new Film({length_s: Infinity, frames_per_s: 30, loops: false, stops: [], chapters: []});
     /** @type {SceneData|null} */
     this.data = null;
-    /** Those that the program has accepted. */
+    /** Those of the loaded scene; before the start, those of the address. */
     this.choices = no_choices();
     /** @type {View[]} */
     this.views = [];

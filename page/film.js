@@ -26,7 +26,10 @@ class Film {
   /** Takes another film and stays where it is. @param {FilmPlan} plan */
   change(plan) {
     this.plan = plan;
-    if (this.waiting >= plan.stops.length) this.waiting = -1;
+    if (this.waiting >= plan.stops.length) {
+      this.waiting = -1;
+      this.leaving = false;
+    }
     this.at_s = this.#within(this.at_s);
   }
 

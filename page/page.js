@@ -156,7 +156,7 @@ class Page {
     part('hint').textContent = [this.#drags('omega') && this.words.of('drag_omega'), this.#drags('plane') && this.words.of('drag_plane')]
       .filter(Boolean).join(' ');
     this.#fit();
-    if (this.failure === 'lost') {
+    if (this.failure === 'lost' && !this.figure.is_lost) {
       this.failure = '';
       part('sentence').hidden = true;
     }
@@ -263,11 +263,11 @@ class Page {
     this.#settle();
   }
 
-  /** Reads the scene with changed choices; a refusal is said. @param {Partial<Choices>} changes */
+  /** Reads the scene with changed choices; shows the message if the program refuses. @param {Partial<Choices>} changes */
   #reload(changes) {
     try {
       this.figure.reload(changes);
-      part('sentence').hidden = true;
+      part('sentence').hidden = !this.failure;
     } catch (error) {
       this.#say(error);
       this.#show_elements();

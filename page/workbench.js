@@ -44,6 +44,8 @@ class Workbench {
     this.data = JSON.parse(block('workbench-data'));
     this.words = new Words(navigator.language.slice(0, 2));
     this.timer = 0;
+    /** Choices that the next accepted text gets. @type {Partial<Choices>} */
+    this.changes = {};
     /** Files dropped or of the gallery, as base64. @type {Record<string, string>} */
     this.files = {};
     this.editor = new Editor(JSON.parse(this.data.schema), () => this.#soon());
@@ -134,14 +136,21 @@ class Workbench {
     this.timer = window.setTimeout(() => this.#write(this.page.data.name), write_after_ms);
   }
 
-  /** Gives the text to the program. @param {string} name @param {Partial<Choices>} [changes] */
+  /** Gives the text to the program. @param {string} name @param {Partial<Choices>} [changes] kept until the program accepts a text */
   #write(name, changes = {}) {
     const {page} = this;
+    this.changes = {...this.changes, ...changes};
     const data = {...page.data, name, text: this.editor.text, files: this.files};
     try {
-      if (!page.figure.program) return;
+      if (!page.figure.program) {
+        // The next start shows this text.
+        page.figure.choices = {...page.figure.choices, ...this.changes};
+        page.data = data;
+        return;
+      }
       for (const [file, bytes] of Object.entries(this.files)) page.figure.program.addFile(file, bytes_of_base64(bytes));
-      page.figure.reload(changes, data);
+      page.figure.reload(this.changes, data);
+      this.changes = {};
       page.data = data;
     } catch (error) {
       page.data = {...page.data, name};

@@ -127,13 +127,17 @@ const say = (of, body) => fetch('/' + of, {method: 'POST', body});
 })();
 </script>`;
 
-/** The share of the pixels that may differ by more than one level. Measured: at most 0.1 %, and 0.3 to 0.5 % in the named scenes. */
-const limits = {
-  usual: 0.001,
-  euler_drift: 0.006,  // two ellipsoids whose surfaces nearly coincide
-  point_masses: 0.005,
-  racket_thrown: 0.006,  // strings thinner than a pixel
-  symmetric_prolate: 0.005,  // a name stands elsewhere
+/** The share of the pixels that may differ by more than one level. */
+const limits = {with_mesh: 0.001};
+/** Scenes in which more differs than may, and the share that was measured; they do not fail the test unless it grows. */
+const known_faults = {
+  generic: 1e-5, heavy_top_cusp: 1e-5, heavy_top_looping: 1e-5, heavy_top_steady: 1e-5, inertia_ellipsoid: 1e-5, momentum_sphere: 1e-5,
+  euler_angles: 5e-5, heavy_top_conserved: 2e-5, heavy_top_sleeping: 5e-5, heavy_top_wavy: 3e-5,
+  feynman_plate: 2e-4, football: 1e-4, inertial_forces: 1e-3,
+  euler_drift: 5e-3,  // two ellipsoids whose surfaces nearly coincide
+  point_masses: 4e-3,
+  racket_thrown: 5e-3,  // strings thinner than a pixel
+  symmetric_prolate: 4e-3,  // one label is placed differently
 };
 
 const frame = 40;
@@ -143,7 +147,7 @@ const list = scenes.map((name) => {
   const text = fs.readFileSync(path.join(folder, `${name}.toml`), 'utf8');
   execFileSync(poinsot, ['render', path.join(folder, `${name}.toml`), '-q', '--portable', '--size', size, '--frames', `${frame}-${frame}`,
                          '-o', path.join(out, `${name}.native_####.png`)]);
-  return {name, files: files_of(text)};
+  return {name, files: files_of(text), has_mesh: /\[object\]|"body"/.test(text)};
 });
 
 const server = http.createServer((request, response) => {
@@ -186,9 +190,11 @@ const server = http.createServer((request, response) => {
       most = Math.max(most, by);
     }
     const share = (n) => `${(100 * n / (native.length / 4)).toFixed(3)} %`;
-    const fails = n_more / (native.length / 4) > (limits[name] ?? limits.usual) || error !== '0';
+    const more = n_more / (native.length / 4);
+    const is_over = more > (list.find((each) => each.name === name).has_mesh ? limits.with_mesh : 0);
+    const fails = (is_over && more > (known_faults[name] ?? 0)) || error !== '0';
     n_failed += fails ? 1 : 0;
-    console.log(`${fails ? 'FAILS' : 'ok   '} ${name}: ${share(n_differ)} differ, ${share(n_more)} by more than 1, most ${most}; start, load, first, next, module ms ${timing}; gl ${error} ${light}`);
+    console.log(`${fails ? 'FAILS' : is_over ? 'known' : 'ok   '} ${name}: ${share(n_differ)} differ, ${share(n_more)} by more than 1, most ${most}; start, load, first, next, module ms ${timing}; gl ${error} ${light}`);
   });
 });
 

@@ -148,6 +148,8 @@ check('prints the stills', async (browser) => {
   await until(tab, 'document.querySelectorAll(".pdf-page").length >= 4');
   const visible = await tab.evaluate(() => [...document.querySelectorAll('section.film > img')]
     .map((image) => getComputedStyle(image).visibility));
+  // The slide with a fragment has two pages.
+  assert.equal(visible.length, 4);
   assert.ok(visible.every((value) => value === 'visible'), visible.join());
 });
 

@@ -6,7 +6,10 @@ const pictures_of = (slide) => [...slide.querySelectorAll(':scope > img, :scope 
 
 /** Shows one of a slide's pictures as soon as it has something to show; until then the last one stays. */
 function show(slide, picture) {
-  const swap = () => pictures_of(slide).forEach((other) => other.classList.toggle('shown', other === picture));
+  slide.wanted = picture;
+  const swap = () => {
+    if (slide.wanted === picture) pictures_of(slide).forEach((other) => other.classList.toggle('shown', other === picture));
+  };
   if (picture.requestVideoFrameCallback) picture.requestVideoFrameCallback(swap);
   else swap();
 }
@@ -14,7 +17,8 @@ function show(slide, picture) {
 function play(slide, video) {
   show(slide, video);
   video.currentTime = 0;
-  video.play();
+  // It fails if the slide is left before the film begins.
+  video.play().catch(() => {});
 }
 
 function enter(slide, forwards) {
