@@ -62,7 +62,9 @@ TEST(Scenes, AllShowSomething) {
     ASSERT_EQ(still.code, 0) << still.err;
     for (const std::string& file : scene_files()) {
         const std::string name = std::filesystem::path(file).stem().string() + ".png";
-        EXPECT_GT(share_unlike_corner(read_png(folder.path() / name)), 0.03) << name;
+        // Of thin rods and arrows alone.
+        const double least = name == "inertial_forces.png" ? 0.04 : 0.05;
+        EXPECT_GT(share_unlike_corner(read_png(folder.path() / name)), least) << name;
     }
 }
 

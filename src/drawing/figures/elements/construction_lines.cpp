@@ -124,14 +124,18 @@ Drawer make_momentum(const Panel& panel, StageStore& store) {
     arrow.hidden_opacity = seen_through;
     const TextBlock type = set_label(panel, store, "\\mathbf{L}");
     const bool has_foot = shows_plane(*panel.stage);
-    const std::string_view plane = is_shown(*panel.stage, "plane") ? "plane" : "tangent";
+    const bool has_plane = is_shown(*panel.stage, "plane");
+    const bool has_tangent = is_shown(*panel.stage, "tangent");
     const Dot foot = dot_at(panel, picture.foot(), panel.stage->theme.momentum, 4.0);
-    return [&panel, arrow, type, has_foot, plane, foot](const FrameInput& instant,
-                                                        ViewBuilder& builder) {
+    return [&panel, arrow, type, has_foot, has_plane, has_tangent, foot](const FrameInput& instant,
+                                                                         ViewBuilder& builder) {
         builder.view.arrows.push_back(arrow);
         // The foot belongs to the plane and fades with it.
-        const double presence =
-            has_foot ? panel.stage->timeline.opacity_of(plane, instant.film_s) : 0.0;
+        const Timeline& timeline = panel.stage->timeline;
+        double presence = 0.0;
+        if (has_foot && has_plane) presence = timeline.opacity_of("plane", instant.film_s);
+        if (has_foot && has_tangent)
+            presence = std::max(presence, timeline.opacity_of("tangent", instant.film_s));
         if (presence > 0.0) {
             Dot here = foot;
             here.at = picture_of(panel).foot(instant);

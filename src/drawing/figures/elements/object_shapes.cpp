@@ -41,8 +41,7 @@ TriangleMesh rod_to(const Eigen::Vector3d& end, double radius) {
     return placed(cylinder_mesh(radius, length, facets), placement);
 }
 
-// Balls with volumes proportional to their masses; the radius of the largest is `ball` of the
-// centres' reach.
+// Balls with volumes proportional to their masses.
 TriangleMesh mesh_of_masses(const std::vector<PointMass>& masses, bool rods) {
     double reach = 0.0;
     double heaviest = 0.0;
