@@ -8,7 +8,7 @@ add_executable(poinsot_bundled EXCLUDE_FROM_ALL main.cpp)
 target_link_libraries(poinsot_bundled PRIVATE poinsot_cli)
 target_link_options(poinsot_bundled PRIVATE -Wl,--disable-new-dtags)
 set_target_properties(poinsot_bundled PROPERTIES BUILD_RPATH "$ORIGIN/../lib" OUTPUT_NAME poinsot
-    RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bundled)
+    RUNTIME_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/bundled)
 
 # The libraries opened at run time: FFmpeg in the versions of the build, and OSMesa, which needs no
 # other part of Mesa.
@@ -18,7 +18,7 @@ foreach(library avutil avcodec avformat swscale)
     list(APPEND bundled_libraries lib${library}.so.${major})
 endforeach()
 add_custom_target(bundle
-    COMMAND ${CMAKE_COMMAND} -DBUILD=${CMAKE_BINARY_DIR} -DNAME=poinsot-${PROJECT_VERSION}-${CMAKE_SYSTEM_PROCESSOR}
+    COMMAND ${CMAKE_COMMAND} -DBUILD=${PROJECT_BINARY_DIR} -DNAME=poinsot-${PROJECT_VERSION}-${CMAKE_SYSTEM_PROCESSOR}
             -DPROGRAM=$<TARGET_FILE:poinsot_bundled> "-DOPENED=${bundled_libraries}"
-            -P ${CMAKE_SOURCE_DIR}/src/cmake/make_bundle.cmake
+            -P ${PROJECT_SOURCE_DIR}/src/cmake/make_bundle.cmake
     DEPENDS poinsot poinsot_bundled VERBATIM)

@@ -37,7 +37,7 @@ endfunction()
 # each of a file's name and text. A page's module carries shaders without their comments, a third of their length.
 function(poinsot_embed output)
     cmake_parse_arguments(arg "" "HEADER;TYPE;FUNCTION" "FILES" ${ARGN})
-    set(script ${CMAKE_SOURCE_DIR}/src/cmake/embed_files.cmake)
+    set(script ${PROJECT_SOURCE_DIR}/src/cmake/embed_files.cmake)
     add_custom_command(OUTPUT ${output}
         COMMAND ${CMAKE_COMMAND} -DOUTPUT=${output} "-DFILES=${arg_FILES}" -DHEADER=${arg_HEADER}
                 -DTYPE=${arg_TYPE} -DFUNCTION=${arg_FUNCTION} -DWITHOUT_COMMENTS=${POINSOT_IS_PAGE} -P ${script}
@@ -50,12 +50,12 @@ function(poinsot_tests name)
     if(NOT sources)
         return()
     endif()
-    add_executable(test_${name} ${sources} ${CMAKE_SOURCE_DIR}/tests/places.cpp)
+    add_executable(test_${name} ${sources} ${PROJECT_SOURCE_DIR}/tests/places.cpp)
     target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
     # Only this file contains the repository's path, so that a compiler cache serves every checkout.
-    set_source_files_properties(${CMAKE_SOURCE_DIR}/tests/places.cpp PROPERTIES
-        COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${CMAKE_SOURCE_DIR}\"")
-    target_include_directories(test_${name} PRIVATE ${CMAKE_SOURCE_DIR}/tests)
+    set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/places.cpp PROPERTIES
+        COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
+    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
     if(POINSOT_SANITIZE)
         # One process per test would spend more time on starting than most tests take: each process
         # runs every eighth test.

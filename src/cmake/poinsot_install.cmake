@@ -5,9 +5,9 @@ include(GNUInstallDirs)
 install(TARGETS poinsot RUNTIME)
 # The documents that the program generates are written during installation, so that they match the
 # program.
-set(own_documents ${CMAKE_BINARY_DIR}/share)
+set(own_documents ${PROJECT_BINARY_DIR}/share)
 install(CODE "execute_process(COMMAND \"${CMAKE_COMMAND}\" -DPROGRAM=$<TARGET_FILE:poinsot> -DFOLDER=${own_documents}
-    -P \"${CMAKE_SOURCE_DIR}/src/cmake/write_documents.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
+    -P \"${PROJECT_SOURCE_DIR}/src/cmake/write_documents.cmake\" COMMAND_ERROR_IS_FATAL ANY)")
 foreach(below poinsot bash-completion fish man)
     install(DIRECTORY ${own_documents}/${below} DESTINATION ${CMAKE_INSTALL_DATADIR})
 endforeach()
@@ -17,15 +17,15 @@ if(EXISTS /etc/debian_version)
     set(zsh_folder zsh/vendor-completions)
 endif()
 install(FILES ${own_documents}/zsh/_poinsot DESTINATION ${CMAKE_INSTALL_DATADIR}/${zsh_folder})
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/poinsot
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/scenes DESTINATION ${CMAKE_INSTALL_DATADIR}/poinsot
     PATTERN "scene.schema.json" EXCLUDE)
-install(DIRECTORY ${CMAKE_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES ${CMAKE_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
-install(FILES ${CMAKE_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
-install(FILES ${CMAKE_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
+install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 # Required by Debian.
-file(WRITE ${CMAKE_BINARY_DIR}/changelog "poinsot (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md.\n\n"
+file(WRITE ${PROJECT_BINARY_DIR}/changelog "poinsot (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md.\n\n"
     " -- the poinsot authors <poinsot@example.org>  Sun, 22 Nov 2026 00:00:00 +0000\n")
-install(CODE "execute_process(COMMAND gzip -9nc \"${CMAKE_BINARY_DIR}/changelog\"
-    OUTPUT_FILE \"${CMAKE_BINARY_DIR}/changelog.gz\" COMMAND_ERROR_IS_FATAL ANY)")
-install(FILES ${CMAKE_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})
+install(CODE "execute_process(COMMAND gzip -9nc \"${PROJECT_BINARY_DIR}/changelog\"
+    OUTPUT_FILE \"${PROJECT_BINARY_DIR}/changelog.gz\" COMMAND_ERROR_IS_FATAL ANY)")
+install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})

@@ -2,7 +2,7 @@
 # that only the native program links.
 
 # Headers of the system's libraries, without those of its C library beside them.
-set(page_headers ${CMAKE_BINARY_DIR}/headers)
+set(page_headers ${PROJECT_BINARY_DIR}/headers)
 file(MAKE_DIRECTORY ${page_headers})
 foreach(library eigen3/Eigen boost fmt toml++ glm)
     get_filename_component(name ${library} NAME)
@@ -20,13 +20,13 @@ endforeach()
 # Paths are names here: Debian's libc++ for wasm leaves std::filesystem out, whose paths need no file.
 file(READ /usr/include/wasm32-wasi/c++/v1/__config_site config_site)
 string(REPLACE "#define _LIBCPP_HAS_NO_FILESYSTEM" "" config_site "${config_site}")
-file(WRITE ${CMAKE_BINARY_DIR}/libc++/__config_site.new "${config_site}")
-file(COPY_FILE ${CMAKE_BINARY_DIR}/libc++/__config_site.new ${CMAKE_BINARY_DIR}/libc++/__config_site ONLY_IF_DIFFERENT)
+file(WRITE ${PROJECT_BINARY_DIR}/libc++/__config_site.new "${config_site}")
+file(COPY_FILE ${PROJECT_BINARY_DIR}/libc++/__config_site.new ${PROJECT_BINARY_DIR}/libc++/__config_site ONLY_IF_DIFFERENT)
 
 # A header of Boost asks for threads.
-file(COPY ${CMAKE_SOURCE_DIR}/src/page/single_thread/boost DESTINATION ${CMAKE_BINARY_DIR}/libc++)
+file(COPY ${PROJECT_SOURCE_DIR}/src/page/single_thread/boost DESTINATION ${PROJECT_BINARY_DIR}/libc++)
 
-target_include_directories(poinsot_options SYSTEM BEFORE INTERFACE ${CMAKE_BINARY_DIR}/libc++ ${page_headers})
+target_include_directories(poinsot_options SYSTEM BEFORE INTERFACE ${PROJECT_BINARY_DIR}/libc++ ${page_headers})
 # Small: one thread, which never ends, and no names of types.
 target_compile_options(poinsot_options INTERFACE -Oz -fwasm-exceptions -fvisibility=hidden -ffunction-sections -fdata-sections
     -mbulk-memory -mnontrapping-fptoint -msign-ext -fno-threadsafe-statics -fmerge-all-constants
