@@ -1,0 +1,206 @@
+#include "production/slides/slide_files.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <system_error>
+#include <utility>
+
+#include "output/frame_name.h"
+#include "production/jobs/film_job.h"
+#include "production/parts/jobs.h"
+#include "production/provenance/record.h"
+#include "production/sidecars/subtitles.h"
+#include "system/files/file_contents.h"
+#include "system/files/file_kind.h"
+#include "text/json_text.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string row_of(const Session& session, const FilmPlan& film, const Slide& slide,
+                   std::size_t index) {
+    const auto or_null = [](const std::string& name) {
+        return name.empty() ? "null" : json_string(name);
+    };
+    const double loop_s = static_cast<double>(slide.n_loop_frames) / film.rate.per_second();
+    const SlideFiles files = slide_files_of(session, film, slide, index);
+    return JsonObject()
+        .add("number", index + 1)
+        .add("is_stop", slide.is_stop)
+        .add("title", slide.title)
+        .add("note", slide.note)
+        .add("film", files.film)
+        .json("loop", or_null(files.loop))
+        .json("captions", or_null(files.captions))
+        .json("loop_captions", or_null(files.loop_captions))
+        .add("png", files.png)
+        .add("pdf", files.pdf)
+        .add("begin_s", film.moment_of(slide.first_frame).film_s)
+        .add("end_s", film.moment_of(slide.last_frame).film_s)
+        .add("loop_s", loop_s)
+        .add("motion_time_s", film.time_of(slide.last_frame))
+        .add("first_frame", slide.first_frame)
+        .add("last_frame", slide.last_frame)
+        .line();
+}
+
+// Reports loops that jump where they begin again, as far as arrows show it.
+void note_jumps(const Session& session, const FilmPlan& film, const std::vector<Slide>& slides,
+                const ProgressSink& progress) {
+    std::optional<Stage> stage;
+    for (std::size_t i = 0; i < slides.size(); ++i) {
+        const Slide& slide = slides[i];
+        const std::int64_t before = slide.first_loop_frame() - 1;
+        if (slide.n_loop_frames == 0 || before < 0) continue;
+        if (!stage) stage.emplace(stage_of(session, whole_film(film), setting_of(session.scene)));
+        const std::vector<PlacedArrow> from = stage->arrows_at(film.moment_of(before)),
+                                       to = stage->arrows_at(film.moment_of(slide.last_frame));
+        double jump_px = 0.0;
+        for (std::size_t k = 0; k < std::min(from.size(), to.size()); ++k)
+            jump_px = std::max(jump_px, (from[k].tip_px - to[k].tip_px).norm());
+        jump_px /= setting_of(session.scene).samples;
+        constexpr double seen_px = 1.0;
+        if (jump_px > seen_px)
+            progress.say(fmt::format(
+                "note: {}stops[{}].loop_s: the tip of an arrow jumps by {:.0f} px where the loop "
+                "begins again; set loop_s to a period of the motion",
+                session.scene.where(fmt::format("stops[{}].loop_s", i)), i, jump_px));
+    }
+}
+
+// The hidden folder, new or of an interrupted run. `output` is for messages.
+fs::path made(const fs::path& output, const fs::path& aside) {
+    std::error_code error;
+    fs::create_directory(aside, error);
+    if (error) throw_write_error(output, error.value());
+    return aside;
+}
+
+}  // namespace
+
+std::string slide_file(std::size_t slide, std::string_view suffix) {
+    return frame_name(fmt::format("##{}", suffix), static_cast<std::int64_t>(slide) + 1).string();
+}
+
+std::vector<std::string> SlideFiles::all() const {
+    std::vector<std::string> names;
+    for (const std::string& name : {film, loop, captions, loop_captions, png, pdf})
+        if (!name.empty()) names.push_back(name);
+    return names;
+}
+
+SlideFiles slide_files_of(const Session& session, const FilmPlan& film, const Slide& slide,
+                          std::size_t index) {
+    const auto name_if = [index](bool is_there, std::string_view suffix) {
+        return is_there ? slide_file(index, suffix) : std::string();
+    };
+    const auto has_captions = [&](std::int64_t first) {
+        return !subtitles_of(session, film, first, slide.last_frame).empty();
+    };
+    const bool loops = slide.n_loop_frames > 0;
+    return {.film = slide_file(index, ".mp4"),
+            .loop = name_if(loops, "-loop.mp4"),
+            .captions = name_if(has_captions(slide.first_frame), ".vtt"),
+            .loop_captions = name_if(loops && has_captions(slide.first_loop_frame()), "-loop.vtt"),
+            .png = slide_file(index, ".png"),
+            .pdf = slide_file(index, ".pdf")};
+}
+
+std::string slide_plan_head(const Scene& scene) {
+    return fmt::format("{{\n  \"slides_of\": {},\n", json_string(scene.name));
+}
+
+std::string slide_plan_text(const Session& session, const FilmPlan& film,
+                            const std::vector<Slide>& slides, bool is_portable) {
+    const Scene& scene = session.scene;
+    std::vector<std::string> rows;
+    for (std::size_t i = 0; i < slides.size(); ++i)
+        rows.push_back(row_of(session, film, slides[i], i));
+    const std::string text =
+        JsonObject()
+            .add("title", scene.title)
+            .add("language", scene.language)
+            .json("size", json_numbers(scene.film.width_px, scene.film.height_px))
+            .add("frames_per_second",
+                 fmt::format("{}/{}", film.rate.numerator, film.rate.denominator))
+            .add("n_frames", film.n_frames)
+            .add("poinsot", POINSOT_VERSION)
+            .add("profile", is_portable ? "portable" : "native")
+            .add("scene_sha256", scene_hash_of(scene))
+            .json("slides", json_lines(rows, 2))
+            .lines();
+    return slide_plan_head(scene) + text.substr(std::string_view("{\n").size());
+}
+
+SlidesAside::SlidesAside(const fs::path& output, const fs::path& aside, const std::string& plan)
+    : aside_(made(output, aside)),
+      lock_(aside_path_of(output, ".held"), aside_path_of(output, ".held")) {
+    // Another run may have renamed it before it gave up the lock.
+    made(output, aside);
+    const fs::path file = aside_ / slide_plan_name;
+    if (kind_of_file(file) == FileKind::regular && read_text(file) == plan) return;
+    for (const fs::path& other : contents()) fs::remove_all(other);
+    write_whole(file, plan);
+}
+
+SlidesAside::~SlidesAside() {
+    const std::vector<fs::path> left = contents();
+    if (left.empty() || left == std::vector{aside_ / slide_plan_name}) remove();
+}
+
+std::vector<fs::path> SlidesAside::contents() const {
+    std::vector<fs::path> files;
+    std::error_code error;
+    for (fs::directory_iterator at(aside_, error); !error && at != fs::directory_iterator();
+         at.increment(error))
+        files.push_back(at->path());
+    return files;
+}
+
+void SlidesAside::remove() const noexcept {
+    std::error_code ignored;
+    fs::remove_all(aside_, ignored);
+}
+
+void make_slide_films(const Session& session, const FilmPlan& film,
+                      const std::vector<Slide>& slides, const SlidesAside& aside,
+                      std::optional<int> n_jobs, LazyRenderer& renderer,
+                      const ProgressSink& progress) {
+    std::int64_t n_frames = 0, n_before = 0;
+    for (const Slide& slide : slides)
+        n_frames += slide.last_frame - slide.first_frame + 1 + slide.n_loop_frames;
+    ProgressSink films = progress;
+    films.begin = [](const std::string&, std::int64_t) {};
+    films.done = [&](std::int64_t n_done) { progress.done(n_before + n_done); };
+    films.finish = [](const std::string&) {};
+    bool has_told_notes = false;
+    films.say = [&](const std::string& line) {
+        if (!has_told_notes && line.starts_with("note: ")) progress.say(line);
+    };
+    progress.begin(session.scene.name, n_frames);
+    const auto make_film = [&](const std::string& name, std::int64_t first, std::int64_t last) {
+        FilmRequest one{aside.file(name).string(), std::pair(first, last)};
+        one.is_slide = true;
+        if (kind_of_file(one.output) == FileKind::regular) {
+            // An interrupted run has finished this film, perhaps without its captions.
+            FilmJob(session, one).write_sidecars(one.output, films);
+        } else {
+            make_in_jobs(session, one, n_jobs, renderer, films);
+            has_told_notes = true;
+        }
+        n_before += last - first + 1;
+    };
+    for (std::size_t i = 0; i < slides.size(); ++i) {
+        const Slide& slide = slides[i];
+        make_film(slide_file(i, ".mp4"), slide.first_frame, slide.last_frame);
+        if (slide.n_loop_frames > 0)
+            make_film(slide_file(i, "-loop.mp4"), slide.first_loop_frame(), slide.last_frame);
+    }
+    note_jumps(session, film, slides, progress);
+}
+
+}  // namespace poinsot

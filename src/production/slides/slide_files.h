@@ -1,0 +1,72 @@
+// The films of slides while they are made, for a folder of slides or a presentation.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "production/jobs/picture.h"
+#include "production/session/progress_sink.h"
+#include "production/session/session.h"
+#include "production/slides/slide_plan.h"
+#include "system/files/atomic_file.h"
+
+namespace poinsot {
+
+inline constexpr const char* slide_plan_name = "slides.json";
+
+// "01.mp4" for slide 0.
+std::string slide_file(std::size_t slide, std::string_view suffix);
+
+// The names of a slide's files; an empty name stands for a file that it does not have.
+struct SlideFiles {
+    std::string film, loop, captions, loop_captions, png, pdf;
+
+    std::vector<std::string> all() const;
+};
+SlideFiles slide_files_of(const Session& session, const FilmPlan& film, const Slide& slide,
+                          std::size_t index);
+
+// The first line of slides.json, which tells whose slides they are.
+std::string slide_plan_head(const Scene& scene);
+
+// The text of slides.json. It changes with everything that the films depend on, except for the
+// machine and the renderer.
+std::string slide_plan_text(const Session& session, const FilmPlan& film,
+                            const std::vector<Slide>& slides, bool is_portable);
+
+// The hidden folder in which the files are made, with a lock beside it. It is removed unless it
+// holds frames from which another run can continue.
+class SlidesAside {
+ public:
+    // Continues with the files that an interrupted run with the same plan has left in the folder
+    // `aside`; other files are removed. Throws EnvironmentError, also if another run makes this
+    // output.
+    SlidesAside(const std::filesystem::path& output, const std::filesystem::path& aside,
+                const std::string& plan);
+    ~SlidesAside();
+    SlidesAside(const SlidesAside&) = delete;
+    SlidesAside& operator=(const SlidesAside&) = delete;
+
+    const std::filesystem::path& folder() const { return aside_; }
+    std::filesystem::path file(const std::string& name) const { return aside_ / name; }
+    std::vector<std::filesystem::path> contents() const;
+
+    void remove() const noexcept;
+
+ private:
+    std::filesystem::path aside_;
+    AtomicFile lock_;
+};
+
+// Makes 01.mp4, 01-loop.mp4, … that are not there yet, with their captions. They report as one
+// film, which the caller finishes. Throws as make_in_jobs does.
+void make_slide_films(const Session& session, const FilmPlan& film,
+                      const std::vector<Slide>& slides, const SlidesAside& aside,
+                      std::optional<int> n_jobs, LazyRenderer& renderer,
+                      const ProgressSink& progress);
+
+}  // namespace poinsot
