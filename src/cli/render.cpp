@@ -19,6 +19,7 @@
 #include "production/jobs/film_job.h"
 #include "production/pages/page_job.h"
 #include "production/parts/jobs.h"
+#include "production/slides/pptx_deck.h"
 #include "production/slides/slide_deck.h"
 #include "system/files/file_kind.h"
 #include "text/printable.h"
@@ -66,6 +67,11 @@ int render(const SceneJob& job, const RenderChoices& choices, LazyRenderer& rend
         return 0;
     }
     const Session session = open_session(scene, progress);
+    if (is_slides_name(job.output)) {
+        if (choices.certify && !certified(session, film_plan(session), progress)) return 1;
+        write_pptx(session, {job.output, choices.n_jobs}, renderer, progress);
+        return 0;
+    }
     FilmRequest request{job.output, choices.frames};
     request.part = choices.part;
     const FilmJob film(session, request);
@@ -103,14 +109,21 @@ void check_page(const RenderChoices& choices) {
 
 // Options that name another output or choose frames.
 void check_slides(const RenderChoices& choices) {
-    if (choices.slides.empty()) return;
-    const std::pair<bool, std::string_view> options[] = {{!choices.output.empty(), "-o"},
-                                                         {choices.frames.has_value(), "--frames"},
-                                                         {choices.part.has_value(), "--part"}};
+    const bool is_folder = !choices.slides.empty();
+    if (!is_folder && !is_slides_name(choices.output)) return;
+    const std::pair<bool, std::string_view> options[] = {
+        {is_folder && !choices.output.empty(), "-o"},
+        {choices.frames.has_value(), "--frames"},
+        {choices.part.has_value(), "--part"}};
     for (const auto& [is_given, option] : options)
         if (is_given)
-            throw InputError(fmt::format(
-                "--slides writes a film for each stop into its folder; leave {} out", option));
+            throw InputError(
+                is_folder
+                    ? fmt::format("--slides writes a film for each stop into its folder; leave {} "
+                                  "out",
+                                  option)
+                    : fmt::format("{}: a presentation has a film for each stop; leave {} out",
+                                  printable(choices.output), option));
 }
 
 void check(const RenderChoices& choices) {
@@ -179,9 +192,8 @@ extern const Command render_command{
     "SCENE",
     1,
     any_number,
-    "write a film (.mp4, .webm, .mov, .gif), a PNG sequence (#### in the name) or a page (.html) "
-    "of each "
-    "scene",
+    "write a film (.mp4, .webm, .mov, .gif), a PNG sequence (#### in the name), a page (.html) or "
+    "slides (.pptx) of each scene",
     render_line,
     {{{"poinsot render generic -o generic.mp4", "a film of a scene that comes with the program"},
       {"poinsot render generic -o frame_####.png --frames 0-59",

@@ -125,6 +125,18 @@ constexpr OutputFormat format_table[] = {
      .has_parts = false,
      .n_cores_a_job = 0,
      .is_page = true},
+    {.name = "pptx",
+     .suffix = ".pptx",
+     .summary = "presentation with a film on each slide, for the stops or chapters of the scene",
+     .film = false,
+     .alpha = false,
+     .n_chunk_frames = 1,
+     .open = nullptr,
+     .recover = nullptr,
+     .join = nullptr,
+     .has_parts = false,
+     .n_cores_a_job = 0,
+     .is_slides = true},
     {.name = "md5",
      .suffix = ".md5",
      .summary = "the MD5 hash of every frame, one per line",
@@ -162,7 +174,10 @@ struct NearestWay {
     std::string_view suffix;
     std::string_view instead;
 };
-constexpr std::array<NearestWay, 12> ways = {{
+constexpr std::array<NearestWay, 15> ways = {{
+    {".ppt", "write .pptx"},
+    {".odp", "write .pptx, which LibreOffice opens"},
+    {".key", "write .pptx"},
     {".mkv", "write .mp4, and convert it without loss: `ffmpeg -i film.mp4 -c copy film.mkv`"},
     {".m4v", "write .mp4, which is the same format"},
     {".avi", "write .mp4, which players of .avi also play"},
@@ -187,6 +202,15 @@ std::string nearest_way(std::string_view suffix) {
         if (!format.suffix.empty()) known.push_back(format.suffix);
     const std::string meant = suffix.size() < 3 ? "" : did_you_mean(suffix, known);
     return meant.empty() ? "" : meant.substr(2);
+}
+
+// Whether a row with the name's suffix fulfils the condition.
+template <class Condition>
+bool has_row(const std::filesystem::path& path, const Condition& condition) {
+    const std::string suffix = suffix_of(path);
+    return std::any_of(
+        std::begin(format_table), std::end(format_table),
+        [&](const OutputFormat& format) { return format.suffix == suffix && condition(format); });
 }
 
 }  // namespace
@@ -235,11 +259,11 @@ const OutputFormat& format_for(const std::filesystem::path& path) {
 }
 
 bool is_page_name(const std::filesystem::path& path) {
-    const std::string suffix = suffix_of(path);
-    return std::any_of(std::begin(format_table), std::end(format_table),
-                       [&suffix](const OutputFormat& format) {
-                           return format.is_page && format.suffix == suffix;
-                       });
+    return has_row(path, [](const OutputFormat& format) { return format.is_page; });
+}
+
+bool is_slides_name(const std::filesystem::path& path) {
+    return has_row(path, [](const OutputFormat& format) { return format.is_slides; });
 }
 
 std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell) {

@@ -126,6 +126,8 @@ struct OutputFormat {
     // It holds the scene itself in place of frames; production/pages/ writes it, and `open` is
     // null.
     bool is_page = false;
+    // It holds a film for each stop; production/slides/ writes it, and `open` is null.
+    bool is_slides = false;
 };
 
 // Throws InputError for more frames per second than the format can show.
@@ -139,6 +141,9 @@ const OutputFormat& format_for(const std::filesystem::path& path);
 
 // Whether a file name is that of a page.
 bool is_page_name(const std::filesystem::path& path);
+
+// Whether a file name is that of a presentation of slides.
+bool is_slides_name(const std::filesystem::path& path);
 
 // Makes a film under its final name from the log of an interrupted run, up to the first gap, and
 // returns its number of frames. The rest of the log is removed. Throws: InputError if there is no

@@ -261,5 +261,20 @@ TEST_F(RenderMessages, SlidesAreRefusedWithOptionsOfOneFilmAndWithoutStops) {
     refuses("render scene.toml stops.toml --slides d", 2, {"d", "{scene}"});
 }
 
+TEST_F(RenderMessages, PresentationsAreRefusedWithOptionsOfOneFilmAndWithoutStops) {
+    refuses("render scene.toml -o a.pptx --part 1/2", 2, {"a.pptx", "leave --part out"});
+    refuses("render scene.toml -o a.pptx --frames 0-1", 2, {"a.pptx", "leave --frames out"});
+    refuses("render scene.toml -o a.pptx", 2,
+            {"scene.toml:1:1", "no [[stops]] and no [[chapters]] for -o a.pptx"});
+    folder_.write("stops.toml", scene + "[[stops]]\nat_s = 0.1\n");
+    refuses("render stops.toml -o a.pptx --size 65x49", 2, {"--size 65x49", "even"});
+    refuses("render stops.toml -o no/a.pptx", 3, {"cannot write no/a.pptx"});
+    refuses("render scene.toml stops.toml -o a.pptx", 2, {"a.pptx", "{scene}"});
+    for (const std::string suffix : {"ppt", "odp", "key"})
+        refuses("render scene.toml -o a." + suffix, 2, {"write .pptx"});
+    folder_.write("a.pptx", "mine");
+    refuses("render stops.toml -o a.pptx", 2, {"a.pptx", "not written by poinsot", "name another"});
+}
+
 }  // namespace
 }  // namespace poinsot::testing

@@ -22,6 +22,7 @@ TEST(Formats, FileNamesSelectTheirFormat) {
     EXPECT_EQ(format_for("b.md5").name, "md5");
     EXPECT_EQ(format_for("null").name, "null");
     EXPECT_EQ(format_for("b.html").name, "html");
+    EXPECT_EQ(format_for("b.pptx").name, "pptx");
     EXPECT_EQ(format_for("####/b.png").name, "png");
 }
 
@@ -29,7 +30,7 @@ TEST(Formats, UnknownSuffixListsTheKnown) {
     EXPECT_EQ(input_error_of([] { format_for("b.mkv"); }),
               "b.mkv: there is no output format for the suffix \".mkv\"; write .mp4, and convert "
               "it without loss: `ffmpeg -i film.mp4 -c copy film.mkv`; the formats are .mp4, "
-              ".webm, .mov, .gif, .png, .html, .md5");
+              ".webm, .mov, .gif, .png, .html, .pptx, .md5");
     EXPECT_NE(input_error_of([] { format_for("film"); }).find("a name without a suffix"),
               std::string::npos);
     EXPECT_NE(input_error_of([] { format_for("b_####.mp4"); }).find("####"), std::string::npos);
@@ -38,7 +39,7 @@ TEST(Formats, UnknownSuffixListsTheKnown) {
 // Every row writes a complete output of two frames (a still: one) and leaves no other file.
 TEST(Formats, EveryRowWritesItsOutput) {
     for (const OutputFormat& format : output_formats()) {
-        if (format.is_page) continue;
+        if (format.open == nullptr) continue;
         const TemporaryFolder folder;
         const std::string stem = format.name == "png-sequence" ? "f_#" : "f";
         OutputPlan plan = small_plan(folder / (stem + std::string(format.suffix)));
@@ -55,7 +56,7 @@ TEST(Formats, EveryRowWritesItsOutput) {
 
 TEST(Formats, UnfinishedSinksLeaveNoFile) {
     for (const OutputFormat& format : output_formats()) {
-        if (format.is_page) continue;
+        if (format.open == nullptr) continue;
         const TemporaryFolder folder;
         const std::string stem = format.name == "png-sequence" ? "f_#" : "f";
         const OutputPlan plan = small_plan(folder / (stem + std::string(format.suffix)), 3);
@@ -128,7 +129,7 @@ TEST(Formats, GifRefusesRatesThatPlayersSlowDown) {
 TEST(Formats, EveryRowNamesAMissingFolder) {
     const TemporaryFolder folder;
     for (const OutputFormat& format : output_formats()) {
-        if (format.is_page) continue;
+        if (format.open == nullptr) continue;
         if (format.name == "null") continue;
         const OutputPlan plan = small_plan(folder / "missing/f#" += format.suffix);
         EXPECT_EQ(environment_error_of([&] { format.open(plan); }),

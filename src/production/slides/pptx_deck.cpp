@@ -1,0 +1,121 @@
+#include "production/slides/pptx_deck.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <map>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "error/error.h"
+#include "production/jobs/still_job.h"
+#include "production/slides/pptx_parts.h"
+#include "production/slides/slide_files.h"
+#include "production/slides/slide_plan.h"
+#include "production/slides/stored_zip.h"
+#include "production/vectors/vector_still.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_kind.h"
+#include "system/interrupt.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+// Throws InputError for a file that somebody else has made or edited.
+void check_output(const fs::path& output) {
+    if (kind_of_file(output) != FileKind::regular || is_pptx_as_written(output)) return;
+    throw InputError(
+        fmt::format("{}: exists, and was not written by poinsot or has been edited since; name "
+                    "another file, or remove this one",
+                    printable(output.string())));
+}
+
+// A film's poster is shown until it plays. It is the film's first picture, with which the slide
+// before ends: any other would be seen for a moment, and the last one would give the answer away.
+struct PosterFrames {
+    std::map<std::int64_t, std::string> names;  // of the files, by frame
+
+    const std::string& at(std::int64_t frame) {
+        return names.try_emplace(frame, fmt::format("poster{}.png", names.size() + 1))
+            .first->second;
+    }
+};
+
+PptxText text_of(const Session& session, const FilmPlan& film, const std::vector<Slide>& slides,
+                 PosterFrames& posters) {
+    const Scene& scene = session.scene;
+    const auto duration_ms = [&film](std::int64_t n_frames) {
+        return std::llround(1e3 * static_cast<double>(n_frames) / film.rate.per_second());
+    };
+    PptxText text;
+    text.title = title_of(scene);
+    text.description = fmt::format("poinsot {}: {}", POINSOT_VERSION, scene.name);
+    text.language = scene.language;
+    text.width_px = scene.film.width_px;
+    text.height_px = scene.film.height_px;
+    for (std::size_t i = 0; i < slides.size(); ++i) {
+        const Slide& slide = slides[i];
+        PptxSlide one{.title = slide.title.empty() ? text.title : slide.title, .note = slide.note};
+        one.film = slide_file(i, ".mp4");
+        one.poster = posters.at(slide.first_frame);
+        one.duration_ms = duration_ms(slide.last_frame - slide.first_frame + 1);
+        text.slides.push_back(one);
+        if (slide.n_loop_frames == 0) continue;
+        one.film = slide_file(i, "-loop.mp4");
+        one.poster = posters.at(slide.last_frame);
+        one.duration_ms = duration_ms(slide.n_loop_frames);
+        one.loops = true;
+        text.slides.push_back(std::move(one));
+    }
+    return text;
+}
+
+void draw_posters(const Session& session, const PosterFrames& posters, const SlidesAside& aside,
+                  LazyRenderer& renderer) {
+    StillWriter writer;
+    for (const auto& [frame, name] : posters.names) {
+        stop_if_interrupted();
+        StillRequest still;
+        still.output = aside.file(name).string();
+        still.frame = frame;
+        StillJob(Session(session), std::move(still)).draw(renderer, writer, {});
+    }
+    writer.finish();
+}
+
+}  // namespace
+
+void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer& renderer,
+                const ProgressSink& progress) {
+    const FilmPlan film = film_plan(session);
+    const std::vector<Slide> slides =
+        slides_of(session.scene, film, fmt::format("-o {}", printable(request.output.string())));
+    PosterFrames posters;
+    const PptxText text = text_of(session, film, slides, posters);
+    check_output(request.output);
+    watch_for_interrupts();
+    AtomicFile output(request.output);
+    SlidesAside aside(output.path(), aside_path_of(output.path(), ".slides"),
+                      slide_plan_text(session, film, slides, renderer.is_portable()));
+    make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
+    draw_posters(session, posters, aside, renderer);
+
+    StoredZip zip(output);
+    for (const PptxPart& part : pptx_parts(text)) zip.add(part.name, part.xml);
+    for (const auto& [frame, name] : posters.names)
+        zip.add_file("ppt/media/" + name, aside.file(name));
+    for (const PptxSlide& slide : text.slides)
+        zip.add_file("ppt/media/" + slide.film, aside.file(slide.film));
+    zip.finish();
+    output.commit();
+    aside.remove();
+    progress.finish(fmt::format("{}, {} slide{}", request.output.string(), text.slides.size(),
+                                text.slides.size() == 1 ? "" : "s"));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,25 @@
+// A presentation of a scene's slides: a .pptx with a film, its title and its note on each slide.
+#pragma once
+
+#include <filesystem>
+#include <optional>
+
+#include "production/jobs/picture.h"
+#include "production/session/progress_sink.h"
+#include "production/session/session.h"
+
+namespace poinsot {
+
+struct PptxRequest {
+    std::filesystem::path output;
+    std::optional<int> n_jobs{};  // as for make_in_jobs
+};
+
+// Writes the presentation atomically. A loop has a slide of its own after that of its film. The
+// films are made in a hidden folder next to it; an interrupted run leaves this folder, and the same
+// request continues in it. Throws EnvironmentError and InputError, the latter also for an existing
+// file that is not a presentation as this function writes it.
+void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer& renderer,
+                const ProgressSink& progress);
+
+}  // namespace poinsot

@@ -1,0 +1,38 @@
+// The XML of a presentation. Source: ISO/IEC 29500-1 and -4 (PresentationML), and [MS-PPTX] 2.2.4
+// for embedded films.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace poinsot {
+
+// A slide that is filled by a film, which starts by itself.
+struct PptxSlide {
+    std::string title{}, note{}, film{}, poster{};  // film and poster: names in ppt/media
+    std::int64_t duration_ms = 0;
+    bool loops = false;
+};
+
+struct PptxText {
+    std::string title;                // of the presentation
+    std::string description;          // of its origin
+    std::string language;             // such as "en"
+    int width_px = 0, height_px = 0;  // of the films
+    std::vector<PptxSlide> slides;
+};
+
+struct PptxPart {
+    std::string name, xml;
+};
+
+// All parts but the media; the first one is the list of types, as readers expect.
+std::vector<PptxPart> pptx_parts(const PptxText& text);
+
+// Whether a file begins as a presentation of these parts does, stored without compression. Other
+// programs compress the parts when they save. Throws as read_beginning does.
+bool is_pptx_as_written(const std::filesystem::path& file);
+
+}  // namespace poinsot

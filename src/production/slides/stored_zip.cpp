@@ -1,0 +1,95 @@
+#include "production/slides/stored_zip.h"
+
+#include <fmt/format.h>
+#include <libdeflate.h>
+
+#include <limits>
+#include <span>
+
+#include "error/error.h"
+#include "system/files/file_contents.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+constexpr std::uint32_t entry_mark = 0x04034b50, directory_mark = 0x02014b50, end_mark = 0x06054b50;
+constexpr std::uint16_t version = 20;  // 2.0
+// Midnight on 1980-01-01, the first date of the format.
+constexpr std::uint16_t entry_time = 0, entry_date = 0x21;
+
+template <class Integer>
+std::string little_endian(Integer value) {
+    std::string bytes;
+    for (std::size_t i = 0; i < sizeof(Integer); ++i)
+        bytes += static_cast<char>((value >> (8 * i)) & 0xff);
+    return bytes;
+}
+
+// The fields which an entry and its row in the directory share.
+std::string shared_fields(const std::string& name, std::uint32_t crc, std::uint32_t n_bytes) {
+    constexpr std::uint16_t none = 0;
+    return little_endian(version) + little_endian(none) + little_endian(none) +
+           little_endian(entry_time) + little_endian(entry_date) + little_endian(crc) +
+           little_endian(n_bytes) + little_endian(n_bytes) +
+           little_endian(static_cast<std::uint16_t>(name.size())) + little_endian(none);
+}
+
+}  // namespace
+
+void StoredZip::write(std::string_view bytes) {
+    file_->write({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+    n_written_ += bytes.size();
+}
+
+void StoredZip::check_size(std::uint64_t n_bytes) const {
+    if (n_written_ + n_bytes > std::numeric_limits<std::uint32_t>::max() ||
+        n_entries_ >= std::numeric_limits<std::uint16_t>::max())
+        throw InputError(
+            fmt::format("{}: its films are too large for a presentation, which holds at most 4 GB "
+                        "and 65535 files; make them smaller with --size, or use --slides",
+                        printable(file_->path().string())));
+}
+
+void StoredZip::begin(const std::string& name, std::uint32_t crc, std::uint64_t n_bytes) {
+    constexpr std::size_t entry_bytes = 30, row_bytes = 46, end_bytes = 22;
+    check_size(n_bytes + directory_.size() + entry_bytes + row_bytes + 2 * name.size() + end_bytes);
+    const auto at = static_cast<std::uint32_t>(n_written_);
+    const std::string fields = shared_fields(name, crc, static_cast<std::uint32_t>(n_bytes));
+    // No comment, first disk, no attributes.
+    directory_ += little_endian(directory_mark) + little_endian(version) + fields +
+                  std::string(10, '\0') + little_endian(at) + name;
+    ++n_entries_;
+    write(little_endian(entry_mark) + fields + name);
+}
+
+void StoredZip::add(const std::string& name, std::string_view contents) {
+    begin(name, libdeflate_crc32(0, contents.data(), contents.size()), contents.size());
+    write(contents);
+}
+
+void StoredZip::add_file(const std::string& name, const std::filesystem::path& file) {
+    // Twice, as the sum comes before the contents: a film need not fit into memory.
+    std::uint32_t crc = 0;
+    std::uint64_t n_bytes = 0;
+    read_pieces(file, [&](std::string_view piece) {
+        crc = libdeflate_crc32(crc, piece.data(), piece.size());
+        n_bytes += piece.size();
+    });
+    begin(name, crc, n_bytes);
+    read_pieces(file, [&](std::string_view piece) { write(piece); });
+}
+
+void StoredZip::finish() {
+    constexpr std::uint16_t first_disk = 0, no_comment = 0;
+    const auto at = static_cast<std::uint32_t>(n_written_);
+    const auto n_bytes = static_cast<std::uint32_t>(directory_.size());
+    const auto n_entries = static_cast<std::uint16_t>(n_entries_);
+    write(directory_);
+    write(little_endian(end_mark) + little_endian(first_disk) + little_endian(first_disk) +
+          little_endian(n_entries) + little_endian(n_entries) + little_endian(n_bytes) +
+          little_endian(at) + little_endian(no_comment));
+}
+
+}  // namespace poinsot

@@ -1,0 +1,124 @@
+// What happens to files next to a presentation and to one that exists; its contents are read by
+// tests/trust/pptx.py.
+#include "production/slides/pptx_deck.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "error/error.h"
+#include "production/jobs/open_session.h"
+#include "production/slides/slide_files.h"
+#include "system/faults.h"
+#include "system/files/file_contents.h"
+
+namespace poinsot {
+namespace {
+
+namespace fs = std::filesystem;
+
+class PptxDeck : public ::testing::Test {
+ protected:
+    PptxDeck() {
+        std::ofstream(folder_ / "a.toml") << R"([body]
+moments_kg_m2 = [1.0, 2.0, 2.9]
+[start]
+omega_rad_s = [1.5, 0.3, 0.75]
+[film]
+size = [96, 54]
+fps = 10
+length_s = 1.0
+[[stops]]
+at_s = 0.5
+)";
+        SceneRequest request;
+        request.file = (folder_ / "a.toml").string();
+        session_ = std::make_unique<Session>(open_session(request));
+    }
+
+    void write() const {
+        LazyRenderer renderer;
+        write_pptx(*session_, {folder_ / "a.pptx", 1}, renderer, {});
+    }
+
+    // Leaves the hidden folder of an interrupted run that has finished a film with these bytes.
+    void interrupt(const std::string& film) const {
+        const FilmPlan plan = film_plan(*session_);
+        fs::create_directory(aside_);
+        std::ofstream(aside_ / slide_plan_name) << slide_plan_text(
+            *session_, plan, slides_of(session_->scene, plan, "-o"), LazyRenderer().is_portable());
+        std::ofstream(aside_ / "01.mp4") << film;
+    }
+
+    TemporaryFolder folder_;
+    const fs::path aside_ = folder_ / ".a.pptx.slides";
+    std::unique_ptr<Session> session_;
+};
+
+TEST_F(PptxDeck, ReplacesItsOwnAndNoOther) {
+    write();
+    const std::string first = read_text(folder_ / "a.pptx");
+    EXPECT_TRUE(first.starts_with("PK\3\4"));
+    write();
+    EXPECT_EQ(read_text(folder_ / "a.pptx"), first);
+    EXPECT_EQ(folder_.contents(), (std::vector<std::string>{"a.pptx", "a.toml"}));
+
+    // Programs that save a presentation compress its parts.
+    for (const std::string other : {"", "PK\3\4 of another program"}) {
+        std::ofstream(folder_ / "a.pptx") << other;
+        try {
+            write();
+            ADD_FAILURE() << other;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what()).find("a.pptx: exists, and was not written by"),
+                      std::string::npos)
+                << error.what();
+        }
+        EXPECT_EQ(read_text(folder_ / "a.pptx"), other);
+        EXPECT_EQ(folder_.contents(), (std::vector<std::string>{"a.pptx", "a.toml"}));
+    }
+}
+
+TEST_F(PptxDeck, ContinuesWithTheFilmsOfAnInterruptedRun) {
+    interrupt("a finished film");
+    write();
+    EXPECT_NE(read_text(folder_ / "a.pptx").find("a finished film"), std::string::npos);
+    EXPECT_EQ(folder_.contents(), (std::vector<std::string>{"a.pptx", "a.toml"}));
+
+    // The films of another plan are drawn anew.
+    interrupt("a finished film");
+    std::ofstream(aside_ / slide_plan_name) << "{}";
+    write();
+    EXPECT_EQ(read_text(folder_ / "a.pptx").find("a finished film"), std::string::npos);
+    EXPECT_EQ(folder_.contents(), (std::vector<std::string>{"a.pptx", "a.toml"}));
+}
+
+// The film fits on the disk, and the presentation with it does not.
+TEST_F(PptxDeck, KeepsTheOldOneAndTheFilmsOnAFullDisk) {
+    write();
+    const std::string old = read_text(folder_ / "a.pptx");
+    constexpr std::size_t n_bytes = 1 << 20;
+    interrupt(std::string(n_bytes, '.'));
+    const std::string outcome = outcome_in_child([this] {
+        limit_file_size(n_bytes);
+        write();
+    });
+    EXPECT_NE(outcome.find("cannot write " + (folder_ / "a.pptx").string() + ": "),
+              std::string::npos)
+        << outcome;
+    EXPECT_EQ(read_text(folder_ / "a.pptx"), old);
+    EXPECT_EQ(folder_.contents(), (std::vector<std::string>{".a.pptx.slides", "a.pptx", "a.toml"}));
+}
+
+TEST_F(PptxDeck, IsRefusedWhereAnotherRunWritesIt) {
+    const AtomicFile held(folder_ / "a.pptx");
+    EXPECT_THROW(write(), EnvironmentError);
+    EXPECT_EQ(folder_.contents(), (std::vector<std::string>{".a.pptx.part", "a.toml"}));
+}
+
+}  // namespace
+}  // namespace poinsot
