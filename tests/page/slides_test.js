@@ -142,15 +142,18 @@ check('shows each stop on the way back, without playing', async (browser) => {
   assert.deepEqual(faults, []);
 });
 
-check('prints the stills', async (browser) => {
-  const {tab} = await opened_file(browser, path.join(folder, 'index.html'),
-    {fragment: '?print-pdf', size: {width: 640, height: 360}});
+check('prints each slide once, filled with its still', async (browser) => {
+  const {tab} = await opened_file(browser, path.join(folder, 'index.html'), {fragment: '?print-pdf'});
   await until(tab, 'document.querySelectorAll(".pdf-page").length >= 4');
-  const visible = await tab.evaluate(() => [...document.querySelectorAll('section.film > img')]
-    .map((image) => getComputedStyle(image).visibility));
-  // The slide with a fragment has two pages.
-  assert.equal(visible.length, 4);
-  assert.ok(visible.every((value) => value === 'visible'), visible.join());
+  const pages = await tab.evaluate(() => [...document.querySelectorAll('.pdf-page')].map((page) => {
+    const still = page.querySelector('img');
+    if (!still) return '';
+    const [inner, outer] = [still.getBoundingClientRect(), page.getBoundingClientRect()];
+    const is_visible = getComputedStyle(still).visibility === 'visible';
+    const fills = is_visible && ['left', 'top', 'right', 'bottom'].every((side) => Math.abs(inner[side] - outer[side]) < 2);
+    return `${still.getAttribute('src')} ${fills ? 'fills' : 'does not fill'} the page`;
+  }));
+  assert.deepEqual(pages, ['wobble/01.png fills the page', 'wobble/02.png fills the page', 'wobble/03.png fills the page', '']);
 });
 
 run_checks(checks, []);
