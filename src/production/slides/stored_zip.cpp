@@ -1,8 +1,8 @@
 #include "production/slides/stored_zip.h"
 
 #include <fmt/format.h>
-#include <libdeflate.h>
 
+#include <array>
 #include <limits>
 #include <span>
 
@@ -25,6 +25,26 @@ std::string little_endian(Integer value) {
     for (std::size_t i = 0; i < sizeof(Integer); ++i)
         bytes += static_cast<char>((value >> (8 * i)) & 0xff);
     return bytes;
+}
+
+// The table of CRC-32 (ISO 3309), whose reversed polynomial is this.
+constexpr std::array<std::uint32_t, 256> crc_table = [] {
+    constexpr std::uint32_t polynomial = 0xedb88320;
+    std::array<std::uint32_t, 256> table{};
+    for (std::uint32_t i = 0; i < table.size(); ++i) {
+        std::uint32_t crc = i;
+        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? polynomial : 0);
+        table.at(i) = crc;
+    }
+    return table;
+}();
+
+// The CRC of bytes that follow others with this CRC; 0 for none.
+std::uint32_t crc_after(std::uint32_t crc, std::string_view bytes) {
+    crc = ~crc;
+    for (const char byte : bytes)
+        crc = (crc >> 8) ^ crc_table[(crc ^ static_cast<std::uint8_t>(byte)) & 0xff];
+    return ~crc;
 }
 
 // The fields which an entry and its row in the directory share.
@@ -65,7 +85,7 @@ void StoredZip::begin(const std::string& name, std::uint32_t crc, std::uint64_t 
 }
 
 void StoredZip::add(const std::string& name, std::string_view contents) {
-    begin(name, libdeflate_crc32(0, contents.data(), contents.size()), contents.size());
+    begin(name, crc_after(0, contents), contents.size());
     write(contents);
 }
 
@@ -74,7 +94,7 @@ void StoredZip::add_file(const std::string& name, const std::filesystem::path& f
     std::uint32_t crc = 0;
     std::uint64_t n_bytes = 0;
     read_pieces(file, [&](std::string_view piece) {
-        crc = libdeflate_crc32(crc, piece.data(), piece.size());
+        crc = crc_after(crc, piece);
         n_bytes += piece.size();
     });
     begin(name, crc, n_bytes);
