@@ -1,5 +1,6 @@
 #include "library/poinsot/motion.h"
 
+#include <cmath>
 #include <string>
 #include <utility>
 
@@ -35,6 +36,8 @@ Physicality physicality_of(const MotionOptions& options) {
 }
 
 MotionProblem problem_of(const InertiaTensor& inertia, const MotionOptions& options) {
+    if (!std::isfinite(options.first_time_s) || !std::isfinite(options.last_time_s))
+        throw InputError("first_time_s and last_time_s must be finite numbers");
     MotionProblem problem;
     problem.inertia = inertia;
     problem.method = {options.method, options.step_s, options.tolerance, options.order};
