@@ -79,7 +79,7 @@ def reference():
         v1, v2, v3 = (B - C) * w2 * w3 / A, (C - A) * w3 * w1 / B, (A - B) * w1 * w2 / C
         turned = A * w1 * (w2 * v3 - w3 * v2) + B * w2 * (w3 * v1 - w1 * v3) + C * w3 * (w1 * v2 - w2 * v1)
         rates += turned / L / (w1 * w1 + w2 * w2 + w3 * w3 - (twice_T / L) ** 2) / n
-    w = omega(1e6, flip_s)
+    w = omega(1000.0, flip_s)
     length = math.sqrt(sum(x * x for x in w))
     return {"period_s": [4.0 * quarter_s], "precession_rad_s": [rates], "flip_s": [flip_s + 2.0 * quarter_s * i for i in range(4)],
             "contact": [x / math.sqrt(twice_T) for x in w], "plane_distance": [math.sqrt(twice_T) / L],
@@ -100,11 +100,11 @@ def check_output(text):
     if expected.keys() != found.keys():
         sys.exit(f"the example prints {sorted(found)}")
     for name, values in expected.items():
-        # After a million seconds, the phase in double precision is off by some 1e-9.
-        tolerance = 1e-7 if name in ("contact", "omega_from_L_deg") else 1e-11
+        # The period here has lost three digits to the difference of nearly equal moments, and the phase after a thousand seconds three more.
+        tolerance = 1e-8 if name in ("contact", "omega_from_L_deg") else 1e-11
         if len(values) != len(found[name]) or any(abs(x - y) > tolerance * max(map(abs, values)) for x, y in zip(values, found[name])):
             sys.exit(f"{name} is {found[name]}, expected {values}")
-    if "axis of the largest moment" not in text or not re.search(r"^error moments_kg_m2\[2\]", text, re.M):
+    if "axis of the largest moment" not in text or not re.search(r"^error moments_kg_m2: .*make I3 at most 2", text, re.M):
         sys.exit(f"the example prints\n{text}")
 
 
@@ -155,10 +155,10 @@ def installed(cmake, build_folder, nm, launcher, place):
         if native[name] != numbers(text)[name]:
             sys.exit(f"compiled for this processor, {name} is {native[name]}, not {numbers(text)[name]}")
     flags = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror", "-fsyntax-only", "-I", prefix / "include", "-isystem",
-             "/usr/include/eigen3", "-x", "c++"]
+             "/usr/include/eigen3", "-x", "c++", "/dev/null", "-include"]
     for header in sorted((prefix / "include/poinsot").glob("*.h")):
-        for processor in ([], ["-mavx512f"]):
-            run("c++", *flags, *processor, header)
+        for processor in ([], ["-march=skylake-avx512"]):
+            run("c++", *processor, *flags, header)
 
     everything = project(place / "everything", """project(everything LANGUAGES CXX)
 find_package(poinsot 0.1 REQUIRED)

@@ -175,7 +175,7 @@ TEST(LibraryMotion, NamesEveryRegimeAsTheProgramDoes) {
 }
 
 TEST(LibraryMotion, RefusesWhatCannotBeComputed) {
-    EXPECT_TRUE(refused_for("moments_kg_m2[2]", [] { Motion({1.0, 1.0, 3.0}, omega); }));
+    EXPECT_TRUE(refused_for("make I3 at most 2", [] { Motion({1.0, 1.0, 3.0}, omega); }));
     EXPECT_EQ(refusal_of([] { Motion({1.0, 1.0, 3.0}, omega, {.allow_unphysical = true}); }), "");
     EXPECT_NE(refusal_of([] { Motion({0.0, 1.0, 1.0}, omega); }), "");
     EXPECT_TRUE(refused_for("rk4", [] { Motion(moments, omega, {.torque = Gravity{1.0}}); }));

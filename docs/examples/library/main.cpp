@@ -22,7 +22,7 @@ int main() {
             std::printf("flip_s %.17g\n", time_s);
 
         // The contact point lies in the invariable plane, at every instant.
-        const ContactPoint contact = construction.contact(1e6);
+        const ContactPoint contact = construction.contact(1000.0);
         std::printf("contact %.17g %.17g %.17g\n", contact.body[0], contact.body[1],
                     contact.body[2]);
         std::printf("plane_distance %.17g\n", construction.plane_distance());

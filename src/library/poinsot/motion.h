@@ -66,12 +66,13 @@ using Torque =
 
 struct MotionOptions {
     Quaternion start_attitude = Quaternion::Identity();  // space_from_body at t = 0; any length
-    Torque torque;
+    Torque torque = NoTorque{};
     // "exact", or a stepping method: the names, orders and options of `poinsot list methods`.
     std::string method = "exact";
-    std::optional<double> step_s;     // methods of fixed step; default: a 200th of the fastest turn
-    std::optional<double> tolerance;  // methods that choose their steps; default 1e-9
-    std::optional<int> order;         // default: the highest order of the method
+    // Of methods of fixed step; default: a 200th of the fastest turn.
+    std::optional<double> step_s = {};
+    std::optional<double> tolerance = {};  // of methods that choose their steps; default 1e-9
+    std::optional<int> order = {};         // default: the highest order of the method
     // The interval that a stepping method covers; t = 0 is always part of it. Exact motions cover
     // all times.
     double first_time_s = 0.0;
