@@ -180,7 +180,7 @@ def included(cmake, build_folder, nm, launcher, _place):
     check_output(run(folder / "racket"))
     check_program(nm, folder / "racket")
     cache = (folder / "CMakeCache.txt").read_text()
-    if "BUILD_TESTING" in cache or "CPACK_" in cache or (folder / "poinsot/library/libpoinsot_production.a").exists():
+    if re.search("^(BUILD_TESTING|CPACK_|POINSOT_PAGE)", cache, re.M) or (folder / "poinsot/library/libpoinsot_production.a").exists():
         sys.exit("the including project gets tests, packages or parts that it did not ask for")
     with tempfile.TemporaryDirectory() as prefix:
         run(cmake, "--install", folder, "--prefix", prefix)
