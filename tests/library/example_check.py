@@ -174,7 +174,7 @@ target_link_libraries(everything PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,poinsot::
             sys.exit(f"find_package(poinsot {ask}) is refused without a word about {said}")
 
 
-def included(cmake, build_folder, nm, launcher, _place):
+def included(cmake, build_folder, nm, launcher, place):
     folder = pathlib.Path(build_folder) / "example"
     build(cmake, launcher, EXAMPLE, folder, f"-DPOINSOT_SOURCE={SOURCE}", "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_BUILD_TYPE=Release")
     check_output(run(folder / "racket"))
@@ -182,10 +182,33 @@ def included(cmake, build_folder, nm, launcher, _place):
     cache = (folder / "CMakeCache.txt").read_text()
     if re.search("^(BUILD_TESTING|CPACK_|POINSOT_PAGE)", cache, re.M) or (folder / "poinsot/library/libpoinsot_production.a").exists():
         sys.exit("the including project gets tests, packages or parts that it did not ask for")
-    with tempfile.TemporaryDirectory() as prefix:
-        run(cmake, "--install", folder, "--prefix", prefix)
-        if any(pathlib.Path(prefix).iterdir()):
-            sys.exit("the including project installs files of poinsot")
+    run(cmake, "--install", folder, "--prefix", place / "prefix")
+    if (place / "prefix").exists():
+        sys.exit("the including project installs files of poinsot")
+
+    # All parts, by FetchContent; the project has targets of its own with the names of poinsot's.
+    fetching = project(place / "fetching", f"""project(fetching LANGUAGES C CXX)
+foreach(name docs page bundle gallery library)
+    add_custom_target(${{name}})
+endforeach()
+include(FetchContent)
+FetchContent_Declare(poinsot SOURCE_DIR {SOURCE})
+FetchContent_MakeAvailable(poinsot)
+add_executable(fetching main.cpp)
+target_link_libraries(fetching PRIVATE poinsot::production)
+if(CMAKE_BUILD_TYPE OR CMAKE_CXX_STANDARD OR CMAKE_POSITION_INDEPENDENT_CODE)
+    message(FATAL_ERROR "poinsot changes settings")
+endif()
+""")
+    run(cmake, "-G", "Ninja", "-S", fetching, "-B", fetching / "build")
+    if "libpoinsot_production.a" not in run(cmake, "--build", fetching / "build", "--", "-t", "inputs", "fetching"):
+        sys.exit("the program does not depend on the library")
+    # What the project does not use, it does not build.
+    project(place / "other", "").joinpath("CMakeLists.txt").write_text(
+        f"cmake_minimum_required(VERSION 3.25)\nproject(other LANGUAGES C CXX)\nadd_subdirectory({SOURCE} poinsot)\n")
+    run(cmake, "-G", "Ninja", "-S", place / "other", "-B", place / "other/build")
+    if ".o" in run(cmake, "--build", place / "other/build", "--", "-t", "inputs", "all"):
+        sys.exit("the default build makes parts of poinsot that the project does not use")
 
 
 if __name__ == "__main__":
