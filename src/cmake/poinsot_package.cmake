@@ -44,7 +44,7 @@ set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${opened}")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libpoinsot-dev)
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
-    "exact motion of a turning rigid body: library for C++\nHeaders, static libraries and CMake files of poinsot.")
+    "This package contains headers, static libraries and CMake files for programs in\nC++.")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libsleef-dev")
 # What the component production links.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "libcairo2-dev, libdeflate-dev, libfmt-dev, libfreetype-dev, libharfbuzz-dev, libmd-dev, libpng-dev, libxxhash-dev, pkg-config")
