@@ -6,7 +6,7 @@ cmake_minimum_required(VERSION 3.25)
 set(bundle ${BUILD}/bundle/${NAME})
 file(REMOVE_RECURSE ${bundle})
 file(MAKE_DIRECTORY ${bundle}/lib ${bundle}/share/doc/poinsot/licences)
-execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${bundle} OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
+execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --prefix ${bundle} --component program OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
 file(COPY_FILE ${PROGRAM} ${bundle}/bin/poinsot)
 execute_process(COMMAND strip ${bundle}/bin/poinsot COMMAND_ERROR_IS_FATAL ANY)
 

@@ -17,7 +17,11 @@ endmacro()
 
 # poinsot_needs_modules(PREFIX PACKAGE MODULE>=VERSION…) finds libraries by pkg-config, as PkgConfig::PREFIX.
 macro(poinsot_needs_modules prefix package)
-    pkg_check_modules(${prefix} QUIET IMPORTED_TARGET ${ARGN})
+    if(PROJECT_IS_TOP_LEVEL)
+        pkg_check_modules(${prefix} QUIET IMPORTED_TARGET ${ARGN})
+    else()
+        pkg_check_modules(${prefix} QUIET IMPORTED_TARGET GLOBAL ${ARGN})
+    endif()
     if(NOT ${prefix}_FOUND)
         string(REPLACE ";" ", " modules "${ARGN}")
         list(APPEND poinsot_wanting "  ${modules}: missing or too old: install ${package}")

@@ -1,4 +1,5 @@
-# --target package: a .deb for the distribution that it is built on.
+# --target package: .debs for the distribution that they are built on: poinsot, the program, and libpoinsot-dev, the library
+# for C++.
 
 # The package of a library that is opened at run time, if dpkg knows it.
 function(package_of_library name to)
@@ -23,6 +24,9 @@ list(APPEND opened libegl-mesa0 libgl1-mesa-dri fonts-lmodern)
 list(JOIN opened ", " opened)
 
 set(CPACK_GENERATOR DEB)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+set(CPACK_COMPONENTS_GROUPING IGNORE)
+set(CPACK_COMPONENTS_ALL program library)
 set(CPACK_PACKAGE_NAME poinsot)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "the poinsot authors <poinsot@example.org>")
@@ -32,10 +36,19 @@ set(CPACK_PACKAGE_DESCRIPTION
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
-set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_PRIORITY optional)
-set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
-set(CPACK_DEBIAN_PACKAGE_DEPENDS "${opened}")
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_NAME poinsot)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${opened}")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libpoinsot-dev)
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
+    "This package contains headers, static libraries and CMake files for programs in\nC++.")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libsleef-dev")
+# What the component production links.
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "libcairo2-dev, libdeflate-dev, libfmt-dev, libfreetype-dev, libharfbuzz-dev, libmd-dev, libpng-dev, libxxhash-dev, pkg-config")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "poinsot, cmake")
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 include(CPack)

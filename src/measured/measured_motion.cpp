@@ -133,10 +133,8 @@ void MeasuredReader::read(std::string_view bytes) {
             constexpr std::size_t longest_line = 1 << 20;
             if (rest_.size() > longest_line) {
                 ++line_number_;
-                throw InputError(
-                    fmt::format("{}:{}:1: the line is longer than 1 MiB; give a table of text with "
-                                "a row a line",
-                                printable(name_), line_number_));
+                refuse_at(line_number_, 1,
+                          "the line is longer than 1 MiB; give a table of text with a row a line");
             }
             return;
         }
@@ -157,12 +155,9 @@ void MeasuredReader::finish() {
         take_line(last);
     }
     if (n_columns_ == 0)
-        throw InputError(fmt::format(
-            "{}:1:1: the file is empty; give a table whose first line names its columns",
-            printable(name_)));
+        refuse_at(1, 1, "the file is empty; give a table whose first line names its columns");
     if (!has_rows_)
-        throw InputError(fmt::format("{}:{}:1: the table has no rows; give instants with values",
-                                     printable(name_), line_number_ + 1));
+        refuse_at(line_number_ + 1, 1, "the table has no rows; give instants with values");
 }
 
 void MeasuredReader::refuse(std::size_t cell, const std::string& what) const {
@@ -170,7 +165,12 @@ void MeasuredReader::refuse(std::size_t cell, const std::string& what) const {
     const std::size_t column =
         cell < cells_.size() ? static_cast<std::size_t>(cells_[cell].data() - line_.data()) + 1
                              : line_.size() + 1;
-    throw InputError(fmt::format("{}:{}:{}: {}", printable(name_), line_number_, column, what));
+    refuse_at(line_number_, column, what);
+}
+
+void MeasuredReader::refuse_at(std::size_t line, std::size_t column, std::string_view what) const {
+    throw InputError({name_, static_cast<int>(line), static_cast<int>(column)},
+                     fmt::format("{}:{}:{}: {}", printable(name_), line, column, what));
 }
 
 void MeasuredReader::take_line(std::string_view line) {
@@ -231,8 +231,7 @@ void MeasuredReader::check_columns() const {
                              [](int column) { return column >= 0; });
     };
     const auto refuse_missing = [this](std::string_view what) {
-        throw InputError(fmt::format("{}:{}:1: the first line names no column for {}",
-                                     printable(name_), line_number_, what));
+        refuse_at(line_number_, 1, fmt::format("the first line names no column for {}", what));
     };
     if (column_of_time_ < 0) refuse_missing("the time; name one \"time\", or \"time (ms)\"");
     if (const auto n = n_of(column_of_omega_); n > 0 && n < 3)
@@ -242,9 +241,7 @@ void MeasuredReader::check_columns() const {
     if (const auto n = n_of(column_of_matrix_); n > 0 && n < 9)
         refuse_missing("each element of the matrix; name nine, as r11, r12, … r33");
     if (has_quaternion() && has_matrix())
-        throw InputError(
-            fmt::format("{}:{}:1: the table has quaternions and matrices; take one of them out",
-                        printable(name_), line_number_));
+        refuse_at(line_number_, 1, "the table has quaternions and matrices; take one of them out");
     if (!has_omega() && !has_attitude())
         refuse_missing(
             "ω or the attitude; name three omega_x, omega_y, omega_z, or four q_w, q_x, q_y, q_z");

@@ -53,6 +53,7 @@ class MeasuredReader {
     void check_columns() const;
     double number_in(int column) const;
     [[noreturn]] void refuse(std::size_t cell, const std::string& what) const;
+    [[noreturn]] void refuse_at(std::size_t line, std::size_t column, std::string_view what) const;
 
     std::string name_;
     TakeRow take_;

@@ -44,6 +44,12 @@ FreeRotationConstants Motion::free_constants() const {
     return FreeRotation(problem_.inertia, problem_.start, problem_.on_separatrix).constants();
 }
 
+std::optional<HeavyTop> Motion::closed_form_of_top() const {
+    const auto* gravity = std::get_if<GravityTorque>(&problem_.torque);
+    if (gravity == nullptr || !HeavyTop::accepts(problem_.inertia, *gravity)) return std::nullopt;
+    return HeavyTop(problem_.inertia, *gravity, problem_.start, problem_.top_start);
+}
+
 bool Motion::sums_theta_series() const {
     return heavy_top() != nullptr ||
            (free_rotation() != nullptr && free_rotation()->sums_theta_series());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <variant>
 
 #include "mechanics/free/free_rotation.h"
@@ -35,6 +36,10 @@ class Motion {
     // The constants of a torque-free motion, by whatever method it is computed. Precondition: the
     // problem has no torque.
     FreeRotationConstants free_constants() const;
+
+    // The closed form of a heavy symmetric top, by whatever method the motion is computed; none for
+    // other bodies and torques.
+    std::optional<HeavyTop> closed_form_of_top() const;
 
     // The solution as a FreeRotation, for the functions that only it has; null for other solutions.
     const FreeRotation* free_rotation() const { return std::get_if<FreeRotation>(&solution_); }

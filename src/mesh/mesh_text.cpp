@@ -92,7 +92,8 @@ void MeshText::refuse(std::string_view word, std::string_view what) const {
         std::ranges::count_if(
             in_line, [](char c) { return (static_cast<unsigned char>(c) & 0xc0) != 0x80; }) +
         1;
-    throw InputError(fmt::format("{}:{}:{}: {}", printable(name_), line, column, what));
+    throw InputError({std::string(name_), static_cast<int>(line), static_cast<int>(column)},
+                     fmt::format("{}:{}:{}: {}", printable(name_), line, column, what));
 }
 
 double MeshText::coordinate(std::string_view word) const {

@@ -13,8 +13,8 @@
 #include "drawing/stage/panel.h"
 #include "drawing/stage/stage_context.h"
 #include "drawing/stage/stage_store.h"
+#include "mechanics/regime_sentence.h"
 #include "page/lecture.h"
-#include "production/session/scene_summary.h"
 #include "scene/scene_keys.h"
 #include "text/json_text.h"
 #include "text/numbers.h"
@@ -142,7 +142,7 @@ std::string Lecture::description() const {
         .add("frames_per_s", film_.rate.per_second())
         .add("width", scene.film.width_px)
         .add("height", scene.film.height_px)
-        .add("regime", regime_sentence(session_))
+        .add("regime", regime_sentence(session_.motion))
         .json("notes", json_list(notes))
         .json("panels", panels_text())
         .json("chapters", json_list(chapters))

@@ -14,7 +14,9 @@ namespace poinsot {
 class SceneError : public InputError {
  public:
     SceneError(SourceLocation where, std::string_view what_and_remedy)
-        : InputError(where.prefix() + std::string(what_and_remedy)), where_(std::move(where)) {}
+        : InputError({where.file, where.line, where.column},
+                     where.prefix() + std::string(what_and_remedy)),
+          where_(std::move(where)) {}
 
     const SourceLocation& where() const { return where_; }
 

@@ -43,6 +43,10 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"production",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "vector", "image", "output"}},
+    // The library for programs in C++.
+    {"library",
+     {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
+      "typeset", "shapes", "drawing", "render", "vector", "image", "output", "production"}},
     // The module of a page in a browser.
     {"page",
      {"error", "text", "mechanics", "image", "typeset", "scene", "construction", "shapes",
@@ -59,6 +63,7 @@ const std::map<std::string, std::set<std::string>> allowed{
 // Subfolder → the other subfolders of its folder that it may include. Files directly in the folder
 // may be included by all subfolders and may include all of them.
 const std::map<std::string, std::set<std::string>> allowed_subfolders{
+    {"error/poinsot", {}},
     {"mechanics/free", {}},
     {"mechanics/top", {}},
     {"mechanics/stepped", {}},
@@ -91,6 +96,10 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"drawing/figures/panels",
      {"drawing/style", "drawing/stage", "drawing/stage/type", "drawing/figures/charts",
       "drawing/figures/elements"}},
+    {"library/poinsot", {}},
+    {"library/mechanics", {"library/poinsot"}},
+    {"library/construction", {"library/poinsot", "library/mechanics"}},
+    {"library/production", {"library/poinsot", "library/mechanics", "library/construction"}},
     {"page/webgl/glad", {}},
     {"render/context", {}},
     {"render/passes", {"render/context", "render/cache"}},
@@ -104,6 +113,9 @@ const std::map<std::string, std::set<std::string>> allowed_folders{
      {"error", "text", "system", "image", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing"}},
     {"production/sampling", {"error", "text", "system", "mechanics", "construction"}},
+    // Components of the library that need Eigen alone.
+    {"library/mechanics", {"error", "mechanics"}},
+    {"library/construction", {"error", "mechanics", "construction"}},
 };
 
 // Parsers take text and a name; only the subfolders files/ of these folders read or write the disk.
@@ -283,6 +295,20 @@ TEST(House, SubfoldersWithoutOutputIncludeNone) {
             << include.from_file << " must not include \"" << include.header << "\"";
     }
     EXPECT_GT(n_includes, 50);
+}
+
+// Installed headers need nothing of the repository, and no other library than Eigen.
+TEST(House, PublicHeadersIncludeOnlyTheStandardLibraryAndEigen) {
+    std::set<std::string> headers;
+    for (const Include& include : includes_of_sources()) {
+        if (!subfolder_of(include.from_file).ends_with("/poinsot")) continue;
+        headers.insert(include.from_file);
+        const bool is_public = include.header.starts_with("poinsot/");
+        EXPECT_TRUE(!include.quoted && (is_public || include.header.starts_with("Eigen/") ||
+                                        include.header.find_first_of("./") == std::string::npos))
+            << include.from_file << " must not include " << include.header;
+    }
+    EXPECT_GE(headers.size(), 3u);
 }
 
 TEST(House, ReadingFilesStandsApartFromParsing) {

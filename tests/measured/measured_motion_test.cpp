@@ -13,11 +13,16 @@ namespace poinsot {
 
 namespace {
 
-// The message that this table is refused with.
+// The message that this table is refused with. It begins with the error's place.
 std::string refusal(const std::string& table) {
     try {
         read_measured(table, "gyro.csv");
     } catch (const InputError& error) {
+        const InputPlace place = error.place().value_or(InputPlace{});
+        EXPECT_TRUE(std::string_view(error.what())
+                        .starts_with(place.file + ":" + std::to_string(place.line) + ":" +
+                                     std::to_string(place.column) + ": "))
+            << error.what();
         return error.what();
     }
     return "not refused";

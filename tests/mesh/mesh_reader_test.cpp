@@ -74,6 +74,18 @@ class TemporaryFile {
     fs::path path_;
 };
 
+TEST(MeshReaders, ErrorsKnowTheirPlace) {
+    try {
+        read_obj("v 0 0 0\nv 1 x 0\n", "a.obj");
+        ADD_FAILURE() << "not refused";
+    } catch (const InputError& error) {
+        ASSERT_TRUE(error.place());
+        EXPECT_EQ(error.place()->file, "a.obj");
+        EXPECT_EQ(error.place()->line, 2);
+        EXPECT_EQ(error.place()->column, 5);
+    }
+}
+
 TEST(MeshReaders, RoundTripPreservesTheMesh) {
     for (const TriangleMesh& made : {torus_mesh(0.5, 0.2, 20, 12), cone_mesh(0.3, 1.0, 12),
                                      ellipsoid_mesh({1.0, 2.0, 3.0}, 4)}) {

@@ -14,6 +14,7 @@
 #include "drawing/stage/stage.h"
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/motion_errors.h"
+#include "mechanics/regime_sentence.h"
 #include "mechanics/top/heavy_top.h"
 #include "production/session/measured_summary.h"
 #include "production/session/motion_hints.h"
@@ -31,48 +32,12 @@ void add_number(std::vector<SummaryLine>& lines, std::string key, std::string la
                      fmt::format("{:.9g} {}", value, unit)});
 }
 
-std::string axis_name(int axis) { return fmt::format("e{}", axis + 1); }
-
-// Whether the body spins about the axis of the middle moment, which is unstable.
-bool is_about_middle_axis(const MotionProblem& problem) {
-    const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
-    const Eigen::Vector3d omega =
-        problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
-    int axis = 0;
-    omega.cwiseAbs().maxCoeff(&axis);
-    return I.minCoeff() < I[axis] && I[axis] < I.maxCoeff();
-}
-
-std::string regime_in_words(const MotionProblem& problem, Regime regime,
-                            const FreeRotationConstants& constants) {
-    switch (regime) {
-        case Regime::at_rest:
-            return "at rest: ω is zero";
-        case Regime::permanent:
-            return is_about_middle_axis(problem)
-                       ? "permanent rotation about the middle axis: ω is constant, but unstable"
-                       : "permanent rotation: ω is constant";
-        case Regime::symmetric:
-            return "symmetric body: ω moves on a circle (trigonometric functions)";
-        case Regime::elliptic_about_lowest:
-            return fmt::format("polhode about {}, the axis of the smallest moment (elliptic)",
-                               axis_name(constants.encircled_axis));
-        case Regime::elliptic_about_highest:
-            return fmt::format("polhode about {}, the axis of the largest moment (elliptic)",
-                               axis_name(constants.encircled_axis));
-        case Regime::separatrix:
-            return "separatrix: ω approaches the middle axis and never returns (hyperbolic)";
-        default:
-            return std::string(name_of(regime));
-    }
-}
-
 // Adds the lines of a torque-free motion and its construction.
 void add_free_motion(const Session& session, std::vector<SummaryLine>& lines) {
     const MotionProblem& problem = session.motion.problem();
     const FreeRotationConstants constants = session.motion.free_constants();
     lines.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
-                     regime_in_words(problem, session.motion.regime(), constants)});
+                     regime_sentence(session.motion)});
     add_number(lines, "kinetic_energy_J", "T", constants.kinetic_energy_J, "J");
     add_number(lines, "momentum_kg_m2_s", "L", constants.momentum_kg_m2_s, "kg m²/s");
     if (session.motion.regime() == Regime::at_rest) return;
@@ -128,53 +93,10 @@ void add_free_motion(const Session& session, std::vector<SummaryLine>& lines) {
     }
 }
 
-// An explanation of the kind of a top's motion.
-std::string_view meaning_of(TopRegime regime) {
-    switch (regime) {
-        case TopRegime::sleeping:
-            return "upright, and stable since (Cω₃)² ≥ 4A·Mgl";
-        case TopRegime::sleeping_unstable:
-            return "upright by symmetry alone, since (Cω₃)² < 4A·Mgl";
-        case TopRegime::hanging:
-            return "vertical, with the centre of mass below the fixed point";
-        case TopRegime::steady_slow:
-            return "θ is constant; this is the slower of the two precessions at this tilt";
-        case TopRegime::steady_fast:
-            return "θ is constant; this is the faster of the two precessions at this tilt";
-        case TopRegime::wavy:
-            return "φ̇ keeps its sign";
-        case TopRegime::cusp:
-            return "φ̇ vanishes at the upper end";
-        case TopRegime::looping:
-            return "φ̇ changes its sign";
-        case TopRegime::through_vertical:
-            return "φ jumps by π at each passage";
-        case TopRegime::planar_pendulum:
-            return "neither spin nor precession";
-        case TopRegime::separatrix:
-            return "the axis approaches the upright position and never returns";
-        case TopRegime::no_gravity:
-            return "a free symmetric body";
-    }
-    return "";
-}
-
-// The closed form of a heavy symmetric top, whatever the motion's method.
-std::optional<HeavyTop> heavy_top_of(const Session& session) {
-    const MotionProblem& problem = session.motion.problem();
-    const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
-    if (gravity == nullptr || !HeavyTop::accepts(problem.inertia, *gravity)) return std::nullopt;
-    return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
-}
-
-std::string top_regime_in_words(const HeavyTop& top) {
-    return fmt::format("{}: {}", name_of(top.regime()), meaning_of(top.regime()));
-}
-
 // Adds a heavy top's conserved momenta and energy, and the limits and rates of its nutation.
 void add_heavy_top(const HeavyTop& top, std::vector<SummaryLine>& lines) {
     lines.push_back({"top_regime", json_string(name_of(top.regime())), "kind of its motion",
-                     top_regime_in_words(top)});
+                     regime_sentence(top)});
     const TopInvariants& kept = top.invariants();
     add_number(lines, "p_phi_kg_m2_s", "p_φ, along the vertical", kept.p_phi_kg_m2_s, "kg m²/s");
     add_number(lines, "p_psi_kg_m2_s", "p_ψ = Cω₃, along the axis", kept.p_psi_kg_m2_s, "kg m²/s");
@@ -271,7 +193,7 @@ void add_motion(const Session& session, std::vector<SummaryLine>& lines) {
     } else {
         lines.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
                          std::string(name_of(session.motion.regime()))});
-        if (const auto top = heavy_top_of(session)) add_heavy_top(*top, lines);
+        if (const auto top = session.motion.closed_form_of_top()) add_heavy_top(*top, lines);
         add_start(problem, lines);
     }
 }
@@ -301,15 +223,6 @@ void add_certificate(const Certificate& certificate, std::vector<SummaryLine>& l
 }
 
 }  // namespace
-
-std::string regime_sentence(const Session& session) {
-    const MotionProblem& problem = session.motion.problem();
-    const Regime regime = session.motion.regime();
-    if (std::holds_alternative<NoTorque>(problem.torque))
-        return regime_in_words(problem, regime, session.motion.free_constants());
-    const auto top = heavy_top_of(session);
-    return top ? top_regime_in_words(*top) : std::string(name_of(regime));
-}
 
 SceneSummary summarise(const Session& session, bool plan, const ProgressSink& progress) {
     SceneSummary summary;

@@ -19,9 +19,6 @@ struct SummaryLine {
     std::string text;
 };
 
-// The kind of a session's motion, as one line in English.
-std::string regime_sentence(const Session& session);
-
 struct SceneSummary {
     std::vector<SummaryLine> lines;
     std::optional<Certificate> certificate;  // of torque-free rotating bodies

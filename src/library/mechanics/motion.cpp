@@ -1,0 +1,201 @@
+#include "library/poinsot/motion.h"
+
+#include <cmath>
+#include <string>
+#include <utility>
+
+#include "error/error.h"
+#include "library/mechanics/motion_access.h"
+#include "mechanics/regime_sentence.h"
+
+namespace poinsot::library {
+
+namespace {
+
+poinsot::Torque torque_in(const Torque& torque) {
+    struct Visitor {
+        poinsot::Torque operator()(const NoTorque&) const { return poinsot::NoTorque{}; }
+        poinsot::Torque operator()(const Gravity& gravity) const {
+            return GravityTorque{gravity.mgl_N_m, gravity.arm_body.stableNormalized()};
+        }
+        poinsot::Torque operator()(const ConstantTorqueInBody& constant) const {
+            return ConstantBodyTorque{constant.torque_body_N_m};
+        }
+        poinsot::Torque operator()(const ConstantTorqueInSpace& constant) const {
+            return ConstantSpaceTorque{constant.torque_space_N_m};
+        }
+        poinsot::Torque operator()(const InternalFriction& friction) const {
+            return DissipationTorque{friction.rate_1_s};
+        }
+    };
+    return std::visit(Visitor{}, torque);
+}
+
+Physicality physicality_of(const MotionOptions& options) {
+    return options.allow_unphysical ? Physicality::waived : Physicality::required;
+}
+
+MotionProblem problem_of(const InertiaTensor& inertia, const MotionOptions& options) {
+    if (!std::isfinite(options.first_time_s) || !std::isfinite(options.last_time_s))
+        throw InputError("first_time_s and last_time_s must be finite numbers");
+    MotionProblem problem;
+    problem.inertia = inertia;
+    problem.method = {options.method, options.step_s, options.tolerance, options.order};
+    problem.first_time_s = options.first_time_s;
+    problem.last_time_s = options.last_time_s;
+    return problem;
+}
+
+poinsot::Motion free_or_driven(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body,
+                               const MotionOptions& options) {
+    MotionProblem problem = problem_of(inertia, options);
+    problem.start.omega_body = omega_body;
+    problem.start.space_from_body = options.start_attitude;
+    problem.torque = torque_in(options.torque);
+    return poinsot::Motion(problem);
+}
+
+State state_of(const MotionSample& sample) {
+    return {.time_s = sample.state.time_s,
+            .omega_body = sample.state.omega_body,
+            .space_from_body = sample.state.space_from_body,
+            .herpolhode_space = sample.herpolhode_space};
+}
+
+constexpr Quantities state_quantities{.attitude = true, .herpolhode = true};
+
+Regime public_regime(poinsot::Regime regime) {
+    switch (regime) {
+        case poinsot::Regime::at_rest:
+            return Regime::at_rest;
+        case poinsot::Regime::permanent:
+            return Regime::permanent;
+        case poinsot::Regime::symmetric:
+            return Regime::symmetric;
+        case poinsot::Regime::elliptic_about_lowest:
+            return Regime::elliptic_about_lowest;
+        case poinsot::Regime::elliptic_about_highest:
+            return Regime::elliptic_about_highest;
+        case poinsot::Regime::separatrix:
+            return Regime::separatrix;
+        case poinsot::Regime::heavy_top:
+            return Regime::heavy_top;
+        case poinsot::Regime::integrated:
+            return Regime::integrated;
+    }
+    return Regime::at_rest;
+}
+
+}  // namespace
+
+Motion MotionAccess::of(poinsot::Motion motion) {
+    return Motion(std::make_shared<const Motion::Inside>(Motion::Inside{std::move(motion)}));
+}
+
+Motion::Motion(std::shared_ptr<const Inside> inside) : inside_(std::move(inside)) {}
+
+Motion::Motion(const Eigen::Vector3d& moments_kg_m2, const Eigen::Vector3d& omega_body_rad_s,
+               const MotionOptions& options)
+    : Motion(MotionAccess::of(free_or_driven(
+          InertiaTensor::from_principal_moments(moments_kg_m2, physicality_of(options)),
+          omega_body_rad_s, options))) {}
+
+Motion Motion::with_tensor(const Eigen::Matrix3d& tensor_kg_m2,
+                           const Eigen::Vector3d& omega_body_rad_s, const MotionOptions& options) {
+    return MotionAccess::of(
+        free_or_driven(InertiaTensor::from_matrix(tensor_kg_m2, physicality_of(options)),
+                       omega_body_rad_s, options));
+}
+
+Motion Motion::heavy_top(double moment_transverse_kg_m2, double moment_axial_kg_m2, double mgl_N_m,
+                         const TopStart& start, const MotionOptions& options) {
+    const Eigen::Vector3d moments(moment_transverse_kg_m2, moment_transverse_kg_m2,
+                                  moment_axial_kg_m2);
+    MotionProblem problem = problem_of(
+        InertiaTensor::from_principal_moments(moments, physicality_of(options)), options);
+    problem.start = start_of(HeavyTopProblem{.moment_transverse_kg_m2 = moment_transverse_kg_m2,
+                                             .moment_axial_kg_m2 = moment_axial_kg_m2,
+                                             .mgl_N_m = mgl_N_m,
+                                             .theta_rad = start.theta_rad,
+                                             .theta_dot_rad_s = start.theta_dot_rad_s,
+                                             .phi_dot_rad_s = start.phi_dot_rad_s,
+                                             .omega3_rad_s = start.omega3_rad_s});
+    problem.top_start = {start.theta_rad, start.theta_dot_rad_s, start.phi_dot_rad_s,
+                         start.omega3_rad_s};
+    problem.torque = GravityTorque{.mgl_N_m = mgl_N_m};
+    return MotionAccess::of(poinsot::Motion(problem));
+}
+
+State Motion::at(double time_s) const {
+    return state_of(inside_->motion.sample(time_s, state_quantities));
+}
+
+void Motion::at(std::span<const double> times_s, std::span<State> states) const {
+    if (times_s.size() != states.size())
+        throw InputError("at: there are " + std::to_string(times_s.size()) + " times and " +
+                         std::to_string(states.size()) + " states; give as many of both");
+    for (std::size_t i = 0; i < times_s.size(); ++i) states[i] = at(times_s[i]);
+}
+
+EulerAngles Motion::euler_angles(double time_s) const {
+    const poinsot::EulerAngles euler =
+        inside_->motion.sample(time_s, {.attitude = true, .euler_angles = true}).euler;
+    return {euler.theta_rad, euler.phi_rad, euler.psi_rad};
+}
+
+Regime Motion::regime() const { return public_regime(inside_->motion.regime()); }
+
+std::string Motion::regime_sentence() const { return poinsot::regime_sentence(inside_->motion); }
+
+Eigen::Vector3d Motion::moments_kg_m2() const {
+    return inside_->motion.problem().inertia.moments_kg_m2();
+}
+
+Eigen::Matrix3d Motion::body_from_principal() const {
+    return inside_->motion.problem().inertia.body_from_principal();
+}
+
+Constants Motion::constants() const {
+    if (!std::holds_alternative<poinsot::NoTorque>(inside_->motion.problem().torque))
+        throw InputError(
+            "constants: T and L are not constant under a torque; a heavy symmetric top has "
+            "top_constants");
+    const FreeRotationConstants constants = inside_->motion.free_constants();
+    return {.kinetic_energy_J = constants.kinetic_energy_J,
+            .momentum_kg_m2_s = constants.momentum_kg_m2_s,
+            .momentum_space = constants.momentum_space,
+            .encircled_axis = constants.encircled_axis,
+            .modulus = constants.modulus,
+            .polhode_period_s = constants.polhode_period_s,
+            .advance_per_period_rad = constants.advance_per_period_rad,
+            .precession_rad_s = constants.mean_advance_rate_rad_s,
+            .least_herpolhode_rad_s = constants.least_herpolhode_radius_rad_s,
+            .greatest_herpolhode_rad_s = constants.greatest_herpolhode_radius_rad_s};
+}
+
+TopConstants Motion::top_constants() const {
+    const auto top = inside_->motion.closed_form_of_top();
+    if (!top)
+        throw InputError(
+            "top_constants: the body is not a heavy symmetric top; a free body has constants");
+    const TopInvariants& kept = top->invariants();
+    const TopNutation& nutation = top->nutation();
+    return {.p_phi_kg_m2_s = kept.p_phi_kg_m2_s,
+            .p_psi_kg_m2_s = kept.p_psi_kg_m2_s,
+            .energy_J = kept.energy_J,
+            .theta_min_rad = nutation.theta_min_rad,
+            .theta_max_rad = nutation.theta_max_rad,
+            .nutation_period_s = nutation.period_s,
+            .precession_rad_s = nutation.precession_rate_rad_s};
+}
+
+std::string_view name_of(Regime regime) {
+    for (const poinsot::Regime candidate :
+         {poinsot::Regime::at_rest, poinsot::Regime::permanent, poinsot::Regime::symmetric,
+          poinsot::Regime::elliptic_about_lowest, poinsot::Regime::elliptic_about_highest,
+          poinsot::Regime::separatrix, poinsot::Regime::heavy_top, poinsot::Regime::integrated})
+        if (public_regime(candidate) == regime) return poinsot::name_of(candidate);
+    return "";
+}
+
+}  // namespace poinsot::library
