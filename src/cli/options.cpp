@@ -105,23 +105,7 @@ Option portable_option(ContextOptions& context) {
 }
 
 ContextChoice context_choice_of(const ContextOptions& options) {
-    ContextChoice choice;
-    choice.portability = options.portable ? Portability::portable : Portability::native;
-    if (options.backend == "osmesa") {
-        choice.backend = Backend::osmesa;
-    } else if (options.backend == "egl") {
-        choice.backend = Backend::egl;
-    } else if (options.backend == "gpu") {
-        choice.backend = Backend::gpu;
-        if (options.portable)
-            throw InputError(
-                "--backend gpu: portable pictures are drawn in software; leave out --portable or "
-                "--backend");
-    } else if (options.backend != "auto") {
-        throw InputError(fmt::format("--backend {}: unknown; choose auto, osmesa, egl or gpu",
-                                     printable(options.backend)));
-    }
-    return choice;
+    return context_choice(options.backend, options.portable);
 }
 
 Option output_option(std::string& output, std::string_view help) {

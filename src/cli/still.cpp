@@ -19,11 +19,10 @@
 #include "error/error.h"
 #include "output/frame_name.h"
 #include "production/jobs/contact_sheet.h"
+#include "production/jobs/journal_request.h"
 #include "production/jobs/output_place.h"
 #include "production/jobs/still_job.h"
 #include "production/slides/slide_plan.h"
-#include "production/vectors/journal.h"
-#include "scene/files/load_scene.h"
 #include "text/label_text.h"
 #include "text/printable.h"
 
@@ -110,37 +109,11 @@ int draw_sheet_of(const StillChoices& choices) {
     return 0;
 }
 
-// Draws as journals ask: in theme print, with letters on the panels, and without the text that
-// belongs in the author's caption. What the scene or the command line says itself has precedence.
-void follow_journal(const StillChoices& choices, SceneRequest& request,
-                    const ProgressSink& progress) {
-    set_journal(journal_named(choices.print.journal), request.print);
-    constexpr std::string_view theme = "print";
-    const Scene scene = load_scene(request.file, request.overrides, request.outside);
-    if (!is_given(request.overrides, "theme")) {
-        if (scene.locations.contains("theme") && scene.theme != theme)
-            progress.say(
-                fmt::format("note: {} is drawn in theme {}, not in its own theme {}; "
-                            "--theme {} keeps that",
-                            request.file, theme, scene.theme, scene.theme));
-        request.overrides.emplace_back(fmt::format("--journal theme={}", theme));
-    } else if (scene.theme != theme) {
-        progress.say(
-            fmt::format("note: {} is drawn in theme {}, as the command line says; the default "
-                        "for journals is {}",
-                        request.file, scene.theme, theme));
-    }
-    if (!choices.keeps_text && !scene.locations.contains("overlays"))
-        request.overrides.emplace_back("--journal overlays=false");
-    if (!scene.locations.contains("panel_letters"))
-        request.overrides.emplace_back("--journal panel_letters=true");
-}
-
 SceneRequest request_of(const SceneJob& job, const StillChoices& choices,
                         const ProgressSink& progress) {
     SceneRequest request = scene_request_of(job.scene, choices.scene, job.overrides);
     request.print = choices.print;
-    if (!choices.print.journal.empty()) follow_journal(choices, request, progress);
+    if (!choices.print.journal.empty()) follow_journal(choices.keeps_text, request, progress);
     // Vector output is for paper, with or without a print option.
     if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
     if (choices.time_s) request.times_s = {*choices.time_s};

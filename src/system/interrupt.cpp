@@ -10,6 +10,7 @@ namespace poinsot {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
+std::atomic<bool> host_handles_signals{false}, host_asks_to_stop{false};
 std::atomic<int> n_ends_at_once{0};
 static_assert(std::atomic<int>::is_always_lock_free);  // the signal handler reads it
 
@@ -22,16 +23,20 @@ extern "C" void remember_interrupt(int signal_number) {
 }  // namespace
 
 void watch_for_interrupts() {
+    if (host_handles_signals) return;
     std::signal(SIGINT, remember_interrupt);
     std::signal(SIGTERM, remember_interrupt);
 }
 
 void stop_if_interrupted() {
-    if (interrupted != 0)
+    if (interrupted != 0 || host_asks_to_stop)
         throw EnvironmentError(
             "interrupted before the output was finished; run the same command again to continue a "
             "film");
 }
+
+void leave_signals_to_host() { host_handles_signals = true; }
+void request_stop(bool stop) { host_asks_to_stop = stop; }
 
 EndsAtOnce::EndsAtOnce() { ++n_ends_at_once; }
 EndsAtOnce::~EndsAtOnce() { --n_ends_at_once; }

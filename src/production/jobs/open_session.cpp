@@ -18,8 +18,17 @@ void refuse_two_sizes(const SceneRequest& request) {
 
 }  // namespace
 
+std::string text_of(const SceneRequest& request) {
+    return request.text ? *request.text : text_of_file(request.file);
+}
+
+Scene scene_of(const SceneRequest& request) {
+    return parse_scene(text_of(request), request.file, request.overrides,
+                       files_of_folder(request.outside));
+}
+
 Session open_session(const SceneRequest& request, const ProgressSink& progress) {
-    const Scene scene = load_scene(request.file, request.overrides, request.outside);
+    const Scene scene = scene_of(request);
     refuse_two_sizes(request);
     return session_of(scene, {installed_fonts(), request.print, request.times_s}, progress);
 }

@@ -1,9 +1,32 @@
 #include "production/jobs/picture.h"
 
+#include <fmt/format.h>
+
 #include "error/error.h"
 #include "image/downsample.h"
+#include "text/printable.h"
 
 namespace poinsot {
+
+ContextChoice context_choice(std::string_view backend, bool portable) {
+    ContextChoice choice;
+    choice.portability = portable ? Portability::portable : Portability::native;
+    if (backend == "osmesa") {
+        choice.backend = Backend::osmesa;
+    } else if (backend == "egl") {
+        choice.backend = Backend::egl;
+    } else if (backend == "gpu") {
+        choice.backend = Backend::gpu;
+        if (portable)
+            throw InputError(
+                "--backend gpu: portable pictures are drawn in software; leave out --portable or "
+                "--backend");
+    } else if (backend != "auto") {
+        throw InputError(fmt::format("--backend {}: unknown; choose auto, osmesa, egl or gpu",
+                                     printable(backend)));
+    }
+    return choice;
+}
 
 OffscreenContext make_context(const ContextChoice& choice, ShaderCompilation compilation) {
     return OffscreenContext(choice.backend, choice.portability, compilation);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <string_view>
 
 #include "image/image.h"
 #include "production/provenance/record.h"
@@ -18,6 +19,9 @@ struct ContextChoice {
     Backend backend = Backend::automatic;
     Portability portability = Portability::native;
 };
+// From the values of --backend (auto, osmesa, egl or gpu) and --portable. Throws InputError for a
+// backend that does not exist, and for portable pictures by a graphics card.
+ContextChoice context_choice(std::string_view backend, bool portable);
 // Throws EnvironmentError if the machine has no such context.
 OffscreenContext make_context(const ContextChoice& choice,
                               ShaderCompilation compilation = ShaderCompilation::thorough);

@@ -166,8 +166,7 @@ Record StillJob::vector_record() const {
     return record;
 }
 
-void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
-                            const ProgressSink& progress) {
+VectorStill StillJob::vectors(LazyRenderer& renderer) const {
     Record record = vector_record();
     vector::DrawPixels draw_pixels;
     if (has_pixels(request_.vectors)) {
@@ -176,10 +175,48 @@ void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
     } else {
         record_without_context(record);
     }
-    const double dpi = record.dpi.value_or(default_dpi);
-    const Drawing drawing = this->drawing();
-    const VectorStill still = vector_still(place.path(), title(), drawing, request_.vectors,
-                                           std::move(record), draw_pixels);
+    return vector_still(request_.output, title(), drawing(), request_.vectors, std::move(record),
+                        draw_pixels);
+}
+
+Record StillJob::pixel_record(const PictureMaker& pictures, bool is_portable,
+                              PngOptions& png) const {
+    Record record = record_of(session_, pictures, is_portable);
+    add_moment(record);
+    record.bit_depth = request_.bit_depth;
+    const FilmSpec& film = session_.scene.film;
+    const auto paper = print_size_of(request_.print, film.width_px, film.height_px);
+    if (!paper) return record;
+    png.pixels_per_metre = paper->pixels_per_metre;
+    record.dpi = request_.print.dpi.value_or(default_dpi);
+    record.type_pt = request_.print.type_pt.value_or(default_type_pt);
+    record.journal = request_.print.journal;
+    return record;
+}
+
+PixelStill StillJob::pixels(LazyRenderer& renderer) {
+    PictureMaker pictures(std::move(staging_), renderer);
+    if (request_.bit_depth != 8 || wants_bands(pictures))
+        throw InputError(
+            fmt::format("a picture of {}x{} pixels with {} bits per component is written to a "
+                        "file only; give its name",
+                        pictures.width_px(), pictures.height_px(), request_.bit_depth));
+    return drawn(pictures, renderer.is_portable());
+}
+
+PixelStill StillJob::drawn(PictureMaker& pictures, bool is_portable) const {
+    PixelStill still;
+    Record record = pixel_record(pictures, is_portable, still.png);
+    pictures.draw(moment_, still.image);
+    record.pixels = pixels_xxh64(still.image);
+    still.png.texts[metadata_name] = sealed_text(record);
+    still.bound = in_words(pictures.bound(), session_.accuracy.asked_px);
+    return still;
+}
+
+void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
+                            const ProgressSink& progress) {
+    const VectorStill still = vectors(renderer);
     write_whole(place.path(), still.bytes);
     std::string files = printable(place.path().string());
     if (!still.latex.empty()) {
@@ -189,7 +226,8 @@ void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
         files += "\n" + printable(beside.string());
     }
     progress.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, still.off_um));
-    if (!request_.print.journal.empty()) tell_figure(session_, drawing, dpi, progress);
+    if (!request_.print.journal.empty())
+        tell_figure(session_, drawing(), request_.print.dpi.value_or(default_dpi), progress);
 }
 
 Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {
@@ -201,11 +239,10 @@ Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {
 }
 
 void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress) {
-    const Scene& scene = session_.scene;
     tell_notes(session_, progress);
     tell_stage_notes(staging_.stage, progress);
     tell_unnamed(staging_.stage, {&moment_, 1}, progress);
-    OutputPlace place(request_.output, scene, ".png");
+    OutputPlace place(request_.output, session_.scene, ".png");
     if (is_vector_name(request_.output)) {
         draw_vectors(std::move(place), renderer, progress);
         return;
@@ -214,20 +251,11 @@ void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressS
         tell_figure(session_, drawing(),
                     staging_.samples * request_.print.dpi.value_or(default_dpi), progress);
     PictureMaker pictures(std::move(staging_), renderer);
-    Record record = record_of(session_, pictures, renderer.is_portable());
-    add_moment(record);
-    PngOptions png;
-    if (const auto paper =
-            print_size_of(request_.print, scene.film.width_px, scene.film.height_px)) {
-        png.pixels_per_metre = paper->pixels_per_metre;
-        record.dpi = request_.print.dpi.value_or(default_dpi);
-        record.type_pt = request_.print.type_pt.value_or(default_type_pt);
-        record.journal = request_.print.journal;
-    }
-    record.bit_depth = request_.bit_depth;
     std::string words = fmt::format("{}\n{}", printable(place.path().string()),
                                     in_words(pictures.bound(), session_.accuracy.asked_px));
-    if (record.bit_depth == 16 || wants_bands(pictures)) {
+    if (request_.bit_depth == 16 || wants_bands(pictures)) {
+        PngOptions png;
+        Record record = pixel_record(pictures, renderer.is_portable(), png);
         writer.finish();
         watch_for_interrupts();
         const auto texts = [&record](const std::string& pixels) {
@@ -237,11 +265,8 @@ void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressS
         write_in_bands(pictures, moment_, place.path(), png, record.bit_depth, texts);
         progress.say(words);
     } else {
-        Image image;
-        pictures.draw(moment_, image);
-        record.pixels = pixels_xxh64(image);
-        png.texts[metadata_name] = sealed_text(record);
-        writer.write(std::move(place), std::move(image), std::move(png),
+        PixelStill still = drawn(pictures, renderer.is_portable());
+        writer.write(std::move(place), std::move(still.image), std::move(still.png),
                      [say = progress.say, words = std::move(words)] { say(words); });
     }
 }

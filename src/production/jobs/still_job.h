@@ -32,6 +32,13 @@ struct StillRequest {
     std::vector<std::optional<Camera>> views{};  // as in StageOptions
 };
 
+// A picture in memory, and what its PNG file says besides.
+struct PixelStill {
+    Image image;
+    PngOptions png;     // with its record
+    std::string bound;  // how exact the picture is, as in_words says it
+};
+
 // A prepared picture. Any thread may construct it.
 class StillJob {
  public:
@@ -52,6 +59,12 @@ class StillJob {
     // EnvironmentError, and the writer's error for an earlier picture.
     void draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress);
 
+    // Draws the picture in memory. Throws InputError for a picture that is drawn in bands or has 16
+    // bits per component.
+    PixelStill pixels(LazyRenderer& renderer);
+    // The bytes of a vector figure, whose output's name ends in .pdf or .svg.
+    VectorStill vectors(LazyRenderer& renderer) const;
+
     // Draws into memory only, for a contact sheet; returns the record. Throws as draw does.
     Record draw_into(LazyRenderer& renderer, Image& image);
 
@@ -64,6 +77,9 @@ class StillJob {
 
  private:
     void add_moment(Record& record) const;
+    // Also sets the density of a file that has a size on paper.
+    Record pixel_record(const PictureMaker& pictures, bool is_portable, PngOptions& png) const;
+    PixelStill drawn(PictureMaker& pictures, bool is_portable) const;
     void draw_vectors(OutputPlace place, LazyRenderer& renderer, const ProgressSink& progress);
 
     Session session_;

@@ -44,7 +44,7 @@ std::string hex(const Colour& colour) {
 
 // The scene as the page will read it, with the files that it names.
 Scene read_again(const SceneRequest& request, PageContents& contents) {
-    contents.scene_text = text_of_file(request.file);
+    contents.scene_text = text_of(request);
     const SceneFiles on_disk = files_of_folder(request.outside);
     const SceneFiles kept = [&](const NamedFile& file) {
         FileBytes found = on_disk(file);
@@ -64,7 +64,9 @@ std::vector<std::uint8_t> still_png(const SceneRequest& request, PageContents& c
     small.overrides.push_back(fmt::format("film.size={}x{}", width_px, height_px));
     const Session session = open_session(small);
     const FilmTime moment = still_moment(session, {}, StillTime::of_scene);
-    PictureMaker pictures(session, renderer, {moment.time_s, moment.time_s});
+    // The herpolhode and other histories begin with the film, as in a still.
+    const double start_s = std::min(film_plan(session).start_s, moment.time_s);
+    PictureMaker pictures(session, renderer, {start_s, moment.time_s, moment.time_s});
     Image image;
     pictures.draw(moment, image);
     contents.poster_at_s = moment.film_s;

@@ -186,18 +186,15 @@ void append_row(const SampledMotion& motion, const MotionSample& sample, std::sp
     }
 }
 
-}  // namespace
-
-SampleTable sample_table(const Motion& motion, std::span<const ChosenColumn> columns,
-                         std::span<const double> times_s, std::string_view asked_by) {
+// Calls take(row's number, row's values) for every instant.
+template <typename Take>
+void each_row(const Motion& motion, std::span<const ChosenColumn> columns,
+              std::span<const double> times_s, std::string_view asked_by, Take take) {
     if (!columns.empty() && times_s.size() > most_sampled_values / columns.size())
         throw InputError(
             fmt::format("{}: {} instants of {} columns are more than the {} numbers that one table "
                         "holds; split them into several runs",
                         asked_by, times_s.size(), columns.size(), most_sampled_values));
-    SampleTable table;
-    for (const ChosenColumn& column : columns) table.headings.push_back(column.heading);
-    table.values.reserve(times_s.size() * columns.size());
     const Quantities wanted = wanted_of(motion, columns);
     const std::vector<Run> runs = runs_of(columns);
     SampledMotion sampled{wanted.euler_angles, motion.problem().inertia.matrix_body(), {}};
@@ -205,13 +202,44 @@ SampleTable sample_table(const Motion& motion, std::span<const ChosenColumn> col
         return column.quantity->offered != nullptr;
     });
     if (certifies) sampled.construction.emplace(motion.problem().inertia, motion.problem().start);
-    for (const double time_s : times_s) {
+    std::vector<double> row;
+    for (std::size_t k = 0; k < times_s.size(); ++k) {
+        row.clear();
         try {
-            append_row(sampled, motion.sample(time_s, wanted), runs, table.values);
+            append_row(sampled, motion.sample(times_s[k], wanted), runs, row);
         } catch (const InputError& error) {
-            throw InputError(fmt::format("{} {}: {}", asked_by, time_s, error.what()));
+            throw InputError(fmt::format("{} {}: {}", asked_by, times_s[k], error.what()));
         }
+        take(k, row);
     }
+}
+
+std::vector<std::string> headings_of(std::span<const ChosenColumn> columns) {
+    std::vector<std::string> headings;
+    for (const ChosenColumn& column : columns) headings.push_back(column.heading);
+    return headings;
+}
+
+}  // namespace
+
+SampleTable sample_table(const Motion& motion, std::span<const ChosenColumn> columns,
+                         std::span<const double> times_s, std::string_view asked_by) {
+    SampleTable table{headings_of(columns), {}};
+    each_row(motion, columns, times_s, asked_by, [&](std::size_t k, std::span<const double> row) {
+        if (k == 0) table.values.reserve(times_s.size() * row.size());
+        table.values.insert(table.values.end(), row.begin(), row.end());
+    });
+    return table;
+}
+
+SampleTable sample_columns(const Motion& motion, std::span<const ChosenColumn> columns,
+                           std::span<const double> times_s, std::string_view asked_by) {
+    const std::size_t n = times_s.size();
+    SampleTable table{headings_of(columns), {}};
+    each_row(motion, columns, times_s, asked_by, [&](std::size_t k, std::span<const double> row) {
+        if (k == 0) table.values.resize(n * row.size());
+        for (std::size_t i = 0; i < row.size(); ++i) table.values[i * n + k] = row[i];
+    });
     return table;
 }
 

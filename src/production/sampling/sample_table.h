@@ -68,6 +68,10 @@ inline constexpr std::size_t most_sampled_values = 100'000'000;
 SampleTable sample_table(const Motion& motion, std::span<const ChosenColumn> columns,
                          std::span<const double> times_s, std::string_view asked_by);
 
+// The same, with the values column by column.
+SampleTable sample_columns(const Motion& motion, std::span<const ChosenColumn> columns,
+                           std::span<const double> times_s, std::string_view asked_by);
+
 // A file format of tables.
 using WriteBytes = std::function<void(std::string_view bytes)>;
 struct TableFormat {
