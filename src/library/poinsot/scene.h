@@ -1,0 +1,144 @@
+// Scenes: the motion of a scene as numbers, and its pictures. Part of poinsot::production.
+//
+// Functions throw InputError and EnvironmentError (<poinsot/error.h>) with the sentences of the
+// command line. All of them may be called from any thread; one thread of the library draws all
+// pictures, one after another.
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace poinsot::library {
+
+// What long work tells its caller, on the caller's thread, about every 20 ms. Unset functions do
+// nothing. Work that is asked to stop ends with an EnvironmentError; a film continues at the next
+// call.
+struct Watch {
+    std::function<void(const std::string& line)> say{};  // notes, and the bound of the errors
+    std::function<void(std::int64_t n_done, std::int64_t n_frames)> frames{};
+    std::function<bool()> stop{};
+};
+
+// How pictures are drawn. `backend`: auto, osmesa, egl or gpu. `portable`: the same bytes on every
+// x86-64 processor; the first picture of a process must ask for it.
+struct ContextOptions {
+    std::string backend = "auto";
+    bool portable = false;
+};
+
+// The size on paper: millimetres, dots per inch, points. As the options of `poinsot still`.
+struct PaperOptions {
+    std::optional<double> width_mm{}, height_mm{}, dpi{}, type_pt{};
+    std::string journal{};
+};
+
+// One picture. The instant is `time_s` of the motion, in seconds; without it film.still_s of the
+// scene or, with `clearest` or where the scene has none, the instant of the film at which the
+// arrows are farthest apart.
+struct StillOptions {
+    std::optional<double> time_s{};
+    bool clearest = false;
+    PaperOptions paper{};
+    ContextOptions context{};
+};
+
+// A picture in memory. Copies share it.
+class Still {
+ public:
+    int width_px() const;
+    int height_px() const;
+    // width × height × 4 bytes: sRGB-encoded R, G, B and linear, non-premultiplied alpha; row 0 is
+    // the top.
+    std::span<const std::uint8_t> rgba() const;
+    // The bytes of the file that `poinsot still` writes, with its record.
+    std::vector<std::uint8_t> png() const;
+    // How far its lines may be from the truth, in words.
+    const std::string& bound() const;
+
+ private:
+    friend class Scene;
+    struct Contents;
+    explicit Still(std::shared_ptr<const Contents> contents) : contents_(std::move(contents)) {}
+    std::shared_ptr<const Contents> contents_;
+};
+
+// A figure of vectors. `format`: svg or pdf; `shading` and `text`: as for `poinsot still`.
+struct FigureOptions {
+    std::optional<double> time_s{};
+    bool clearest = false;
+    PaperOptions paper{};
+    ContextOptions context{};  // with shading "picture"
+    std::string format = "svg", shading = "tone", text = "font";
+};
+
+// A film, a PNG sequence (#### in the name), a page (.html) or slides (.pptx).
+struct RenderOptions {
+    std::optional<std::pair<std::int64_t, std::int64_t>> frames{};  // first and last, from 0
+    ContextOptions context{};
+};
+
+// Columns of numbers, one row for each instant.
+struct Table {
+    std::vector<std::string> names;  // with units, as omega_body_1_rad_s
+    std::size_t n_rows = 0;
+    std::vector<double> values;  // column by column: value j of column i is values[i·n_rows + j]
+};
+
+// A scene. Immutable; copies share it.
+class Scene {
+ public:
+    // `values`: "key=value", as for --set. `allow_outside`: whether the scene may name files
+    // outside its folder.
+    static Scene from_file(const std::string& file, const std::vector<std::string>& values = {},
+                           bool allow_outside = false);
+    // `name` stands in messages for the file; the scene is named after it, and files that the scene
+    // names lie in its folder.
+    static Scene from_text(const std::string& text, const std::string& name = "scene.toml",
+                           const std::vector<std::string>& values = {}, bool allow_outside = false);
+    // The same scene with more values.
+    Scene with(const std::vector<std::string>& values) const;
+
+    std::string name() const;
+    std::string title() const;
+    const std::string& text() const;
+    const std::vector<std::string>& values() const;
+    int width_px() const;
+    int height_px() const;
+    std::string language() const;
+
+    // The object that `poinsot check --json` prints.
+    std::string check_json() const;
+
+    // The motion at these instants, in seconds, in this order. `columns`: as for --columns; empty:
+    // the default ones, without units in their names.
+    Table sample(std::span<const double> times_s,
+                 const std::vector<std::string>& columns = {}) const;
+
+    Still still(const StillOptions& options = {}, const Watch& watch = {}) const;
+    // The bytes of an SVG or a PDF.
+    std::string figure(const FigureOptions& options = {}, const Watch& watch = {}) const;
+    // Writes the file that `path` names by its suffix; as `poinsot render`. An interrupted film
+    // continues.
+    void render(const std::string& path, const RenderOptions& options = {},
+                const Watch& watch = {}) const;
+    // Writes a film and stills for each stop; as `poinsot render --slides`.
+    void slides(const std::string& folder, const ContextOptions& context = {},
+                const Watch& watch = {}) const;
+
+ private:
+    struct Contents;
+    explicit Scene(std::shared_ptr<const Contents> contents) : contents_(std::move(contents)) {}
+    std::shared_ptr<const Contents> contents_;
+};
+
+// Ends the thread that draws, and closes its OpenGL context; the next picture begins anew. For
+// hosts that unload libraries in an order of their own.
+void stop_drawing();
+
+}  // namespace poinsot::library

@@ -1,0 +1,218 @@
+#include "library/production/drawing_thread.h"
+
+#include <pthread.h>
+
+#include <atomic>
+#include <chrono>
+#include <condition_variable>
+#include <cstdint>
+#include <deque>
+#include <exception>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <utility>
+#include <vector>
+
+#include "error/error.h"
+#include "system/interrupt.h"
+
+namespace poinsot::library {
+
+namespace {
+
+bool operator==(const ContextChoice& a, const ContextChoice& b) {
+    return a.backend == b.backend && a.portability == b.portability;
+}
+
+// Work that waits or runs, and what it has told so far. The queue's mutex guards it.
+struct Job {
+    ContextChoice choice;
+    const DrawingWork* work = nullptr;
+    bool is_begun = false, is_done = false;
+    std::exception_ptr error{};
+    std::vector<std::string> lines{};
+    std::int64_t n_done = 0, n_frames = 0;
+};
+
+// Whether a process from which this one was forked had opened a context: the threads of Mesa's
+// renderer, which are started once, do not exist in this process.
+std::atomic<bool> lost_the_renderer{false};
+std::atomic<bool> opened_a_context{false};
+
+class Queue {
+ public:
+    void run(Job& job, const Watch& watch);
+    void end();
+
+ private:
+    void draw_jobs();
+    void draw_one(Job& job, std::optional<LazyRenderer>& renderer, ContextChoice& open);
+    ProgressSink sink_of(Job& job);
+    // Hands on what the job has told since the last call, without the lock.
+    void tell(std::unique_lock<std::mutex>& lock, Job& job, const Watch& watch);
+
+    std::mutex mutex_;
+    std::condition_variable changed_;
+    std::deque<Job*> waiting_;
+    std::thread thread_;
+    bool ends_ = false;
+};
+
+// Never destroyed: at the end of the program, the thread may be waiting. Replaced after a fork.
+std::atomic<Queue*> queue_of_process{nullptr};
+std::mutex queue_is_made;
+
+void forget_the_parents_queue() {
+    queue_of_process = nullptr;
+    if (opened_a_context) lost_the_renderer = true;
+}
+
+Queue& queue() {
+    if (Queue* const there = queue_of_process) return *there;
+    static const int registered = [] {
+        // A fork waits until no other thread makes the queue.
+        return pthread_atfork([] { queue_is_made.lock(); }, [] { queue_is_made.unlock(); },
+                              [] {
+                                  queue_is_made.unlock();
+                                  forget_the_parents_queue();
+                              });
+    }();
+    if (registered != 0) throw EnvironmentError("too little memory to start drawing");
+    const std::lock_guard lock(queue_is_made);
+    if (queue_of_process == nullptr) queue_of_process = new Queue;
+    return *queue_of_process;
+}
+
+ProgressSink Queue::sink_of(Job& job) {
+    const auto change = [this](auto edit) {
+        const std::lock_guard lock(mutex_);
+        edit();
+        changed_.notify_all();
+    };
+    ProgressSink sink;
+    sink.say = [&job, change](const std::string& line) {
+        change([&] { job.lines.push_back(line); });
+    };
+    sink.begin = [&job, change](const std::string&, std::int64_t n_frames) {
+        change([&] { job.n_done = 0, job.n_frames = n_frames; });
+    };
+    // The caller looks at it from time to time.
+    sink.done = [this, &job](std::int64_t n_done) {
+        const std::lock_guard lock(mutex_);
+        job.n_done = n_done;
+    };
+    return sink;
+}
+
+void Queue::draw_one(Job& job, std::optional<LazyRenderer>& renderer, ContextChoice& open) {
+    try {
+        if (renderer && !(open == job.choice)) renderer.reset();
+        if (!renderer) {
+            renderer.emplace(job.choice);
+            open = job.choice;
+        }
+        (*job.work)(*renderer, sink_of(job));
+    } catch (...) {
+        job.error = std::current_exception();
+    }
+    if (renderer && renderer->is_open()) opened_a_context = true;
+}
+
+void Queue::draw_jobs() {
+    std::optional<LazyRenderer> renderer;
+    ContextChoice open;
+    std::unique_lock lock(mutex_);
+    while (true) {
+        changed_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
+        if (waiting_.empty()) return;
+        Job& job = *waiting_.front();
+        waiting_.pop_front();
+        job.is_begun = true;
+        lock.unlock();
+        draw_one(job, renderer, open);
+        lock.lock();
+        job.is_done = true;
+        changed_.notify_all();
+    }
+}
+
+void Queue::tell(std::unique_lock<std::mutex>& lock, Job& job, const Watch& watch) {
+    const std::vector<std::string> lines = std::exchange(job.lines, {});
+    const std::int64_t n_done = job.n_done, n_frames = job.n_frames;
+    lock.unlock();
+    if (watch.say)
+        for (const std::string& line : lines) watch.say(line);
+    if (watch.frames && n_frames > 0) watch.frames(n_done, n_frames);
+    lock.lock();
+}
+
+void Queue::run(Job& job, const Watch& watch) {
+    std::exception_ptr fault;
+    std::unique_lock lock(mutex_);
+    if (!thread_.joinable()) {
+        ends_ = false;
+        thread_ = std::thread([this] { draw_jobs(); });
+    }
+    waiting_.push_back(&job);
+    changed_.notify_all();
+    bool asked_to_stop = false;
+    while (!job.is_done) {
+        // Short work needs no look at the caller's functions.
+        changed_.wait_for(lock, std::chrono::milliseconds(20));
+        if (job.is_done) break;
+        bool stop = false;
+        try {
+            tell(lock, job, watch);
+            lock.unlock();
+            stop = watch.stop && watch.stop();
+            lock.lock();
+        } catch (...) {
+            if (!lock.owns_lock()) lock.lock();
+            if (!fault) fault = std::current_exception();
+            stop = true;
+        }
+        if (!stop || job.is_done) continue;
+        if (!job.is_begun) {
+            std::erase(waiting_, &job);
+            if (fault) std::rethrow_exception(fault);
+            throw EnvironmentError("stopped before the picture was begun");
+        }
+        if (!asked_to_stop) request_stop(true);
+        asked_to_stop = true;
+    }
+    if (asked_to_stop) request_stop(false);
+    if (!fault && !job.error) tell(lock, job, watch);
+    if (fault) std::rethrow_exception(fault);
+    if (job.error) std::rethrow_exception(job.error);
+}
+
+void Queue::end() {
+    std::thread thread;
+    {
+        const std::lock_guard lock(mutex_);
+        ends_ = true;
+        changed_.notify_all();
+        thread.swap(thread_);
+    }
+    if (thread.joinable()) thread.join();
+}
+
+}  // namespace
+
+void draw(const ContextChoice& choice, const Watch& watch, const DrawingWork& work) {
+    if (lost_the_renderer)
+        throw EnvironmentError(
+            "this process was forked from one that had drawn pictures, and the threads of Mesa's "
+            "renderer do not exist in it; start it by spawn, as "
+            "multiprocessing.get_context(\"spawn\") does, or draw only in the forked processes");
+    leave_signals_to_host();
+    Job job{choice, &work};
+    queue().run(job, watch);
+}
+
+void stop_drawing() {
+    if (Queue* const there = queue_of_process) there->end();
+}
+
+}  // namespace poinsot::library

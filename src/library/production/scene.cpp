@@ -1,0 +1,235 @@
+#include <fmt/format.h>
+#include <poinsot/scene.h>
+
+#include <mutex>
+#include <utility>
+
+#include "error/error.h"
+#include "library/production/drawing_thread.h"
+#include "production/jobs/film_job.h"
+#include "production/jobs/journal_request.h"
+#include "production/jobs/open_session.h"
+#include "production/jobs/still_job.h"
+#include "production/pages/page_job.h"
+#include "production/parts/jobs.h"
+#include "production/sampling/sample_table.h"
+#include "production/session/scene_summary.h"
+#include "production/slides/pptx_deck.h"
+#include "production/slides/slide_deck.h"
+#include "text/json_text.h"
+#include "text/printable.h"
+
+namespace poinsot::library {
+
+namespace {
+
+ContextChoice choice_of(const ContextOptions& options) {
+    return context_choice(options.backend, options.portable);
+}
+
+PrintChoices print_of(const PaperOptions& paper, bool is_vectors) {
+    PrintChoices print;
+    print.width_mm = paper.width_mm;
+    print.height_mm = paper.height_mm;
+    print.dpi = paper.dpi;
+    print.type_pt = paper.type_pt;
+    print.journal = paper.journal;
+    if (is_vectors && !print.dpi) print.dpi = default_dpi;
+    return print;
+}
+
+// A session that says nothing, and whose stepping nobody stops.
+Session quiet_session(const SceneRequest& request) { return open_session(request); }
+
+}  // namespace
+
+struct Still::Contents {
+    PixelStill still;
+};
+
+int Still::width_px() const { return contents_->still.image.width(); }
+int Still::height_px() const { return contents_->still.image.height(); }
+std::span<const std::uint8_t> Still::rgba() const { return contents_->still.image.bytes(); }
+std::vector<std::uint8_t> Still::png() const {
+    return encode_png(contents_->still.image, contents_->still.png);
+}
+const std::string& Still::bound() const { return contents_->still.bound; }
+
+// The request and, once it was needed, the scene's session.
+struct Scene::Contents {
+    SceneRequest request;
+    poinsot::Scene scene;
+    mutable std::mutex opening{};
+    mutable std::shared_ptr<const Session> opened{};
+
+    std::shared_ptr<const Session> session() const {
+        const std::lock_guard lock(opening);
+        if (!opened) opened = std::make_shared<const Session>(quiet_session(request));
+        return opened;
+    }
+};
+
+namespace {
+
+std::shared_ptr<const Session> session_at(const SceneRequest& request,
+                                          std::shared_ptr<const Session> session,
+                                          std::vector<double> times_s) {
+    // A stepped motion is computed again for instants outside of the film.
+    if (!is_stepped(session->motion.problem().method) || times_s.empty()) return session;
+    SceneRequest longer = request;
+    longer.times_s = std::move(times_s);
+    return std::make_shared<const Session>(quiet_session(longer));
+}
+
+}  // namespace
+
+Scene Scene::from_file(const std::string& file, const std::vector<std::string>& values,
+                       bool allow_outside) {
+    return from_text(text_of_file(file), file, values, allow_outside);
+}
+
+Scene Scene::from_text(const std::string& text, const std::string& name,
+                       const std::vector<std::string>& values, bool allow_outside) {
+    SceneRequest request;
+    request.file = name;
+    request.text = text;
+    request.overrides = values;
+    request.outside = allow_outside ? OutsideFiles::allowed : OutsideFiles::refused;
+    poinsot::Scene scene = scene_of(request);
+    return Scene(std::make_shared<const Contents>(std::move(request), std::move(scene)));
+}
+
+Scene Scene::with(const std::vector<std::string>& values) const {
+    const SceneRequest& request = contents_->request;
+    std::vector<std::string> all = request.overrides;
+    all.insert(all.end(), values.begin(), values.end());
+    return from_text(*request.text, request.file, all, request.outside == OutsideFiles::allowed);
+}
+
+std::string Scene::name() const { return contents_->scene.name; }
+std::string Scene::title() const { return title_of(contents_->scene); }
+const std::string& Scene::text() const { return *contents_->request.text; }
+const std::vector<std::string>& Scene::values() const { return contents_->request.overrides; }
+int Scene::width_px() const { return contents_->scene.film.width_px; }
+int Scene::height_px() const { return contents_->scene.film.height_px; }
+std::string Scene::language() const { return contents_->scene.language; }
+
+std::string Scene::check_json() const {
+    const SceneSummary summary = summarise(*contents_->session(), false);
+    JsonObject answer;
+    for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
+    return answer.lines();
+}
+
+Table Scene::sample(std::span<const double> times_s,
+                    const std::vector<std::string>& columns) const {
+    const auto session =
+        session_at(contents_->request, contents_->session(), {times_s.begin(), times_s.end()});
+    const std::vector<ChosenColumn> chosen = columns.empty()
+                                                 ? default_columns(session->motion)
+                                                 : columns_named(session->motion, columns);
+    SampleTable sampled = sample_columns(session->motion, chosen, times_s, "times");
+    Table table;
+    table.names = std::move(sampled.headings);
+    table.n_rows = times_s.size();
+    table.values = std::move(sampled.values);
+    return table;
+}
+
+Still Scene::still(const StillOptions& options, const Watch& watch) const {
+    SceneRequest request = contents_->request;
+    StillRequest still;
+    still.time_s = options.time_s;
+    if (options.clearest) still.when = StillTime::clearest;
+    request.print = print_of(options.paper, false);
+    if (options.time_s) request.times_s = {*options.time_s};
+    if (!options.paper.journal.empty()) follow_journal(false, request, {});
+    still.print = request.print;
+    // Without a size on paper, the session of the scene serves.
+    const bool has_own = options.paper.width_mm || options.paper.height_mm || options.paper.dpi ||
+                         options.paper.type_pt || !options.paper.journal.empty();
+    Session session =
+        has_own ? quiet_session(request)
+                : Session(*session_at(contents_->request, contents_->session(), request.times_s));
+    StillJob job(std::move(session), std::move(still));
+    auto made = std::make_shared<Still::Contents>();
+    draw(choice_of(options.context), watch,
+         [&job, &made](LazyRenderer& renderer, const ProgressSink&) {
+             made->still = job.pixels(renderer);
+         });
+    return Still(std::move(made));
+}
+
+std::string Scene::figure(const FigureOptions& options, const Watch& watch) const {
+    if (options.format != "svg" && options.format != "pdf")
+        throw InputError(fmt::format("format \"{}\": a figure is svg or pdf; choose one of these",
+                                     printable(options.format)));
+    if (options.text == "latex")
+        throw InputError(
+            "text \"latex\": needs a .tex file beside the figure; write it with poinsot still");
+    SceneRequest request = contents_->request;
+    StillRequest still;
+    still.output = "figure." + options.format;
+    still.time_s = options.time_s;
+    if (options.clearest) still.when = StillTime::clearest;
+    still.vectors = {options.shading, options.text};
+    request.print = print_of(options.paper, true);
+    if (options.time_s) request.times_s = {*options.time_s};
+    if (!options.paper.journal.empty()) follow_journal(false, request, {});
+    still.print = request.print;
+    check_vector_choices(still.vectors);
+    StillJob job(quiet_session(request), std::move(still));
+    std::string bytes;
+    if (!job.opens_context()) {
+        LazyRenderer unused;
+        return job.vectors(unused).bytes;
+    }
+    draw(choice_of(options.context), watch,
+         [&job, &bytes](LazyRenderer& renderer, const ProgressSink&) {
+             bytes = job.vectors(renderer).bytes;
+         });
+    return bytes;
+}
+
+void Scene::render(const std::string& path, const RenderOptions& options,
+                   const Watch& watch) const {
+    if (path.empty()) throw InputError("the output has no name; give one, as film.mp4");
+    const ContextChoice choice = choice_of(options.context);
+    if (is_page_name(path)) {
+        if (options.frames)
+            throw InputError(
+                fmt::format("{}: a page has no frames, it shows every instant; leave frames out",
+                            printable(path)));
+        draw(choice, watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
+            write_page(contents_->request, path, renderer, progress);
+        });
+        return;
+    }
+    const std::shared_ptr<const Session> session = contents_->session();
+    if (is_slides_name(path)) {
+        if (options.frames)
+            throw InputError(fmt::format(
+                "{}: a presentation has a film for each stop; leave frames out", printable(path)));
+        draw(choice, watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
+            write_pptx(*session, {path, 1}, renderer, progress);
+        });
+        return;
+    }
+    const FilmRequest request{path, options.frames};
+    draw(choice, watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
+        make_in_jobs(*session, request, 1, renderer, progress);
+    });
+}
+
+void Scene::slides(const std::string& folder, const ContextOptions& context,
+                   const Watch& watch) const {
+    if (folder.empty()) throw InputError("the folder of the slides has no name; give one");
+    const std::shared_ptr<const Session> session = contents_->session();
+    // One process: those of --jobs are the command line's.
+    const DeckRequest request{contents_->request, folder, 1};
+    draw(choice_of(context), watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
+        write_deck(*session, request, renderer, progress);
+    });
+}
+
+}  // namespace poinsot::library
