@@ -22,3 +22,11 @@ add_custom_target(bundle
             -DPROGRAM=$<TARGET_FILE:poinsot_bundled> "-DOPENED=${bundled_libraries}"
             -P ${PROJECT_SOURCE_DIR}/src/cmake/make_bundle.cmake
     DEPENDS poinsot poinsot_bundled VERBATIM)
+
+# --target wheel: the Python package with the same libraries; it needs glibc, libstdc++, Python and NumPy.
+if(TARGET poinsot_python)
+    add_custom_target(wheel
+        COMMAND ${Python_EXECUTABLE} ${PROJECT_SOURCE_DIR}/src/python/poinsot_build.py wheel ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}
+                ${bundled_libraries}
+        DEPENDS poinsot_python VERBATIM)
+endif()

@@ -1,0 +1,196 @@
+// Comparison of pictures, reports, and approval of baselines.
+#include <pybind11/stl.h>
+
+#include <algorithm>
+#include <string>
+#include <vector>
+
+#include "bindings.h"
+#include "error/error.h"
+#include "image/files/png_files.h"
+#include "report/approval.h"
+#include "report/compared_picture.h"
+#include "report/html_report.h"
+#include "report/report_pictures.h"
+#include "system/files/atomic_file.h"
+
+namespace poinsot::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Pixels = py::array_t<std::uint8_t, py::array::c_style>;
+
+py::array array_of_image(const Image& image) {
+    const auto bytes = image.bytes();
+    return array_of(std::vector<std::uint8_t>(bytes.begin(), bytes.end()),
+                    {py::ssize_t{image.height()}, py::ssize_t{image.width()}, py::ssize_t{4}});
+}
+
+// The limits, under the names of the options of `poinsot compare`.
+Gates gates_of(const py::dict& options) {
+    Gates gates;
+    const auto read = [&options](const char* name, auto& value) {
+        using Value = typename std::decay_t<decltype(value)>::value_type;
+        if (options.contains(name) && !options[name].is_none()) value = options[name].cast<Value>();
+    };
+    const auto share = [](const char* name, const std::optional<double>& value) {
+        if (value && !(*value >= 0.0 && *value <= 1.0))
+            throw InputError(std::string(name) + ": a share of the pixels is from 0 to 1");
+    };
+    read("max_differing", gates.max_differing);
+    read("max_over", gates.max_over);
+    read("over_levels", gates.over_levels);
+    read("max_flip", gates.max_flip);
+    read("min_ssim", gates.min_ssim);
+    read("antialiasing", gates.antialiasing);
+    share("max_differing", gates.max_differing);
+    share("max_over", gates.max_over);
+    if (gates.over_levels) gates.over_levels = checked_level(*gates.over_levels);
+    if (gates.max_flip) gates.max_flip = checked_flip(*gates.max_flip);
+    if (gates.min_ssim) gates.min_ssim = checked_ssim(*gates.min_ssim);
+    if (options.contains("ignore"))
+        for (const py::handle region : options["ignore"])
+            gates.ignore.push_back(parse_region(region.cast<std::string>()));
+    return gates;
+}
+
+CompareRequest request_of(const std::string& profile, const py::dict& limits, bool measures) {
+    CompareRequest request{.gates = gates_of(limits)};
+    if (profile == "portable")
+        request.limits = CompareLimits::exact();
+    else if (profile == "native")
+        request.limits = CompareLimits{};
+    else if (!profile.empty())
+        throw InputError("profile: is portable or native; choose one of these, or leave it out");
+    request.ssim = request.flip = measures;
+    return request;
+}
+
+py::dict dict_of(const ComparedPicture& compared) {
+    using namespace py::literals;
+    const Comparison& measured = compared.measured;
+    return py::dict("name"_a = compared.name, "outcome"_a = std::string(name_of(compared.outcome)),
+                    "passes"_a = compared.passes(), "reason"_a = compared.reason,
+                    "changes"_a = compared.changes, "n_pixels"_a = measured.n_pixels,
+                    "n_differing"_a = measured.n_differing,
+                    "n_over_level"_a = measured.n_over_level, "n_ignored"_a = measured.n_ignored,
+                    "largest_difference"_a = measured.largest_difference,
+                    "mean_difference"_a = measured.mean_difference, "ssim"_a = measured.ssim,
+                    "flip"_a = measured.flip);
+}
+
+py::dict compare_pair(const std::string& name, const std::string& expected,
+                      const std::string& actual, const std::string& profile, const py::dict& limits,
+                      bool measures) {
+    CompareRequest request = request_of(profile, limits, measures);
+    Image difference;
+    request.seen = [&difference](ComparedPicture&, const PicturePair& pair) {
+        if (pair.strip.empty()) difference = difference_picture(pair.expected, pair.actual);
+    };
+    ComparedPicture compared;
+    {
+        const py::gil_scoped_release without_lock;
+        const fs::path folder = fs::path(expected).parent_path();
+        request.file = read_compare_file(folder);
+        const Baselines baselines(folder);
+        compared = compare_files(name, expected, actual, request, &baselines,
+                                 fs::path(expected).stem().string());
+    }
+    if (compared.outcome == Outcome::unreadable) throw InputError(compared.reason);
+    py::dict answer = dict_of(compared);
+    answer["difference"] = difference.empty() ? py::object(py::none()) : array_of_image(difference);
+    return answer;
+}
+
+py::list compare_all(const std::string& expected, const std::string& actual,
+                     const std::string& profile, const py::dict& limits, bool measures,
+                     const std::string& report, const std::string& title) {
+    CompareRequest request = request_of(profile, limits, measures);
+    std::vector<ComparedPicture> pictures;
+    {
+        const py::gil_scoped_release without_lock;
+        request.file = read_compare_file(expected);
+        std::optional<ReportPictures> shown;
+        if (!report.empty()) shown.emplace(report, false);
+        request.seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
+            if (shown) shown->add(picture, pair);
+        };
+        pictures = compare_folders(expected, actual, request);
+        sort_by_severity(pictures);
+        if (shown)
+            write_whole(report,
+                        html_report(title, pictures, *shown, ComparedFolders{expected, actual}));
+    }
+    py::list answers;
+    for (const ComparedPicture& picture : pictures) answers.append(dict_of(picture));
+    return answers;
+}
+
+py::bytes png_of_pixels(const Pixels& pixels) {
+    if (pixels.ndim() != 3 || pixels.shape(2) != 4)
+        throw InputError("an array of pixels has the shape (height, width, 4)");
+    constexpr py::ssize_t most_side = 1 << 16;
+    if (pixels.shape(0) < 1 || pixels.shape(1) < 1 || pixels.shape(0) > most_side ||
+        pixels.shape(1) > most_side)
+        throw InputError("a picture has 1 to 65536 pixels per side");
+    Image image(static_cast<int>(pixels.shape(1)), static_cast<int>(pixels.shape(0)));
+    std::copy_n(pixels.data(), pixels.size(), image.bytes().begin());
+    std::vector<std::uint8_t> png;
+    {
+        const py::gil_scoped_release without_lock;
+        png = encode_png(image);
+    }
+    return py::bytes(reinterpret_cast<const char*>(png.data()), png.size());
+}
+
+py::array pixels_in(const std::string& file) {
+    Image image;
+    {
+        const py::gil_scoped_release without_lock;
+        image = read_stored_png(file).image;
+    }
+    return array_of_image(image);
+}
+
+std::vector<std::pair<std::string, std::string>> approve_pictures(
+    const std::string& results, const std::string& baselines, const std::vector<std::string>& names,
+    const std::string& why, bool any_renderer) {
+    std::vector<std::pair<std::string, std::string>> outcomes;
+    const py::gil_scoped_release without_lock;
+    approve(
+        {.results = results,
+         .baselines = baselines,
+         .names = names,
+         .why = why,
+         .any_renderer = any_renderer,
+         .foreign = true},
+        {.settled = [&outcomes](const std::string& name,
+                                std::string_view outcome) { outcomes.emplace_back(name, outcome); },
+         .note = [](const std::string&) {}});
+    return outcomes;
+}
+
+}  // namespace
+
+void add_comparison(py::module_& module) {
+    using namespace py::literals;
+    module.def("compare_pair", compare_pair, "name"_a, "expected"_a, "actual"_a, "profile"_a,
+               "limits"_a, "measures"_a);
+    module.def("compare_all", compare_all, "expected"_a, "actual"_a, "profile"_a, "limits"_a,
+               "measures"_a, "report"_a, "title"_a);
+    module.def("png_of", png_of_pixels, "pixels"_a);
+    module.def(
+        "write_whole",
+        [](const std::string& file, const py::bytes& contents) {
+            const std::string_view bytes = contents;
+            const py::gil_scoped_release without_lock;
+            write_whole(file, bytes);
+        },
+        "file"_a, "contents"_a);
+    module.def("pixels_in", pixels_in, "file"_a);
+    module.def("approve", approve_pictures, "results"_a, "baselines"_a, "names"_a, "why"_a,
+               "any_renderer"_a);
+}
+
+}  // namespace poinsot::python

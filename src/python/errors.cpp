@@ -1,0 +1,41 @@
+#include <poinsot/error.h>
+
+#include "bindings.h"
+
+namespace poinsot::python {
+
+namespace {
+
+// Sets the interpreter's exception to one of poinsot.errors with these arguments.
+template <typename... Arguments>
+void raise(const char* name, const Arguments&... arguments) {
+    const py::object type = py::module_::import("poinsot.errors").attr(name);
+    const py::object error = type(arguments...);
+    PyErr_SetObject(type.ptr(), error.ptr());
+}
+
+// With the place of the mistake: file, line and column; the numbers are None for an option.
+void raise_input_error(const InputError& error) {
+    if (!error.place()) return raise("InputError", error.what());
+    const InputPlace& place = *error.place();
+    const auto number = [](int value) {
+        return value > 0 ? py::object(py::int_(value)) : py::object(py::none());
+    };
+    raise("InputError", error.what(), place.file, number(place.line), number(place.column));
+}
+
+}  // namespace
+
+void add_errors(py::module_&) {
+    py::register_exception_translator([](std::exception_ptr thrown) {
+        try {
+            if (thrown) std::rethrow_exception(thrown);
+        } catch (const InputError& error) {
+            raise_input_error(error);
+        } catch (const EnvironmentError& error) {
+            raise("EnvironmentError", error.what());
+        }
+    });
+}
+
+}  // namespace poinsot::python

@@ -1,0 +1,43 @@
+"""Arrays that callers give."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from .errors import InputError
+
+
+def numbers(name: str, values: Any) -> np.ndarray:
+    """The values as an array of float64, of any shape. Raises InputError for other types."""
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError) as error:
+        raise InputError(f"{name}: not an array of numbers: {error}") from None
+    if array.dtype.kind not in "fiu":
+        raise InputError(f"{name}: numbers are needed, and these are of type {array.dtype}")
+    return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+
+
+def pixels(name: str, values: Any) -> np.ndarray:
+    """A picture as an array of shape (height, width, 4) of 8-bit values.
+
+    Takes 8-bit values, or floats from 0 to 1; grey (H×W), RGB (H×W×3) or RGBA (H×W×4).
+    """
+    array = np.asarray(values)
+    if array.dtype == np.bool_ or array.dtype.kind == "f":
+        array = array.astype(np.float64)
+        if array.size and not (np.all(array >= 0.0) and np.all(array <= 1.0)):
+            raise InputError(f"{name}: floats are taken as 0 to 1, and some are not; give 8-bit values or scale them")
+        array = np.rint(255.0 * array).astype(np.uint8)
+    if array.dtype != np.uint8:
+        raise InputError(f"{name}: pixels are 8-bit values or floats from 0 to 1, and these are of type {array.dtype}")
+    if array.ndim == 2:
+        array = array[:, :, np.newaxis].repeat(3, axis=2)
+    if array.ndim != 3 or array.shape[2] not in (3, 4) or 0 in array.shape:
+        raise InputError(f"{name}: a picture has the shape (height, width), (height, width, 3) or (height, width, 4), "
+                         f"and this has {array.shape}")
+    if array.shape[2] == 3:
+        array = np.concatenate([array, np.full(array.shape[:2] + (1,), 255, np.uint8)], axis=2)
+    return np.ascontiguousarray(array)

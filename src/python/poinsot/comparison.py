@@ -1,0 +1,166 @@
+"""Comparison of pictures: from any renderer, as files or as arrays."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from dataclasses import dataclass, field
+from typing import Any, Dict, Iterable, List, Optional, Union
+
+import numpy as np
+
+from . import _poinsot
+from .arrays import pixels
+from .errors import InputError
+from .pictures import Path, Still
+
+Picture = Union[Path, Still, np.ndarray, Any]
+
+
+@dataclass
+class Comparison:
+    """How two pictures differ. True if it passes.
+
+    Attributes:
+        passes: whether the differences are within the limits.
+        outcome: "same", "within limits", "pixels", "size", …
+        reason: one line; empty if the pictures are equal.
+        n_pixels, n_differing, n_over_level, n_ignored: numbers of pixels: compared, different in
+            any channel, different by more than over_levels, ignored.
+        largest_difference, mean_difference: levels of 0 to 255.
+        ssim, flip: structural similarity (1: equal) and FLIP (0: equal), if they were measured.
+        changes: what the records of two pictures by poinsot say that differs; None without records.
+        difference: expected | difference × 16 | actual, shape (H, W, 4) of uint8; None if equal.
+    """
+
+    name: str
+    passes: bool
+    outcome: str
+    reason: str
+    n_pixels: int
+    n_differing: int
+    n_over_level: int
+    n_ignored: int
+    largest_difference: float
+    mean_difference: float
+    ssim: Optional[float]
+    flip: Optional[float]
+    changes: Optional[List[str]]
+    difference: Optional[np.ndarray] = field(default=None, repr=False, compare=False)
+
+    def __bool__(self) -> bool:
+        return self.passes
+
+    def __str__(self) -> str:
+        return f"{self.outcome}: {self.reason}" if self.reason else self.outcome
+
+    def _repr_png_(self) -> Optional[bytes]:
+        return None if self.difference is None else _poinsot.png_of(self.difference)
+
+
+def _limits(
+    max_differing: Optional[float],
+    max_over: Optional[float],
+    over_levels: Optional[int],
+    max_flip: Optional[float],
+    min_ssim: Optional[float],
+    antialiasing: Optional[bool],
+    ignore: Iterable[str],
+) -> Dict[str, Any]:
+    return {
+        "max_differing": max_differing,
+        "max_over": max_over,
+        "over_levels": over_levels,
+        "max_flip": max_flip,
+        "min_ssim": min_ssim,
+        "antialiasing": antialiasing,
+        "ignore": [ignore] if isinstance(ignore, str) else list(ignore),
+    }
+
+
+def png_bytes(name: str, picture: Any) -> bytes:
+    """A picture in memory as a PNG file: a Still, or an array (see arrays.pixels)."""
+    return picture.png if isinstance(picture, Still) else _poinsot.png_of(pixels(name, picture))
+
+
+def _file(name: str, picture: Picture, folder: str) -> str:
+    """The picture as a file: its own, or a temporary one."""
+    if isinstance(picture, (str, os.PathLike)):
+        return os.fspath(picture)
+    path = os.path.join(folder, name + ".png")
+    with open(path, "wb") as file:
+        file.write(png_bytes(name, picture))
+    return path
+
+
+def compare(
+    expected: Picture,
+    actual: Picture,
+    *,
+    profile: Optional[str] = None,
+    max_differing: Optional[float] = None,
+    max_over: Optional[float] = None,
+    over_levels: Optional[int] = None,
+    max_flip: Optional[float] = None,
+    min_ssim: Optional[float] = None,
+    antialiasing: Optional[bool] = None,
+    ignore: Iterable[str] = (),
+    measures: bool = False,
+) -> Comparison:
+    """Compares two pictures: files, Stills, or arrays of any renderer.
+
+    Arrays have the shape (H, W), (H, W, 3) or (H, W, 4), of 8-bit values or of floats from 0 to 1.
+    The limits are those of `poinsot compare`; without any, no pixel may differ, except where the
+    manifest or the compare.toml beside the expected file says more. Raises InputError.
+
+    >>> import numpy as np
+    >>> grey = np.full((4, 4), 128, np.uint8)
+    >>> other = grey.copy(); other[0, 0] = 130
+    >>> bool(compare(grey, grey)), bool(compare(grey, other))
+    (True, False)
+    >>> bool(compare(grey, other, max_differing=0.1, over_levels=2))
+    True
+    """
+    limits = _limits(max_differing, max_over, over_levels, max_flip, min_ssim, antialiasing, ignore)
+    with tempfile.TemporaryDirectory() as folder:
+        a, b = _file("expected", expected, folder), _file("actual", actual, folder)
+        for name, file in (("expected", a), ("actual", b)):
+            if not os.path.isfile(file):
+                raise InputError(f"{name}: {file}: no such file", file)
+        name = os.path.splitext(os.path.basename(b))[0]
+        return Comparison(**_poinsot.compare_pair(name, a, b, profile or "", limits, measures))
+
+
+def compare_folders(
+    expected: Path,
+    actual: Path,
+    *,
+    report: Optional[Path] = None,
+    title: Optional[str] = None,
+    profile: Optional[str] = None,
+    max_differing: Optional[float] = None,
+    max_over: Optional[float] = None,
+    over_levels: Optional[int] = None,
+    max_flip: Optional[float] = None,
+    min_ssim: Optional[float] = None,
+    antialiasing: Optional[bool] = None,
+    ignore: Iterable[str] = (),
+    measures: bool = False,
+) -> List[Comparison]:
+    """Compares all pictures of two folders, worst first; `report` names an HTML page to be written."""
+    limits = _limits(max_differing, max_over, over_levels, max_flip, min_ssim, antialiasing, ignore)
+    a, b = os.fspath(expected), os.fspath(actual)
+    page = "" if report is None else os.fspath(report)
+    found = _poinsot.compare_all(a, b, profile or "", limits, measures, page, title or f"{b} compared with {a}")
+    return [Comparison(**one) for one in found]
+
+
+def approve(
+    names: Union[str, Iterable[str]], *, results: Path, baselines: Path, why: str, any_renderer: bool = False
+) -> Dict[str, str]:
+    """Makes pictures of the folder `results` the baselines; the manifest keeps the reason.
+
+    names: without ".png". Returns the outcome of each. Raises InputError, EnvironmentError.
+    """
+    given = [names] if isinstance(names, str) else list(names)
+    return dict(_poinsot.approve(os.fspath(results), os.fspath(baselines), given, why, any_renderer))

@@ -1,0 +1,240 @@
+"""The motion of a rigid body that turns without torque, without a scene."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, List, NamedTuple, Optional, Tuple
+
+import numpy as np
+
+from . import _poinsot
+from .arrays import numbers
+
+
+class Constants(NamedTuple):
+    """The constants of a free motion. A constant that the regime does not have is None.
+
+    Source: Landau & Lifshitz, Mechanics §37; Whittaker, Analytical Dynamics §69.
+    """
+
+    #: T, in J, and |L|, in kg m²/s; L in space axes, shape (3,).
+    kinetic_energy_J: float
+    momentum_kg_m2_s: float
+    momentum_space: np.ndarray
+    #: √(2T)/L, the distance of the invariable plane, and the half-axes 1/√I of the ellipsoid,
+    #: shape (3,), both in 1/√(kg m²).
+    plane_distance: float
+    half_axes: np.ndarray
+    #: The principal axis that the polhode encircles: 1, 2 or 3.
+    encircled_axis: int
+    #: k of the Jacobi functions.
+    modulus: float
+    #: The time in s after which ω is back in body axes.
+    polhode_period_s: Optional[float]
+    #: The angle in rad by which ω turns about L in that time.
+    advance_per_period_rad: Optional[float]
+    #: Mean rate of ω about L, rad/s.
+    precession_rad_s: float
+    #: Least and greatest |ω perpendicular to L|, rad/s.
+    herpolhode_radii_rad_s: Tuple[float, float]
+
+
+class TopConstants(NamedTuple):
+    """The constants of a heavy symmetric top. Source: Goldstein, Classical Mechanics §5.7."""
+
+    #: L along the vertical and along the symmetry axis, kg m²/s; T + Mgl cos θ, J.
+    p_phi_kg_m2_s: float
+    p_psi_kg_m2_s: float
+    energy_J: float
+    #: The range of the nutation, rad, and its period in s (infinite on the separatrix).
+    theta_min_rad: float
+    theta_max_rad: float
+    nutation_period_s: float
+    #: Mean φ̇, rad/s.
+    precession_rad_s: float
+
+
+class Cones(NamedTuple):
+    """The cones of a body with two equal moments; the body cone rolls on the space cone.
+
+    Source: Landau & Lifshitz, Mechanics §35.
+    """
+
+    #: The principal axis of symmetry: 1, 2 or 3.
+    symmetry_axis: int
+    #: The angles from ω to the symmetry axis and to L, rad.
+    body_half_angle_rad: float
+    space_half_angle_rad: float
+    #: Ω = (I3 − I1) ω3/I1, of ω about the symmetry axis in body axes, and L/I1, of the symmetry axis
+    #: about L, rad/s.
+    body_precession_rad_s: float
+    space_precession_rad_s: float
+
+
+@dataclass(frozen=True)
+class Claim:
+    """One claim of a certificate: the largest residual over all instants.
+
+    Attributes:
+        name, means: what is claimed, as a name and as a sentence.
+        worst, at_time_s: the largest residual, relative, and its instant in s.
+        bound: what an exact motion promises.
+        holds: whether worst ≤ bound.
+    """
+
+    name: str
+    means: str
+    worst: float
+    at_time_s: float
+    bound: float
+    holds: bool
+
+
+class Motion:
+    """The free motion of a body, exact at any instant (Jacobi's solution by theta functions).
+
+    moments: the principal moments I1, I2, I3 in kg m², shape (3,), or the inertia tensor in body
+    axes, shape (3, 3). omega: ω at t = 0 in body axes, rad/s, shape (3,). attitude: space_from_body
+    at t = 0 as a quaternion (w, x, y, z) of any length.
+
+    method: "exact", or the name of a stepping method (`poinsot list methods`), with step_s,
+    tolerance and order as for the scene's [motion]; span_s: the interval that it covers, in s.
+
+    The error of ω is at most 8e-16 of its norm and that of the attitude 1.1e-15 rad, up to 1e15 rad
+    of turning. Raises InputError for moments that no body has (unless allow_unphysical), for values
+    that are not finite, and for options that the method does not have.
+
+    >>> motion = Motion([1.0, 2.0, 3.0], [0.1, 2.0, 0.0])
+    >>> motion.regime
+    'elliptic, about the axis of the smallest moment'
+    >>> motion.at(0.0).omega_body
+    array([0.1, 2. , 0. ])
+    >>> motion.at([[0.0, 1.0], [2.0, 3.0]]).space_from_body.shape
+    (2, 2, 4)
+    """
+
+    __slots__ = ("_native", "at")
+
+    def __init__(
+        self,
+        moments: Any,
+        omega: Any,
+        *,
+        attitude: Any = (1.0, 0.0, 0.0, 0.0),
+        method: str = "exact",
+        step_s: Optional[float] = None,
+        tolerance: Optional[float] = None,
+        order: Optional[int] = None,
+        span_s: Tuple[float, float] = (0.0, 0.0),
+        allow_unphysical: bool = False,
+    ) -> None:
+        self._hold(
+            _poinsot.Motion(
+                numbers("moments", moments),
+                numbers("omega", omega),
+                numbers("attitude", attitude),
+                method,
+                step_s,
+                tolerance,
+                order,
+                span_s,
+                allow_unphysical,
+            )
+        )
+
+    def _hold(self, native: Any) -> None:
+        self._native = native
+        #: The states at these instants, in s, of any shape S: `.time_s` (S), `.omega_body` (S, 3) in
+        #: rad/s, `.space_from_body` (S, 4) as (w, x, y, z), and `.herpolhode` (S, 3), ω
+        #: perpendicular to L in space axes, rad/s. All are contiguous arrays of float64.
+        self.at = native.at
+
+    @classmethod
+    def heavy_top(
+        cls,
+        transverse: float,
+        axial: float,
+        mgl_N_m: float,
+        *,
+        theta_rad: float,
+        omega3_rad_s: float,
+        theta_dot_rad_s: float = 0.0,
+        phi_dot_rad_s: float = 0.0,
+    ) -> "Motion":
+        """Lagrange's top, exact: moments about the fixed point in kg m², the potential Mgl cos θ.
+
+        It starts at the tilt theta_rad from the upward vertical, φ = ψ = 0 (z-x-z Euler angles).
+        Its `herpolhode` is ω perpendicular to the L of the instant.
+
+        >>> Motion.heavy_top(1.0, 0.5, 2.0, theta_rad=0.5, omega3_rad_s=20.0).top_constants.theta_min_rad
+        0.5
+        """
+        made = object.__new__(cls)
+        made._hold(
+            _poinsot.Motion.heavy_top(
+                transverse, axial, mgl_N_m, theta_rad, theta_dot_rad_s, phi_dot_rad_s, omega3_rad_s
+            )
+        )
+        return made
+
+    @property
+    def regime(self) -> str:
+        """The kind of motion in one sentence, as `poinsot check` says it."""
+        return self._native.regime
+
+    @property
+    def constants(self) -> Constants:
+        """The constants of the motion. Raises InputError for a body at rest."""
+        return Constants(**self._native.constants())
+
+    @property
+    def top_constants(self) -> TopConstants:
+        """The constants of a heavy symmetric top. Raises InputError for other motions."""
+        return TopConstants(**self._native.top_constants())
+
+    @property
+    def cones(self) -> Optional[Cones]:
+        """The rolling cones of a body with exactly two equal moments; None for other bodies."""
+        found = self._native.cones()
+        return None if found is None else Cones(**found)
+
+    @property
+    def period_s(self) -> Optional[float]:
+        """The polhode's period in s: the time after which ω is back in body axes; None without one."""
+        return self.constants.polhode_period_s
+
+    def polhode(self, tolerance: float = 1e-4) -> np.ndarray:
+        """The path of the contact point on the ellipsoid: points ρ in body axes, shape (n, 3).
+
+        1/√(kg m²). The polyline is within `tolerance` of the longest half-axis of the curve; that of
+        a closed curve ends where it begins.
+        """
+        return self._native.polhode(tolerance)
+
+    def herpolhode(self, times: Any) -> np.ndarray:
+        """The contact points ρ on the invariable plane, in space axes: shape S + (3,), 1/√(kg m²).
+
+        times: in s, of any shape S.
+        """
+        return self._native.contact(numbers("times", times), True)
+
+    def contact(self, times: Any) -> np.ndarray:
+        """The contact points ρ = ω/√(2T) on the ellipsoid, in body axes: shape S + (3,), 1/√(kg m²)."""
+        return self._native.contact(numbers("times", times), False)
+
+    def flips(self, first_s: float, last_s: float) -> List[float]:
+        """The instants in s between these two at which the body flips over: ω along the middle axis
+        changes its sign. Empty for bodies that do not turn about their middle axis."""
+        return self._native.flips(first_s, last_s)
+
+    def certificate(self, times: Any, attitude_error_rad: float = 1e-6) -> List[Claim]:
+        """The residuals of Poinsot's construction at these instants, in s, against their bounds.
+
+        attitude_error_rad: how exact a stepping method shall be, which is also compared with the
+        exact motion.
+        """
+        given = numbers("times", times).ravel()
+        return [Claim(**claim) for claim in self._native.certificate(given, attitude_error_rad)]
+
+    def __repr__(self) -> str:
+        return f"<poinsot.Motion, {self.regime}>"

@@ -1,0 +1,190 @@
+"""What a scene gives: stills, figures, films and pages. A notebook shows each of them."""
+
+from __future__ import annotations
+
+import base64
+import html
+import json
+import os
+from typing import Any, Callable, List, Optional, Union
+
+import numpy as np
+
+from . import _poinsot
+from .errors import InputError
+
+Path = Union[str, "os.PathLike[str]"]
+
+#: A film up to this size is shown inside the notebook; a larger one is linked from it.
+most_inline_bytes = 8_000_000
+
+
+def write_file(path: Path, contents: bytes) -> None:
+    """Writes a file as a whole: it is complete or unchanged."""
+    name = os.fspath(path)
+    _poinsot.write_whole(name, contents)
+
+
+def _data(kind: str, contents: bytes) -> str:
+    return f"data:{kind};base64,{base64.b64encode(contents).decode('ascii')}"
+
+
+class Still:
+    """A picture in memory.
+
+    Attributes:
+        pixels: array of shape (height, width, 4) of uint8: sRGB-encoded R, G, B, and linear,
+            non-premultiplied alpha; row 0 is the top. It shares the still's memory.
+        png: the bytes of the PNG file that `poinsot still` writes, with its record.
+        bound: how far the lines may be from the truth, in words.
+    """
+
+    def __init__(self, drawn: Any) -> None:
+        self._drawn = drawn
+        self._png: Optional[bytes] = None
+
+    @property
+    def pixels(self) -> np.ndarray:
+        return self._drawn.pixels
+
+    @property
+    def png(self) -> bytes:
+        if self._png is None:
+            self._png = self._drawn.png
+        return self._png
+
+    @property
+    def bound(self) -> str:
+        return self._drawn.bound
+
+    def save(self, path: Path) -> None:
+        """Writes the PNG file. Raises InputError for another suffix, and EnvironmentError."""
+        if not os.fspath(path).lower().endswith(".png"):
+            raise InputError(f"{os.fspath(path)}: a still is saved as a PNG; end its name in .png")
+        write_file(path, self.png)
+
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
+        pixels = self.pixels if dtype is None else self.pixels.astype(dtype)
+        return pixels.copy() if copy and dtype is None else pixels
+
+    def _repr_png_(self) -> bytes:
+        return self.png
+
+    def __repr__(self) -> str:
+        height, width, _ = self.pixels.shape
+        return f"<poinsot.Still, {width} × {height} pixels, {self.bound}>"
+
+
+class Figure:
+    """A figure of vectors, with exact hidden lines.
+
+    Attributes:
+        svg: its text as SVG.
+        pdf: its bytes as PDF, made when it is first asked for.
+    """
+
+    def __init__(self, svg: str, make_pdf: Callable[[], bytes]) -> None:
+        self.svg = svg
+        self._make_pdf = make_pdf
+        self._pdf: Optional[bytes] = None
+
+    @property
+    def pdf(self) -> bytes:
+        if self._pdf is None:
+            self._pdf = self._make_pdf()
+        return self._pdf
+
+    def save(self, path: Path) -> None:
+        """Writes an .svg or a .pdf file. Raises InputError for another suffix, and EnvironmentError."""
+        name = os.fspath(path).lower()
+        if name.endswith(".svg"):
+            write_file(path, self.svg.encode("utf-8"))
+        elif name.endswith(".pdf"):
+            write_file(path, self.pdf)
+        else:
+            raise InputError(f"{os.fspath(path)}: a figure is an SVG or a PDF; end its name in .svg or .pdf")
+
+    def _repr_svg_(self) -> str:
+        return self.svg
+
+    def __repr__(self) -> str:
+        return f"<poinsot.Figure, {len(self.svg.encode('utf-8')) / 1e3:.0f} kB as SVG>"
+
+
+class Film:
+    """A film, or a sequence of pictures, that was written.
+
+    Attributes:
+        path: its file, or the pattern of its files.
+        notes: what the program said about it: its file, the bound of its errors, remarks.
+    """
+
+    def __init__(self, path: str, notes: List[str]) -> None:
+        self.path = path
+        self.notes = notes
+
+    def _repr_html_(self) -> Optional[str]:
+        suffix = os.path.splitext(self.path)[1].lower()
+        kind = {".mp4": "video/mp4", ".webm": "video/webm", ".gif": "image/gif"}.get(suffix)
+        if kind is None or not os.path.isfile(self.path):
+            return None
+        if os.path.getsize(self.path) <= most_inline_bytes:
+            with open(self.path, "rb") as file:
+                source = _data(kind, file.read())
+        else:
+            source = html.escape(os.path.relpath(self.path))
+        if suffix == ".gif":
+            return f'<img src="{source}" style="max-width:100%">'
+        return f'<video controls loop muted playsinline src="{source}" style="max-width:100%"></video>'
+
+    def __repr__(self) -> str:
+        return f"<poinsot.Film, {self.path}>"
+
+
+class Page:
+    """A page that holds the motion and needs nothing else: it plays, turns and is edited.
+
+    In a notebook it is a picture; a click on it starts the page in a sandbox. Where scripts are
+    stripped, the picture stays.
+
+    Attributes:
+        path: its file, if it was given one.
+        html: its text.
+    """
+
+    def __init__(self, contents: str, poster_png: bytes, width_px: int, height_px: int, path: Optional[str]) -> None:
+        self.html = contents
+        self.path = path
+        self._poster_png = poster_png
+        self._size_px = (width_px, height_px)
+
+    def save(self, path: Path) -> None:
+        """Writes the page's .html file."""
+        write_file(path, self.html.encode("utf-8"))
+
+    def _repr_html_(self) -> str:
+        width, height = self._size_px
+        poster = f'<img src="{_data("image/png", self._poster_png)}" style="width:100%;display:block" alt="poinsot">'
+        if self.path is None:
+            # As a text, "<" escaped, so that no part of it ends the script.
+            source = json.dumps(self.html).replace("<", "\\u003c")
+            start = "frame.srcdoc = page"
+        else:
+            source = json.dumps(os.path.relpath(self.path)).replace("<", "\\u003c")
+            start = "frame.src = page"
+            poster = f'<a href="{html.escape(os.path.relpath(self.path))}">{poster}</a>'
+        return (
+            f'<div style="max-width:{width}px;cursor:pointer" title="click to start">{poster}<script>'
+            "{const box = document.currentScript.parentElement;"
+            f"const page = {source};"
+            'box.addEventListener("click", (event) => {event.preventDefault();'
+            'const frame = document.createElement("iframe");'
+            'frame.setAttribute("sandbox", "allow-scripts");'
+            f'frame.style = "width:100%;aspect-ratio:{width}/{height};border:0";'
+            f"{start};box.replaceChildren(frame);}}, {{once: true}});}}"
+            "</script></div>"
+        )
+
+    def __repr__(self) -> str:
+        where = self.path or f"{len(self.html.encode('utf-8')) / 1e6:.2f} MB"
+        return f"<poinsot.Page, {where}>"

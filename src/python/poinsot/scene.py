@@ -1,0 +1,302 @@
+"""Scenes: a rigid body, its start, and how its motion is drawn."""
+
+from __future__ import annotations
+
+import difflib
+import json
+import os
+import tempfile
+from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+
+from . import _poinsot, toml
+from .arrays import numbers
+from .errors import InputError
+from .pictures import Figure, Film, Page, Path, Still
+from .progress import Progress
+from .samples import Samples
+
+_scenes_folder = os.path.join(os.path.dirname(__file__), "scenes")
+
+Size = Union[Tuple[int, int], str]
+
+
+def scenes() -> List[str]:
+    """The names of the scenes that come with the package.
+
+    >>> "tennis_racket" in scenes()
+    True
+    """
+    return sorted(name[:-5] for name in os.listdir(_scenes_folder) if name.endswith(".toml"))
+
+
+def _file_of(given: str) -> str:
+    """The file of a scene as a user names it: a file, or the name of a scene of the package."""
+    if os.path.dirname(given) or os.path.splitext(given)[1] or os.path.exists(given):
+        return given
+    known = scenes()
+    if given in known:
+        return os.path.join(_scenes_folder, given + ".toml")
+    near = difflib.get_close_matches(given, known, 1)
+    hint = f'did you mean "{near[0]}"?' if near else "poinsot.scenes() lists them"
+    raise InputError(f"{given}: no such file, and no scene has that name; {hint}", given)
+
+
+def _size_text(size: Any) -> str:
+    if isinstance(size, str):
+        return size
+    try:
+        width, height = size
+        return f"{int(width)}x{int(height)}"
+    except (TypeError, ValueError):
+        raise InputError(f"size: {size!r} is not a size in pixels; give (width, height)") from None
+
+
+class Scene:
+    """A scene: from a file, a text of TOML, nested dicts, or the name of a scene of the package.
+
+    A text has several lines or a "="; `values` are changed values by dotted key, as --set takes
+    them. `allow_outside`: whether the scene may name files outside its own folder.
+
+    Raises InputError, with file, line and column, for a scene that cannot be used.
+
+    >>> racket = Scene("tennis_racket")
+    >>> racket.name
+    'tennis_racket'
+    >>> Scene({"body": {"moments_kg_m2": [1, 2, 3]}, "start": {"omega_rad_s": [0.1, 2, 0]}}).check()["regime"]
+    'elliptic, polhode about the highest moment'
+    """
+
+    def __init__(
+        self,
+        source: Union[str, "os.PathLike[str]", Mapping[str, Any]],
+        values: Optional[Mapping[str, Any]] = None,
+        *,
+        allow_outside: bool = False,
+    ) -> None:
+        changes = toml.assignments(values or {})
+        if isinstance(source, Mapping):
+            self._native = _poinsot.Scene.from_text(toml.scene_text(source), "scene.toml", changes, allow_outside)
+        elif isinstance(source, str) and ("\n" in source or "=" in source):
+            self._native = _poinsot.Scene.from_text(source, "scene.toml", changes, allow_outside)
+        elif isinstance(source, (str, os.PathLike)):
+            self._native = _poinsot.Scene.from_file(_file_of(os.fspath(source)), changes, allow_outside)
+        else:
+            raise InputError(f"a scene is a file, a text or a dict, not {type(source).__name__}")
+
+    def set(self, values: Mapping[str, Any]) -> "Scene":
+        """The same scene with other values, by dotted key; this one stays as it is.
+
+        >>> Scene("generic").set({"start.omega_rad_s": [0.2, 2.0, 0.1]}).values
+        ['start.omega_rad_s=[0.2, 2.0, 0.1]']
+        """
+        changed = object.__new__(Scene)
+        changed._native = self._native.with_values(toml.assignments(values))
+        return changed
+
+    @property
+    def name(self) -> str:
+        """The scene's name: that of its file without the suffix."""
+        return self._native.name
+
+    @property
+    def title(self) -> str:
+        """The scene's title, or its name if it has none."""
+        return self._native.title
+
+    @property
+    def text(self) -> str:
+        """The text of the scene file."""
+        return self._native.text
+
+    @property
+    def values(self) -> List[str]:
+        """The changed values, as --set takes them."""
+        return self._native.values
+
+    @property
+    def size_px(self) -> Tuple[int, int]:
+        """Width and height of its pictures."""
+        return self._native.width_px, self._native.height_px
+
+    def check(self) -> Dict[str, Any]:
+        """What `poinsot check --json` says: regime, constants, periods, film, accuracy.
+
+        SI units, as the names say. Raises InputError for a motion that cannot be computed.
+        """
+        return json.loads(self._native.check_json())
+
+    def sample(self, times: Any, columns: Optional[Sequence[str]] = None) -> Samples:
+        """The motion at these instants.
+
+        times: seconds, any shape; columns: names as for `poinsot sample --columns`. Returns arrays
+        of the shape of `times`: ω in rad/s in body axes, the attitude space_from_body as a unit
+        quaternion (w, x, y, z), the herpolhode in rad/s in space axes. The digits are those of the
+        command. Exact motions cost the same at every instant. The interpreter's lock is released.
+        Raises InputError for instants that are not finite, or that a stepped motion cannot reach.
+
+        >>> import numpy as np
+        >>> motion = Scene("sphere").sample(np.linspace(0, 10, 3))
+        >>> motion["omega_body"].shape
+        (3, 3)
+        """
+        instants = numbers("times", times)
+        if isinstance(columns, str):
+            columns = [columns]
+        names, values = self._native.sample(instants.ravel(), list(columns or []))
+        return Samples(zip(names, (column.reshape(instants.shape) for column in values)))
+
+    def _drawn(
+        self, size: Optional[Size], theme: Optional[str], quality: Optional[str], fps: Any = None
+    ) -> Any:
+        """The scene with the options that stand for keys."""
+        changes = []
+        if size is not None:
+            changes.append(f"--size film.size={_size_text(size)}")
+        if fps is not None:
+            changes.append(f"--fps film.fps={fps}")
+        if quality is not None:
+            changes.append(f"--quality film.quality={quality}")
+        if theme is not None:
+            changes.append(f"--theme theme={theme}")
+        return self._native.with_values(changes) if changes else self._native
+
+    def still(
+        self,
+        time_s: Union[None, float, str] = None,
+        *,
+        size: Optional[Size] = None,
+        theme: Optional[str] = None,
+        quality: Optional[str] = None,
+        width_mm: Optional[float] = None,
+        height_mm: Optional[float] = None,
+        dpi: Optional[float] = None,
+        type_pt: Optional[float] = None,
+        journal: Optional[str] = None,
+        backend: str = "auto",
+        portable: bool = False,
+    ) -> Still:
+        """One picture, at `time_s` seconds of the motion; "auto": where the arrows are farthest apart.
+
+        The options are those of `poinsot still`. Any thread may draw; a process that was forked
+        after a picture had been drawn may not. Raises InputError, EnvironmentError.
+        """
+        instant, clearest = _instant(time_s)
+        paper = {"width_mm": width_mm, "height_mm": height_mm, "dpi": dpi, "type_pt": type_pt, "journal": journal}
+        scene = self._drawn(size, theme, quality)
+        return Still(scene.still(instant, clearest, paper, backend, portable, None))
+
+    def figure(
+        self,
+        time_s: Union[None, float, str] = None,
+        *,
+        size: Optional[Size] = None,
+        theme: Optional[str] = None,
+        quality: Optional[str] = None,
+        width_mm: Optional[float] = None,
+        height_mm: Optional[float] = None,
+        type_pt: Optional[float] = None,
+        journal: Optional[str] = None,
+        shading: str = "tone",
+        text: str = "font",
+        backend: str = "auto",
+        portable: bool = False,
+    ) -> Figure:
+        """The same as vectors, for print. The options are those of `poinsot still -o NAME.pdf`."""
+        instant, clearest = _instant(time_s)
+        paper = {"width_mm": width_mm, "height_mm": height_mm, "type_pt": type_pt, "journal": journal}
+        scene = self._drawn(size, theme, quality)
+
+        def made(kind: str) -> bytes:
+            return scene.figure(kind, instant, clearest, paper, shading, text, backend, portable)
+
+        return Figure(made("svg").decode("utf-8"), lambda: made("pdf"))
+
+    def render(
+        self,
+        path: Path,
+        *,
+        size: Optional[Size] = None,
+        fps: Any = None,
+        theme: Optional[str] = None,
+        quality: Optional[str] = None,
+        frames: Optional[Tuple[int, int]] = None,
+        backend: str = "auto",
+        portable: bool = False,
+        progress: bool = True,
+    ) -> Film:
+        """Writes a film (.mp4, .webm, .mov, .gif), a presentation (.pptx) or, with #### in the name, a
+        PNG sequence.
+
+        The options are those of `poinsot render`; frames: the first and the last, from 0. A film
+        that was interrupted, also by Ctrl-C, continues at the next call. `progress` shows a bar.
+        Raises InputError, EnvironmentError.
+        """
+        name = os.fspath(path)
+        if name.lower().endswith(".html"):
+            raise InputError(f"{name}: .page({name!r}) writes a page")
+        scene = self._drawn(size, theme, quality, fps)
+        with Progress(progress, scene.name) as shown:
+            scene.render(name, frames, backend, portable, shown.say, shown.frames)
+        return Film(name, shown.notes)
+
+    def slides(
+        self,
+        folder: Path,
+        *,
+        size: Optional[Size] = None,
+        fps: Any = None,
+        theme: Optional[str] = None,
+        quality: Optional[str] = None,
+        backend: str = "auto",
+        portable: bool = False,
+        progress: bool = True,
+    ) -> Dict[str, Any]:
+        """Writes a film and stills for each stop, as `poinsot render --slides`; returns slides.json."""
+        name = os.fspath(folder)
+        scene = self._drawn(size, theme, quality, fps)
+        with Progress(progress, scene.name) as shown:
+            scene.slides(name, backend, portable, shown.say, shown.frames)
+        with open(os.path.join(name, "slides.json"), encoding="utf-8") as file:
+            return json.load(file)
+
+    def page(self, path: Optional[Path] = None, *, theme: Optional[str] = None, size: Optional[Size] = None) -> Page:
+        """The scene as a page that plays, turns and is edited; written to `path` if one is given.
+
+        A notebook then holds only its poster, instead of 1.2 MB. Raises EnvironmentError where the
+        package was built without the module for browsers.
+        """
+        scene = self._drawn(size, theme, None)
+        poster = scene.with_values(["film.size=640x" + str(max(2, 640 * scene.height_px // scene.width_px // 2 * 2))])
+        png = Still(poster.still(None, False, {}, "auto", False, None)).png
+        if path is not None:
+            name = os.fspath(path)
+            if not name.lower().endswith(".html"):
+                raise InputError(f"{name}: a page ends in .html")
+            scene.render(name, None, "auto", False, None, None)
+            with open(name, encoding="utf-8") as file:
+                return Page(file.read(), png, scene.width_px, scene.height_px, name)
+        with tempfile.TemporaryDirectory() as folder:
+            name = os.path.join(folder, scene.name + ".html")
+            scene.render(name, None, "auto", False, None, None)
+            with open(name, encoding="utf-8") as file:
+                return Page(file.read(), png, scene.width_px, scene.height_px, None)
+
+    def _repr_png_(self) -> bytes:
+        width, height = self.size_px
+        return self.still(size=(960, max(2, 960 * height // width // 2 * 2))).png
+
+    def __repr__(self) -> str:
+        return f"<poinsot.Scene {self.name}>"
+
+
+def _instant(time_s: Union[None, float, str]) -> Tuple[Optional[float], bool]:
+    if time_s is None:
+        return None, False
+    if isinstance(time_s, str):
+        if time_s == "auto":
+            return None, True
+        raise InputError(f'time_s: {time_s!r} is not an instant in seconds; give a number or "auto"')
+    instant = numbers("time_s", time_s)
+    if instant.size != 1:
+        raise InputError("time_s: a picture shows one instant; give one number")
+    return float(instant.ravel()[0]), False

@@ -1,0 +1,133 @@
+#include <pybind11/stl.h>
+
+#include <memory>
+#include <string>
+
+#include "bindings.h"
+
+namespace poinsot::python {
+
+namespace {
+
+using library::Scene;
+using Doubles = py::array_t<double, py::array::c_style>;
+
+library::PaperOptions paper_of(const py::dict& options) {
+    library::PaperOptions paper;
+    const auto number = [&options](const char* name) -> std::optional<double> {
+        if (!options.contains(name) || options[name].is_none()) return std::nullopt;
+        return options[name].cast<double>();
+    };
+    paper.width_mm = number("width_mm");
+    paper.height_mm = number("height_mm");
+    paper.dpi = number("dpi");
+    paper.type_pt = number("type_pt");
+    if (options.contains("journal") && !options["journal"].is_none())
+        paper.journal = options["journal"].cast<std::string>();
+    return paper;
+}
+
+// The pixels share the memory of the still.
+py::array pixels_of(const library::Still& still) {
+    auto* const kept = new library::Still(still);
+    const py::capsule owner(kept,
+                            [](void* pointer) { delete static_cast<library::Still*>(pointer); });
+    const std::vector<py::ssize_t> shape{still.height_px(), still.width_px(), 4};
+    return py::array_t<std::uint8_t>(shape, still.rgba().data(), owner);
+}
+
+py::bytes png_of(const library::Still& still) {
+    std::vector<std::uint8_t> png;
+    {
+        const py::gil_scoped_release without_lock;
+        png = still.png();
+    }
+    return {reinterpret_cast<const char*>(png.data()), png.size()};
+}
+
+py::tuple sample(const Scene& scene, const Doubles& times,
+                 const std::vector<std::string>& columns) {
+    library::Table table;
+    {
+        const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
+        const py::gil_scoped_release without_lock;
+        table = scene.sample(times_s, columns);
+    }
+    const auto n_columns = static_cast<py::ssize_t>(table.names.size());
+    const auto n_rows = static_cast<py::ssize_t>(table.n_rows);
+    return py::make_tuple(table.names, array_of(std::move(table.values), {n_columns, n_rows}));
+}
+
+library::Still still(const Scene& scene, std::optional<double> time_s, bool clearest,
+                     const py::dict& paper, const std::string& backend, bool portable,
+                     const py::object& say) {
+    const library::StillOptions options{time_s, clearest, paper_of(paper), {backend, portable}};
+    std::optional<library::Still> made;
+    Running(say, py::none()).run([&](const library::Watch& watch) {
+        made = scene.still(options, watch);
+    });
+    return *made;
+}
+
+py::bytes figure(const Scene& scene, const std::string& format, std::optional<double> time_s,
+                 bool clearest, const py::dict& paper, const std::string& shading,
+                 const std::string& text, const std::string& backend, bool portable) {
+    const library::FigureOptions options{
+        time_s, clearest, paper_of(paper), {backend, portable}, format, shading, text};
+    std::string bytes;
+    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+        bytes = scene.figure(options, watch);
+    });
+    return bytes;
+}
+
+void render(const Scene& scene, const std::string& path,
+            std::optional<std::pair<std::int64_t, std::int64_t>> frames, const std::string& backend,
+            bool portable, const py::object& say, const py::object& progress) {
+    const library::RenderOptions options{frames, {backend, portable}};
+    Running(say, progress).run([&](const library::Watch& watch) {
+        scene.render(path, options, watch);
+    });
+}
+
+void slides(const Scene& scene, const std::string& folder, const std::string& backend,
+            bool portable, const py::object& say, const py::object& progress) {
+    Running(say, progress).run([&](const library::Watch& watch) {
+        scene.slides(folder, {backend, portable}, watch);
+    });
+}
+
+}  // namespace
+
+void add_scene(py::module_& module) {
+    using namespace py::literals;
+    py::class_<library::Still>(module, "Still")
+        .def_property_readonly("pixels", pixels_of)
+        .def_property_readonly("png", png_of)
+        .def_property_readonly("bound", &library::Still::bound);
+    const auto without_lock = py::call_guard<py::gil_scoped_release>();
+    py::class_<Scene>(module, "Scene")
+        .def_static("from_file", &Scene::from_file, without_lock, "file"_a, "values"_a,
+                    "allow_outside"_a)
+        .def_static("from_text", &Scene::from_text, without_lock, "text"_a, "name"_a, "values"_a,
+                    "allow_outside"_a)
+        .def("with_values", &Scene::with, without_lock, "values"_a)
+        .def_property_readonly("name", &Scene::name)
+        .def_property_readonly("title", &Scene::title)
+        .def_property_readonly("text", &Scene::text)
+        .def_property_readonly("values", &Scene::values)
+        .def_property_readonly("width_px", &Scene::width_px)
+        .def_property_readonly("height_px", &Scene::height_px)
+        .def_property_readonly("language", &Scene::language)
+        .def("check_json", &Scene::check_json, without_lock)
+        .def("sample", sample, "times_s"_a, "columns"_a)
+        .def("still", still, "time_s"_a, "clearest"_a, "paper"_a, "backend"_a, "portable"_a,
+             "say"_a)
+        .def("figure", figure, "format"_a, "time_s"_a, "clearest"_a, "paper"_a, "shading"_a,
+             "text"_a, "backend"_a, "portable"_a)
+        .def("render", render, "path"_a, "frames"_a, "backend"_a, "portable"_a, "say"_a,
+             "progress"_a)
+        .def("slides", slides, "folder"_a, "backend"_a, "portable"_a, "say"_a, "progress"_a);
+}
+
+}  // namespace poinsot::python
