@@ -6,6 +6,7 @@ import base64
 import html
 import json
 import os
+import re
 from typing import Any, Callable, List, Optional, Union
 
 import numpy as np
@@ -152,10 +153,9 @@ class Page:
         html: its text.
     """
 
-    def __init__(self, contents: str, poster_png: bytes, width_px: int, height_px: int, path: Optional[str]) -> None:
+    def __init__(self, contents: str, width_px: int, height_px: int, path: Optional[str]) -> None:
         self.html = contents
         self.path = path
-        self._poster_png = poster_png
         self._size_px = (width_px, height_px)
 
     def save(self, path: Path) -> None:
@@ -164,7 +164,9 @@ class Page:
 
     def _repr_html_(self) -> str:
         width, height = self._size_px
-        poster = f'<img src="{_data("image/png", self._poster_png)}" style="width:100%;display:block" alt="poinsot">'
+        # The page has a picture of 256 colours, which is shown until it draws.
+        shown = re.search(r'<img id="poster" src="(data:image/png;base64,[^"]*)"', self.html)
+        poster = f'<img src="{shown[1] if shown else ""}" style="width:100%;display:block" alt="poinsot">'
         if self.path is None:
             # As a text, "<" escaped, so that no part of it ends the script.
             source = json.dumps(self.html).replace("<", "\\u003c")

@@ -63,7 +63,7 @@ class Scene:
     >>> racket.name
     'tennis_racket'
     >>> Scene({"body": {"moments_kg_m2": [1, 2, 3]}, "start": {"omega_rad_s": [0.1, 2, 0]}}).check()["regime"]
-    'elliptic, polhode about the highest moment'
+    'elliptic, about the axis of the smallest moment'
     """
 
     def __init__(
@@ -262,28 +262,28 @@ class Scene:
     def page(self, path: Optional[Path] = None, *, theme: Optional[str] = None, size: Optional[Size] = None) -> Page:
         """The scene as a page that plays, turns and is edited; written to `path` if one is given.
 
-        A notebook then holds only its poster, instead of 1.2 MB. Raises EnvironmentError where the
+        With a path, a notebook holds only the page's poster (70 kB) instead of the page (1.2 MB). Raises EnvironmentError where the
         package was built without the module for browsers.
         """
         scene = self._drawn(size, theme, None)
-        poster = scene.with_values(["film.size=640x" + str(max(2, 640 * scene.height_px // scene.width_px // 2 * 2))])
-        png = Still(poster.still(None, False, {}, "auto", False, None)).png
         if path is not None:
             name = os.fspath(path)
             if not name.lower().endswith(".html"):
                 raise InputError(f"{name}: a page ends in .html")
             scene.render(name, None, "auto", False, None, None)
             with open(name, encoding="utf-8") as file:
-                return Page(file.read(), png, scene.width_px, scene.height_px, name)
+                return Page(file.read(), scene.width_px, scene.height_px, name)
         with tempfile.TemporaryDirectory() as folder:
             name = os.path.join(folder, scene.name + ".html")
             scene.render(name, None, "auto", False, None, None)
             with open(name, encoding="utf-8") as file:
-                return Page(file.read(), png, scene.width_px, scene.height_px, None)
+                return Page(file.read(), scene.width_px, scene.height_px, None)
 
     def _repr_png_(self) -> bytes:
+        # As wide as a notebook's cell, or smaller: outputs are stored in the notebook.
         width, height = self.size_px
-        return self.still(size=(960, max(2, 960 * height // width // 2 * 2))).png
+        shown = min(width, 960)
+        return self.still(size=(shown, max(2, shown * height // width // 2 * 2))).png
 
     def __repr__(self) -> str:
         return f"<poinsot.Scene {self.name}>"
