@@ -168,24 +168,22 @@ class Page:
         shown = re.search(r'<img id="poster" src="(data:image/png;base64,[^"]*)"', self.html)
         poster = f'<img src="{shown[1] if shown else ""}" style="width:100%;display:block" alt="poinsot">'
         if self.path is None:
-            # As a text, "<" escaped, so that no part of it ends the script.
-            source = json.dumps(self.html).replace("<", "\\u003c")
-            start = "frame.srcdoc = page"
+            # Data, not a program: no browser runs it, and no "<" in it ends it.
+            text = json.dumps(self.html).replace("<", "\\u003c")
+            held = f'{poster}<script type="application/json">{text}</script>'
+            start = "frame.srcdoc=JSON.parse(this.querySelector('script').textContent)"
         else:
-            source = json.dumps(os.path.relpath(self.path)).replace("<", "\\u003c")
-            start = "frame.src = page"
-            poster = f'<a href="{html.escape(os.path.relpath(self.path))}">{poster}</a>'
-        return (
-            f'<div style="max-width:{width}px;cursor:pointer" title="click to start">{poster}<script>'
-            "{const box = document.currentScript.parentElement;"
-            f"const page = {source};"
-            'box.addEventListener("click", (event) => {event.preventDefault();'
-            'const frame = document.createElement("iframe");'
-            'frame.setAttribute("sandbox", "allow-scripts");'
-            f'frame.style = "width:100%;aspect-ratio:{width}/{height};border:0";'
-            f"{start};box.replaceChildren(frame);}}, {{once: true}});}}"
-            "</script></div>"
+            # A notebook turns the link into the address of the file.
+            held = f'<a href="{html.escape(os.path.relpath(self.path))}">{poster}</a>'
+            start = "frame.src=this.querySelector('a').href"
+        # An attribute, because some notebooks run scripts elsewhere in the page.
+        click = (
+            "event.preventDefault();event.stopPropagation();const frame=document.createElement('iframe');"
+            "frame.setAttribute('sandbox','allow-scripts');"
+            f"frame.style='width:100%;aspect-ratio:{width}/{height};border:0';{start};"
+            "this.onclick=null;this.replaceChildren(frame)"
         )
+        return f'<div style="max-width:{width}px;cursor:pointer" title="click to start" onclick="{click}">{held}</div>'
 
     def __repr__(self) -> str:
         where = self.path or f"{len(self.html.encode('utf-8')) / 1e6:.2f} MB"
