@@ -1,0 +1,39 @@
+#!/usr/bin/env python3
+"""Runs the examples of docs/python.md and of the package's docstrings.
+
+Usage: doctests.py PACKAGE, the folder that holds the package poinsot. The examples write their files into a temporary folder.
+"""
+import doctest
+import importlib
+import os
+import pathlib
+import pkgutil
+import sys
+import tempfile
+
+PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "python.md"
+
+
+def main():
+    if len(sys.argv) != 2:
+        sys.exit(__doc__)
+    sys.path.insert(0, str(pathlib.Path(sys.argv[1]).resolve()))
+    import poinsot
+
+    results = {}
+    with tempfile.TemporaryDirectory(prefix="poinsot-doctests-") as folder:
+        os.chdir(folder)
+        results[PAGE.name] = doctest.testfile(str(PAGE), module_relative=False, optionflags=doctest.ELLIPSIS, encoding="utf-8")
+        for module in pkgutil.iter_modules(poinsot.__path__, "poinsot."):
+            if module.name == "poinsot._poinsot":
+                continue
+            results[module.name] = doctest.testmod(importlib.import_module(module.name), optionflags=doctest.ELLIPSIS)
+        os.chdir("/")
+    for name, (n_failed, n_tried) in results.items():
+        print(f"{name}: {n_tried} examples, {n_failed} failed")
+    n_tried = sum(result.attempted for result in results.values())
+    return 1 if any(result.failed for result in results.values()) or results[PAGE.name].attempted == 0 or n_tried == 0 else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())
