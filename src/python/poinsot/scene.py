@@ -262,8 +262,8 @@ class Scene:
     def page(self, path: Optional[Path] = None, *, theme: Optional[str] = None, size: Optional[Size] = None) -> Page:
         """The scene as a page that plays, turns and is edited; written to `path` if one is given.
 
-        With a path, a notebook holds only the page's poster (70 kB) instead of the page (1.2 MB). Raises EnvironmentError where the
-        package was built without the module for browsers.
+        With a path, a notebook holds only the page's poster (60 kB) instead of the page (1.2 MB).
+        Raises EnvironmentError where the package was built without the module for browsers.
         """
         scene = self._drawn(size, theme, None)
         if path is not None:
