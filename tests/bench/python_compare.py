@@ -25,8 +25,8 @@ import numpy as np
 import poinsot
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-CASES = {"generic_near_mid": "generic, 50 s", "near_sep_1e-4": "near the separatrix (1e-4), 120 s",
-         "near_sep_1e-30": "near the separatrix (1e-30), 500 s", "long_1e9_periods": "generic, 1e9 and 1e15 s"}
+CASES = {"generic_near_mid": "generic, 50 s", "near_sep_1e-4": "1e-4 rad/s from the middle axis, 120 s",
+         "near_sep_1e-30": "1e-30 rad/s from it, 500 s", "long_1e9_periods": "generic, 1e9 and 1e15 s"}
 STEP_S = 0.01  # of the Runge-Kutta methods
 
 
@@ -144,7 +144,7 @@ def motion_table():
         many = np.linspace(0.0, times[-1], 1001)
         for method, evaluated in {**stepped, **methods}.items():
             if name == "long_1e9_periods" and method in stepped:
-                rows.setdefault(method, []).append("no end")
+                rows.setdefault(method, []).append("not possible")
                 continue
             of_omega, of_attitude = errors(samples, evaluated(times))
             instants = np.linspace(0.0, times[-1], 1_000_000) if method == "poinsot" else many
