@@ -67,7 +67,7 @@ def main():
     parser.add_argument("package", type=pathlib.Path)
     parser.add_argument("names", nargs="*")
     parser.add_argument("--renew", action="store_true")
-    options = parser.parse_args()
+    options = parser.parse_intermixed_args()
     missing = [name for name in NEEDED if importlib.util.find_spec(name) is None]
     if missing:
         print("not installed:", ", ".join(missing))
