@@ -1,5 +1,5 @@
-# --target package: .debs for the distribution that they are built on: poinsot, the program, and libpoinsot-dev, the library
-# for C++.
+# --target package: .debs for the distribution that they are built on: poinsot, the program; libpoinsot-dev, the library for
+# C++; and python3-poinsot, where the Python package is built.
 
 # The package of a library that is opened at run time, if dpkg knows it.
 function(package_of_library name to)
@@ -49,6 +49,17 @@ set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libsleef-dev")
 # What the component production links.
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "libcairo2-dev, libdeflate-dev, libfmt-dev, libfreetype-dev, libharfbuzz-dev, libmd-dev, libpng-dev, libxxhash-dev, pkg-config")
 set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "poinsot, cmake")
+if(TARGET poinsot_python)
+    list(APPEND CPACK_COMPONENTS_ALL python)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-poinsot)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+    set(CPACK_DEBIAN_PYTHON_DESCRIPTION "This package contains the Python package poinsot, for notebooks, scripts and pytest.")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SHLIBDEPS ON)
+    execute_process(COMMAND ${Python_EXECUTABLE} -c "import sys; a, b = sys.version_info[:2]; print(f'python3 (>= {a}.{b}~), python3 (<< {a}.{b + 1})')"
+        OUTPUT_VARIABLE its_python OUTPUT_STRIP_TRAILING_WHITESPACE COMMAND_ERROR_IS_FATAL ANY)
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${its_python}, python3-numpy, ${opened}")
+    set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-matplotlib, python3-pandas, python3-tqdm, python3-pytest")
+endif()
 set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS
     OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ WORLD_EXECUTE)
 include(CPack)

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Runs the examples of docs/python.md and of the package's docstrings.
 
-Usage: doctests.py PACKAGE, the folder that holds the package poinsot. The examples write their files into a temporary folder.
+Usage: doctests_test.py PACKAGE, the folder that holds the package poinsot. The examples write their files into a temporary folder.
 """
 import doctest
 import importlib
