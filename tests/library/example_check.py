@@ -163,7 +163,8 @@ def installed(cmake, build_folder, nm, launcher, place):
     everything = project(place / "everything", """project(everything LANGUAGES CXX)
 find_package(poinsot 0.1 REQUIRED)
 add_executable(everything main.cpp)
-target_link_libraries(everything PRIVATE "$<LINK_LIBRARY:WHOLE_ARCHIVE,poinsot::production,poinsot::construction,poinsot::mechanics>")
+target_link_libraries(everything PRIVATE -Wl,--whole-archive $<TARGET_FILE:poinsot::production> $<TARGET_FILE:poinsot::construction>
+    $<TARGET_FILE:poinsot::mechanics> -Wl,--no-whole-archive poinsot::production)
 """)
     build(cmake, launcher, everything, place / "everything/build", found)
     run(place / "everything/build/everything")
