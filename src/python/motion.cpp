@@ -31,7 +31,8 @@ class States {
  public:
     States(const Motion& motion, std::span<const double> times_s, std::vector<py::ssize_t> shape)
         : shape_(std::move(shape)), n_(times_s.size()), values_(11 * n_) {
-        constexpr std::size_t most_at_once = 256;
+        if (n_ == 1) return put(motion.at(times_s.front()), 0);
+        constexpr std::size_t most_at_once = 64;
         std::array<State, most_at_once> states;
         for (std::size_t first = 0; first < n_; first += most_at_once) {
             const std::size_t n = std::min(most_at_once, n_ - first);
