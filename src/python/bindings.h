@@ -1,11 +1,14 @@
 // The parts of the Python module, and what they share.
 #pragma once
 
+#include <poinsot/error.h>
 #include <poinsot/scene.h>
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 
 #include <optional>
+#include <string>
+#include <type_traits>
 #include <utility>
 #include <vector>
 
@@ -30,6 +33,43 @@ py::array_t<Value> array_of(std::vector<Value> values, std::vector<py::ssize_t> 
     return py::array_t<Value>(std::move(shape), kept->data(), owner);
 }
 
+// An option by name; none if it is missing or None. Throws InputError for a value of another type.
+template <typename Value>
+std::optional<Value> option(const py::dict& options, const char* name) {
+    if (!options.contains(name) || options[name].is_none()) return std::nullopt;
+    try {
+        return options[name].cast<Value>();
+    } catch (const py::cast_error&) {
+        const char* const wanted = std::is_same_v<Value, bool>   ? "True or False"
+                                   : std::is_same_v<Value, int>  ? "a whole number"
+                                   : std::is_arithmetic_v<Value> ? "a number"
+                                                                 : "a text";
+        throw InputError(std::string(name) + ": is " + wanted + ", and this is " +
+                         py::repr(options[name]).cast<std::string>());
+    }
+}
+
+// Releases the interpreter's lock as long as an object exists. CPython ends a daemon thread that
+// waits for the lock while the interpreter shuts down, by unwinding frames that C++ cannot unwind;
+// end_calls() therefore waits for such objects, and objects made after it keep the lock.
+class WithoutLock {
+ public:
+    WithoutLock();
+    ~WithoutLock();
+    WithoutLock(const WithoutLock&) = delete;
+    WithoutLock& operator=(const WithoutLock&) = delete;
+
+ private:
+    PyThreadState* thread_ = nullptr;
+    int generation_ = 0;
+};
+
+// At the end of the interpreter: stops drawing, for good, and waits until no thread is without the
+// lock.
+void end_calls();
+// Throws EnvironmentError after end_calls().
+void need_interpreter();
+
 // Runs a function of the library without the interpreter's lock. Ctrl-C, and an exception of the
 // callbacks, end it: the exception is thrown again here.
 class Running {
@@ -41,8 +81,9 @@ class Running {
 
     template <typename Work>
     void run(const Work& work) {
+        need_interpreter();
         try {
-            const py::gil_scoped_release without_lock;
+            const WithoutLock without_lock;
             work(watch());
         } catch (...) {
             if (raised_) throw *raised_;

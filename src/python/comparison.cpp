@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "bindings.h"
-#include "error/error.h"
 #include "image/files/png_files.h"
 #include "report/approval.h"
 #include "report/compared_picture.h"
@@ -30,28 +30,28 @@ py::array array_of_image(const Image& image) {
 // The limits, under the names of the options of `poinsot compare`.
 Gates gates_of(const py::dict& options) {
     Gates gates;
-    const auto read = [&options](const char* name, auto& value) {
-        using Value = typename std::decay_t<decltype(value)>::value_type;
-        if (options.contains(name) && !options[name].is_none()) value = options[name].cast<Value>();
-    };
     const auto share = [](const char* name, const std::optional<double>& value) {
         if (value && !(*value >= 0.0 && *value <= 1.0))
             throw InputError(std::string(name) + ": a share of the pixels is from 0 to 1");
     };
-    read("max_differing", gates.max_differing);
-    read("max_over", gates.max_over);
-    read("over_levels", gates.over_levels);
-    read("max_flip", gates.max_flip);
-    read("min_ssim", gates.min_ssim);
-    read("antialiasing", gates.antialiasing);
+    gates.max_differing = option<double>(options, "max_differing");
+    gates.max_over = option<double>(options, "max_over");
+    gates.over_levels = option<int>(options, "over_levels");
+    gates.max_flip = option<double>(options, "max_flip");
+    gates.min_ssim = option<double>(options, "min_ssim");
+    gates.antialiasing = option<bool>(options, "antialiasing");
     share("max_differing", gates.max_differing);
     share("max_over", gates.max_over);
     if (gates.over_levels) gates.over_levels = checked_level(*gates.over_levels);
     if (gates.max_flip) gates.max_flip = checked_flip(*gates.max_flip);
     if (gates.min_ssim) gates.min_ssim = checked_ssim(*gates.min_ssim);
     if (options.contains("ignore"))
-        for (const py::handle region : options["ignore"])
+        for (const py::handle region : options["ignore"]) {
+            if (!py::isinstance<py::str>(region))
+                throw InputError("ignore: a region is a text, and this is " +
+                                 py::repr(region).cast<std::string>());
             gates.ignore.push_back(parse_region(region.cast<std::string>()));
+        }
     return gates;
 }
 
@@ -80,6 +80,15 @@ py::dict dict_of(const ComparedPicture& compared) {
                     "flip"_a = measured.flip);
 }
 
+// The manifest and the compare.toml beside the expected picture hold.
+ComparedPicture compare_with_baseline(const std::string& name, const fs::path& expected,
+                                      const fs::path& actual, CompareRequest& request) {
+    const fs::path folder = expected.parent_path();
+    request.file = read_compare_file(folder);
+    const Baselines baselines(folder);
+    return compare_files(name, expected, actual, request, &baselines, expected.stem().string());
+}
+
 py::dict compare_pair(const std::string& name, const std::string& expected,
                       const std::string& actual, const std::string& profile, const py::dict& limits,
                       bool measures) {
@@ -90,12 +99,8 @@ py::dict compare_pair(const std::string& name, const std::string& expected,
     };
     ComparedPicture compared;
     {
-        const py::gil_scoped_release without_lock;
-        const fs::path folder = fs::path(expected).parent_path();
-        request.file = read_compare_file(folder);
-        const Baselines baselines(folder);
-        compared = compare_files(name, expected, actual, request, &baselines,
-                                 fs::path(expected).stem().string());
+        const WithoutLock without_lock;
+        compared = compare_with_baseline(name, expected, actual, request);
     }
     if (compared.outcome == Outcome::unreadable) throw InputError(compared.reason);
     py::dict answer = dict_of(compared);
@@ -109,7 +114,7 @@ py::list compare_all(const std::string& expected, const std::string& actual,
     CompareRequest request = request_of(profile, limits, measures);
     std::vector<ComparedPicture> pictures;
     {
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         request.file = read_compare_file(expected);
         std::optional<ReportPictures> shown;
         if (!report.empty()) shown.emplace(report, false);
@@ -127,6 +132,29 @@ py::list compare_all(const std::string& expected, const std::string& actual,
     return answers;
 }
 
+// Writes a report of pairs, each with limits of its own: (name, expected, actual, profile, limits).
+void report_pairs(
+    const std::vector<std::tuple<std::string, std::string, std::string, std::string, py::dict>>&
+        pairs,
+    const std::string& report, const std::string& title) {
+    std::vector<CompareRequest> requests;
+    requests.reserve(pairs.size());
+    for (const auto& [name, expected, actual, profile, limits] : pairs)
+        requests.push_back(request_of(profile, limits, false));
+    const WithoutLock without_lock;
+    ReportPictures shown(report, false);
+    std::vector<ComparedPicture> pictures;
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+        const auto& [name, expected, actual, profile, limits] = pairs[i];
+        requests[i].seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
+            shown.add(picture, pair);
+        };
+        pictures.push_back(compare_with_baseline(name, expected, actual, requests[i]));
+    }
+    sort_by_severity(pictures);
+    write_whole(report, html_report(title, pictures, shown));
+}
+
 py::bytes png_of_pixels(const Pixels& pixels) {
     if (pixels.ndim() != 3 || pixels.shape(2) != 4)
         throw InputError("an array of pixels has the shape (height, width, 4)");
@@ -138,7 +166,7 @@ py::bytes png_of_pixels(const Pixels& pixels) {
     std::copy_n(pixels.data(), pixels.size(), image.bytes().begin());
     std::vector<std::uint8_t> png;
     {
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         png = encode_png(image);
     }
     return py::bytes(reinterpret_cast<const char*>(png.data()), png.size());
@@ -147,7 +175,7 @@ py::bytes png_of_pixels(const Pixels& pixels) {
 py::array pixels_in(const std::string& file) {
     Image image;
     {
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         image = read_stored_png(file).image;
     }
     return array_of_image(image);
@@ -157,7 +185,7 @@ std::vector<std::pair<std::string, std::string>> approve_pictures(
     const std::string& results, const std::string& baselines, const std::vector<std::string>& names,
     const std::string& why, bool any_renderer) {
     std::vector<std::pair<std::string, std::string>> outcomes;
-    const py::gil_scoped_release without_lock;
+    const WithoutLock without_lock;
     approve(
         {.results = results,
          .baselines = baselines,
@@ -179,12 +207,13 @@ void add_comparison(py::module_& module) {
                "limits"_a, "measures"_a);
     module.def("compare_all", compare_all, "expected"_a, "actual"_a, "profile"_a, "limits"_a,
                "measures"_a, "report"_a, "title"_a);
+    module.def("report_pairs", report_pairs, "pairs"_a, "report"_a, "title"_a);
     module.def("png_of", png_of_pixels, "pixels"_a);
     module.def(
         "write_whole",
         [](const std::string& file, const py::bytes& contents) {
             const std::string_view bytes = contents;
-            const py::gil_scoped_release without_lock;
+            const WithoutLock without_lock;
             write_whole(file, bytes);
         },
         "file"_a, "contents"_a);

@@ -1,13 +1,59 @@
 // The module poinsot._poinsot: the program's functions for Python. The package in poinsot/ gives
 // them the names that people use.
 #include <dlfcn.h>
+#include <pthread.h>
 
+#include <chrono>
 #include <filesystem>
+#include <thread>
 
 #include "bindings.h"
 #include "system/files/program_files.h"
 
 namespace poinsot::python {
+
+namespace {
+
+// The lock guards all of these.
+int n_without_lock = 0;
+int generation = 0;  // of forked processes: the other threads of a parent do not exist in its child
+bool has_ended = false;
+
+void forget_other_threads() {
+    n_without_lock = 0;
+    ++generation;
+}
+
+}  // namespace
+
+WithoutLock::WithoutLock() {
+    if (has_ended) return;
+    ++n_without_lock;
+    generation_ = generation;
+    thread_ = PyEval_SaveThread();
+}
+
+WithoutLock::~WithoutLock() {
+    if (thread_ == nullptr) return;
+    PyEval_RestoreThread(thread_);
+    if (generation_ == generation) --n_without_lock;
+}
+
+void end_calls() {
+    has_ended = true;
+    do {
+        {
+            const py::gil_scoped_release to_others;
+            library::stop_drawing();
+            if (n_without_lock > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+        }
+        if (PyErr_CheckSignals() != 0) throw py::error_already_set();
+    } while (n_without_lock > 0);
+}
+
+void need_interpreter() {
+    if (has_ended) throw EnvironmentError("the interpreter is shutting down; draw before its end");
+}
 
 library::Watch Running::watch() {
     library::Watch watch;
@@ -54,8 +100,7 @@ PYBIND11_MODULE(_poinsot, module) {
     add_motion(module);
     add_scene(module);
     add_comparison(module);
-    module.def("stop_drawing", [] {
-        const py::gil_scoped_release without_lock;
-        poinsot::library::stop_drawing();
-    });
+    pthread_atfork(nullptr, nullptr, forget_other_threads);
+    // Before the interpreter unloads libraries in an order of its own.
+    py::module_::import("atexit").attr("register")(py::cpp_function(end_calls));
 }

@@ -102,14 +102,14 @@ Motion motion_of(const Doubles& moments, const Doubles& omega, const Doubles& at
         Eigen::Matrix3d tensor;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) tensor(i, j) = moments.at(i, j);
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         return Motion::with_tensor(tensor, start, options);
     }
     if (moments.ndim() != 1 || moments.shape(0) != 3)
         throw InputError(
             "moments: give the three principal moments, or the inertia tensor (3 × 3)");
     const Eigen::Vector3d principal = three("moments", moments);
-    const py::gil_scoped_release without_lock;
+    const WithoutLock without_lock;
     return Motion(principal, start, options);
 }
 
@@ -133,7 +133,7 @@ std::unique_ptr<States> at(const Motion& motion, const py::handle& times) {
         py::module_::import("poinsot.arrays").attr("numbers")("times", times).cast<Doubles>();
     std::vector<py::ssize_t> shape = shape_of(array);
     const std::span<const double> times_s = span_of(array);
-    const py::gil_scoped_release without_lock;
+    const WithoutLock without_lock;
     return std::make_unique<States>(motion, times_s, std::move(shape));
 }
 
@@ -188,7 +188,7 @@ py::array polhode(const Motion& motion, double tolerance) {
     const Construction construction(motion);
     library::Polhode curve;
     {
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         curve = construction.polhode(tolerance * construction.half_axes().maxCoeff());
         if (curve.closed && !curve.points.empty()) curve.points.push_back(curve.points.front());
     }
@@ -200,7 +200,7 @@ py::array contact(const Motion& motion, const Doubles& times, bool in_space) {
     const Construction construction(motion);
     std::vector<Eigen::Vector3d> found;
     {
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         for (const double time_s : span_of(times)) {
             const library::ContactPoint point = construction.contact(time_s);
             found.push_back(in_space ? point.space : point.body);
@@ -213,7 +213,7 @@ py::list certificate(const Motion& motion, const Doubles& times, double attitude
     using namespace py::literals;
     library::Certificate certified;
     {
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         certified = Construction(motion).certificate(span_of(times), attitude_error_rad);
     }
     py::list claims;
@@ -238,7 +238,7 @@ void add_motion(py::module_& module) {
         .def_property_readonly("omega_body", quantity(1, 3))
         .def_property_readonly("space_from_body", quantity(4, 4))
         .def_property_readonly("herpolhode", quantity(8, 3));
-    const auto without_lock = py::call_guard<py::gil_scoped_release>();
+    const auto without_lock = py::call_guard<WithoutLock>();
     py::class_<Motion>(module, "Motion")
         .def(py::init(&motion_of), "moments"_a, "omega"_a, "attitude"_a, "method"_a, "step_s"_a,
              "tolerance"_a, "order"_a, "span_s"_a, "allow_unphysical"_a)

@@ -14,16 +14,11 @@ using Doubles = py::array_t<double, py::array::c_style>;
 
 library::PaperOptions paper_of(const py::dict& options) {
     library::PaperOptions paper;
-    const auto number = [&options](const char* name) -> std::optional<double> {
-        if (!options.contains(name) || options[name].is_none()) return std::nullopt;
-        return options[name].cast<double>();
-    };
-    paper.width_mm = number("width_mm");
-    paper.height_mm = number("height_mm");
-    paper.dpi = number("dpi");
-    paper.type_pt = number("type_pt");
-    if (options.contains("journal") && !options["journal"].is_none())
-        paper.journal = options["journal"].cast<std::string>();
+    paper.width_mm = option<double>(options, "width_mm");
+    paper.height_mm = option<double>(options, "height_mm");
+    paper.dpi = option<double>(options, "dpi");
+    paper.type_pt = option<double>(options, "type_pt");
+    paper.journal = option<std::string>(options, "journal").value_or("");
     return paper;
 }
 
@@ -39,7 +34,7 @@ py::array pixels_of(const library::Still& still) {
 py::bytes png_of(const library::Still& still) {
     std::vector<std::uint8_t> png;
     {
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         png = still.png();
     }
     return {reinterpret_cast<const char*>(png.data()), png.size()};
@@ -50,7 +45,7 @@ py::tuple sample(const Scene& scene, const Doubles& times,
     library::Table table;
     {
         const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
-        const py::gil_scoped_release without_lock;
+        const WithoutLock without_lock;
         table = scene.sample(times_s, columns);
     }
     const auto n_columns = static_cast<py::ssize_t>(table.names.size());
@@ -105,7 +100,7 @@ void add_scene(py::module_& module) {
         .def_property_readonly("pixels", pixels_of)
         .def_property_readonly("png", png_of)
         .def_property_readonly("bound", &library::Still::bound);
-    const auto without_lock = py::call_guard<py::gil_scoped_release>();
+    const auto without_lock = py::call_guard<WithoutLock>();
     py::class_<Scene>(module, "Scene")
         .def_static("from_file", &Scene::from_file, without_lock, "file"_a, "values"_a,
                     "allow_outside"_a)

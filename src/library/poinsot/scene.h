@@ -137,8 +137,8 @@ class Scene {
     std::shared_ptr<const Contents> contents_;
 };
 
-// Ends the thread that draws, and closes its OpenGL context; the next picture begins anew. For
-// hosts that unload libraries in an order of their own.
+// Ends the thread that draws, and closes its OpenGL context: pictures that are drawn or wait are
+// stopped; the next picture begins anew. For hosts that unload libraries in an order of their own.
 void stop_drawing();
 
 }  // namespace poinsot::library

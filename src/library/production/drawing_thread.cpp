@@ -1,11 +1,14 @@
 #include "library/production/drawing_thread.h"
 
 #include <pthread.h>
+#include <unistd.h>
 
 #include <atomic>
 #include <chrono>
 #include <condition_variable>
 #include <cstdint>
+#include <cstdio>
+#include <cstdlib>
 #include <deque>
 #include <exception>
 #include <mutex>
@@ -20,6 +23,8 @@
 namespace poinsot::library {
 
 namespace {
+
+constexpr const char* stopped_before = "stopped before the picture was begun";
 
 bool operator==(const ContextChoice& a, const ContextChoice& b) {
     return a.backend == b.backend && a.portability == b.portability;
@@ -56,7 +61,8 @@ class Queue {
     std::condition_variable changed_;
     std::deque<Job*> waiting_;
     std::thread thread_;
-    bool ends_ = false;
+    bool is_drawing_ = false;
+    bool ends_ = false;  // the thread is asked to end
 };
 
 // Never destroyed: at the end of the program, the thread may be waiting. Replaced after a fork.
@@ -65,7 +71,17 @@ std::mutex queue_is_made;
 
 void forget_the_parents_queue() {
     queue_of_process = nullptr;
-    if (opened_a_context) lost_the_renderer = true;
+    request_stop(false);
+    if (!opened_a_context) return;
+    lost_the_renderer = true;
+    // At exit, Mesa would join its threads, and crash; handlers run in reverse order, so that this
+    // one comes first.
+    on_exit(
+        [](int status, void*) {
+            std::fflush(nullptr);
+            _exit(status);
+        },
+        nullptr);
 }
 
 Queue& queue() {
@@ -125,13 +141,16 @@ void Queue::draw_jobs() {
     std::unique_lock lock(mutex_);
     while (true) {
         changed_.wait(lock, [this] { return ends_ || !waiting_.empty(); });
-        if (waiting_.empty()) return;
+        if (ends_) return;
         Job& job = *waiting_.front();
         waiting_.pop_front();
-        job.is_begun = true;
+        job.is_begun = is_drawing_ = true;
         lock.unlock();
         draw_one(job, renderer, open);
         lock.lock();
+        // Before the next job begins: it was not asked to stop.
+        is_drawing_ = false;
+        request_stop(false);
         job.is_done = true;
         changed_.notify_all();
     }
@@ -150,13 +169,10 @@ void Queue::tell(std::unique_lock<std::mutex>& lock, Job& job, const Watch& watc
 void Queue::run(Job& job, const Watch& watch) {
     std::exception_ptr fault;
     std::unique_lock lock(mutex_);
-    if (!thread_.joinable()) {
-        ends_ = false;
-        thread_ = std::thread([this] { draw_jobs(); });
-    }
+    changed_.wait(lock, [this] { return !ends_; });
+    if (!thread_.joinable()) thread_ = std::thread([this] { draw_jobs(); });
     waiting_.push_back(&job);
     changed_.notify_all();
-    bool asked_to_stop = false;
     while (!job.is_done) {
         // Short work needs no look at the caller's functions.
         changed_.wait_for(lock, std::chrono::milliseconds(20));
@@ -176,26 +192,32 @@ void Queue::run(Job& job, const Watch& watch) {
         if (!job.is_begun) {
             std::erase(waiting_, &job);
             if (fault) std::rethrow_exception(fault);
-            throw EnvironmentError("stopped before the picture was begun");
+            throw EnvironmentError(stopped_before);
         }
-        if (!asked_to_stop) request_stop(true);
-        asked_to_stop = true;
+        request_stop(true);
     }
-    if (asked_to_stop) request_stop(false);
     if (!fault && !job.error) tell(lock, job, watch);
     if (fault) std::rethrow_exception(fault);
     if (job.error) std::rethrow_exception(job.error);
 }
 
 void Queue::end() {
-    std::thread thread;
-    {
-        const std::lock_guard lock(mutex_);
-        ends_ = true;
-        changed_.notify_all();
-        thread.swap(thread_);
+    std::unique_lock lock(mutex_);
+    changed_.wait(lock, [this] { return !ends_; });
+    if (!thread_.joinable()) return;
+    ends_ = true;
+    if (is_drawing_) request_stop(true);
+    for (Job* const job : waiting_) {
+        job->error = std::make_exception_ptr(EnvironmentError(stopped_before));
+        job->is_done = true;
     }
-    if (thread.joinable()) thread.join();
+    waiting_.clear();
+    changed_.notify_all();
+    lock.unlock();
+    thread_.join();
+    lock.lock();
+    ends_ = false;
+    changed_.notify_all();
 }
 
 }  // namespace

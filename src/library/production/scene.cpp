@@ -205,6 +205,11 @@ void Scene::render(const std::string& path, const RenderOptions& options,
         });
         return;
     }
+    if (options.frames &&
+        (options.frames->first < 0 || options.frames->second < options.frames->first))
+        throw InputError(fmt::format(
+            "frames {} to {}: not a range of frames; give the first and the last one, from 0",
+            options.frames->first, options.frames->second));
     const std::shared_ptr<const Session> session = contents_->session();
     if (is_slides_name(path)) {
         if (options.frames)

@@ -8,16 +8,18 @@
 See docs/python.md.
 """
 
-import atexit as _atexit
+from __future__ import annotations
 
-from ._poinsot import __version__
-from ._poinsot import stop_drawing as _stop_drawing
-from .comparison import Comparison, approve, compare, compare_folders
-from .errors import EnvironmentError, Error, InputError
-from .motion import Claim, Cones, Constants, Motion, TopConstants
-from .pictures import Figure, Film, Page, Still
-from .samples import Samples
-from .scene import Scene, scenes
+from typing import TYPE_CHECKING, Any, List
+
+if TYPE_CHECKING:
+    from ._poinsot import __version__
+    from .comparison import Comparison, approve, compare, compare_folders
+    from .errors import EnvironmentError, Error, InputError
+    from .motion import Claim, Cones, Constants, Motion, TopConstants
+    from .pictures import Figure, Film, Page, Still
+    from .samples import Samples
+    from .scene import Scene, scenes
 
 __all__ = [
     "Claim",
@@ -42,5 +44,29 @@ __all__ = [
     "scenes",
 ]
 
-# Before the interpreter unloads libraries in an order of its own.
-_atexit.register(_stop_drawing)
+# Each name is imported when it is first used: pytest loads the plugin, and thereby this package, in
+# sessions that draw nothing.
+_modules = {
+    "_poinsot": ["__version__"],
+    "comparison": ["Comparison", "approve", "compare", "compare_folders"],
+    "errors": ["EnvironmentError", "Error", "InputError"],
+    "motion": ["Claim", "Cones", "Constants", "Motion", "TopConstants"],
+    "pictures": ["Figure", "Film", "Page", "Still"],
+    "samples": ["Samples"],
+    "scene": ["Scene", "scenes"],
+}
+_module_of = {name: module for module, names in _modules.items() for name in names}
+
+
+def __getattr__(name: str) -> Any:
+    import importlib
+
+    if name not in _module_of:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(importlib.import_module("." + _module_of[name], __name__), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> List[str]:
+    return sorted({*globals(), *__all__})

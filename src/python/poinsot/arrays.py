@@ -6,10 +6,19 @@ from typing import Any
 
 import numpy as np
 
+from numpy.typing import NDArray
+
 from .errors import InputError
 
+Numbers = NDArray[np.float64]
+Pixels = NDArray[np.uint8]
 
-def numbers(name: str, values: Any) -> np.ndarray:
+
+# Modes of PIL whose 8-bit numbers are not grey, R, G, B and alpha.
+_pil_modes_to_convert = {"P", "PA", "LA", "La", "RGBX", "RGBa", "CMYK", "YCbCr", "LAB", "HSV"}
+
+
+def numbers(name: str, values: Any) -> Numbers:
     """The values as an array of float64, of any shape. Raises InputError for other types."""
     try:
         array = np.asarray(values)
@@ -20,12 +29,18 @@ def numbers(name: str, values: Any) -> np.ndarray:
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
 
 
-def pixels(name: str, values: Any) -> np.ndarray:
+def pixels(name: str, values: Any) -> Pixels:
     """A picture as an array of shape (height, width, 4) of 8-bit values.
 
-    Takes 8-bit values, or floats from 0 to 1; grey (H×W), RGB (H×W×3) or RGBA (H×W×4).
+    Takes 8-bit values, or floats from 0 to 1; grey (H×W), RGB (H×W×3) or RGBA (H×W×4); and the
+    pictures of PIL.
     """
-    array = np.asarray(values)
+    if getattr(values, "mode", None) in _pil_modes_to_convert:
+        values = values.convert("RGBA")
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError) as error:
+        raise InputError(f"{name}: not a picture: {error}") from None
     if array.dtype == np.bool_ or array.dtype.kind == "f":
         array = array.astype(np.float64)
         if array.size and not (np.all(array >= 0.0) and np.all(array <= 1.0)):

@@ -7,14 +7,14 @@ import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Dict, Iterable, List, Optional, Union
 
-import numpy as np
+from numpy.typing import NDArray
 
 from . import _poinsot
-from .arrays import pixels
+from .arrays import Pixels, pixels
 from .errors import InputError
 from .pictures import Path, Still
 
-Picture = Union[Path, Still, np.ndarray, Any]
+Picture = Union[Path, Still, NDArray[Any], Any]
 
 
 @dataclass
@@ -46,7 +46,7 @@ class Comparison:
     ssim: Optional[float]
     flip: Optional[float]
     changes: Optional[List[str]]
-    difference: Optional[np.ndarray] = field(default=None, repr=False, compare=False)
+    difference: Optional[Pixels] = field(default=None, repr=False, compare=False)
 
     def __bool__(self) -> bool:
         return self.passes
@@ -113,7 +113,7 @@ def compare(
     The limits are those of `poinsot compare`; without any, no pixel may differ, except where the
     manifest or the compare.toml beside the expected file says more. Raises InputError.
 
-    >>> import numpy as np
+    >>> from numpy.typing import NDArray
     >>> grey = np.full((4, 4), 128, np.uint8)
     >>> other = grey.copy(); other[0, 0] = 130
     >>> bool(compare(grey, grey)), bool(compare(grey, other))

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Optional
+from typing import Any, Optional, Tuple
 
 __all__ = ["Error", "InputError", "EnvironmentError"]
 
@@ -27,7 +27,7 @@ class InputError(Error, ValueError):
         self.line = line
         self.column = column
 
-    def __reduce__(self) -> tuple:
+    def __reduce__(self) -> Tuple[Any, ...]:
         return (type(self), (str(self), self.file, self.line, self.column))
 
 

@@ -5,10 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, List, NamedTuple, Optional, Tuple
 
-import numpy as np
-
 from . import _poinsot
-from .arrays import numbers
+from .arrays import Numbers, numbers
 
 
 class Constants(NamedTuple):
@@ -20,11 +18,11 @@ class Constants(NamedTuple):
     #: T, in J, and |L|, in kg m²/s; L in space axes, shape (3,).
     kinetic_energy_J: float
     momentum_kg_m2_s: float
-    momentum_space: np.ndarray
+    momentum_space: Numbers
     #: √(2T)/L, the distance of the invariable plane, and the half-axes 1/√I of the ellipsoid,
     #: shape (3,), both in 1/√(kg m²).
     plane_distance: float
-    half_axes: np.ndarray
+    half_axes: Numbers
     #: The principal axis that the polhode encircles: 1, 2 or 3.
     encircled_axis: int
     #: k of the Jacobi functions.
@@ -203,7 +201,7 @@ class Motion:
         """The polhode's period in s: the time after which ω is back in body axes; None without one."""
         return self.constants.polhode_period_s
 
-    def polhode(self, tolerance: float = 1e-4) -> np.ndarray:
+    def polhode(self, tolerance: float = 1e-4) -> Numbers:
         """The path of the contact point on the ellipsoid: points ρ in body axes, shape (n, 3).
 
         1/√(kg m²). The polyline is within `tolerance` of the longest half-axis of the curve; that of
@@ -211,14 +209,14 @@ class Motion:
         """
         return self._native.polhode(tolerance)
 
-    def herpolhode(self, times: Any) -> np.ndarray:
+    def herpolhode(self, times: Any) -> Numbers:
         """The contact points ρ on the invariable plane, in space axes: shape S + (3,), 1/√(kg m²).
 
         times: in s, of any shape S.
         """
         return self._native.contact(numbers("times", times), True)
 
-    def contact(self, times: Any) -> np.ndarray:
+    def contact(self, times: Any) -> Numbers:
         """The contact points ρ = ω/√(2T) on the ellipsoid, in body axes: shape S + (3,), 1/√(kg m²)."""
         return self._native.contact(numbers("times", times), False)
 

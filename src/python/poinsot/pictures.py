@@ -9,9 +9,10 @@ import os
 import re
 from typing import Any, Callable, List, Optional, Union
 
-import numpy as np
+from numpy.typing import NDArray
 
 from . import _poinsot
+from .arrays import Pixels
 from .errors import InputError
 
 Path = Union[str, "os.PathLike[str]"]
@@ -40,12 +41,12 @@ class Still:
         bound: how far the lines may be from the truth, in words.
     """
 
-    def __init__(self, drawn: Any) -> None:
+    def __init__(self, drawn: _poinsot.Still) -> None:
         self._drawn = drawn
         self._png: Optional[bytes] = None
 
     @property
-    def pixels(self) -> np.ndarray:
+    def pixels(self) -> Pixels:
         return self._drawn.pixels
 
     @property
@@ -64,7 +65,7 @@ class Still:
             raise InputError(f"{os.fspath(path)}: a still is saved as a PNG; end its name in .png")
         write_file(path, self.png)
 
-    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> np.ndarray:
+    def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
         pixels = self.pixels if dtype is None else self.pixels.astype(dtype)
         return pixels.copy() if copy and dtype is None else pixels
 

@@ -14,6 +14,7 @@ class Progress:
         self._shown = shown
         self._what = what
         self._bar: Optional[Any] = None
+        self._is_text = False
         self._percent = -1
 
     def say(self, line: str) -> None:
@@ -22,9 +23,10 @@ class Progress:
     def frames(self, n_done: int, n_frames: int) -> None:
         if not self._shown:
             return
+        if self._bar is None and not self._is_text:
+            self._bar = _tqdm_bar(self._what, n_frames)
+            self._is_text = self._bar is None
         if self._bar is None:
-            self._bar = _tqdm_bar(self._what, n_frames) or self
-        if self._bar is self:
             percent = 100 * n_done // n_frames
             if percent != self._percent:
                 print(f"\r{self._what}: {percent} %", end="", file=sys.stderr, flush=True)
@@ -35,10 +37,10 @@ class Progress:
             self._bar.update(n_done - self._bar.n)
 
     def close(self) -> None:
-        if self._bar is self and self._percent >= 0:
-            print(file=sys.stderr)
-        elif self._bar is not None and self._bar is not self:
+        if self._bar is not None:
             self._bar.close()
+        elif self._is_text:
+            print(file=sys.stderr)
 
     def __enter__(self) -> "Progress":
         return self

@@ -6,8 +6,10 @@ from typing import Any, Dict
 
 import numpy as np
 
+from .arrays import Numbers
 
-class Samples(Dict[str, np.ndarray]):
+
+class Samples(Dict[str, Numbers]):
     """Columns by name, each a contiguous array of float64 in the shape of the instants.
 
     The names are those of `poinsot sample`: "time_s", "omega_body_1", … "q_w", …; with columns=…
@@ -15,7 +17,7 @@ class Samples(Dict[str, np.ndarray]):
     "q", gives all its components as the last axis.
     """
 
-    def __missing__(self, name: Any) -> np.ndarray:
+    def __missing__(self, name: Any) -> Numbers:
         parts = [value for key, value in self.items() if _is_part(key, name)]
         if not parts:
             raise KeyError(f"{name}: not a column; there are {', '.join(self)}")

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
+import operator
 import os
 import tempfile
 from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
@@ -46,9 +47,19 @@ def _size_text(size: Any) -> str:
         return size
     try:
         width, height = size
-        return f"{int(width)}x{int(height)}"
-    except (TypeError, ValueError):
-        raise InputError(f"size: {size!r} is not a size in pixels; give (width, height)") from None
+        if int(width) == width and int(height) == height:
+            return f"{int(width)}x{int(height)}"
+    except (TypeError, ValueError, OverflowError):
+        pass
+    raise InputError(f"size: {size!r} is not a size in pixels; give (width, height)")
+
+
+def _unicode(text: str) -> str:
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise InputError(f"scene.toml: not valid Unicode: {error}; a scene is plain text") from None
+    return text
 
 
 class Scene:
@@ -75,9 +86,10 @@ class Scene:
     ) -> None:
         changes = toml.assignments(values or {})
         if isinstance(source, Mapping):
-            self._native = _poinsot.Scene.from_text(toml.scene_text(source), "scene.toml", changes, allow_outside)
+            text = _unicode(toml.scene_text(source))
+            self._native = _poinsot.Scene.from_text(text, "scene.toml", changes, allow_outside)
         elif isinstance(source, str) and ("\n" in source or "=" in source):
-            self._native = _poinsot.Scene.from_text(source, "scene.toml", changes, allow_outside)
+            self._native = _poinsot.Scene.from_text(_unicode(source), "scene.toml", changes, allow_outside)
         elif isinstance(source, (str, os.PathLike)):
             self._native = _poinsot.Scene.from_file(_file_of(os.fspath(source)), changes, allow_outside)
         else:
@@ -123,7 +135,8 @@ class Scene:
 
         SI units, as the names say. Raises InputError for a motion that cannot be computed.
         """
-        return json.loads(self._native.check_json())
+        said: Dict[str, Any] = json.loads(self._native.check_json())
+        return said
 
     def sample(self, times: Any, columns: Optional[Sequence[str]] = None) -> Samples:
         """The motion at these instants.
@@ -142,12 +155,15 @@ class Scene:
         instants = numbers("times", times)
         if isinstance(columns, str):
             columns = [columns]
-        names, values = self._native.sample(instants.ravel(), list(columns or []))
+        wanted = list(columns or [])
+        if not all(isinstance(column, str) for column in wanted):
+            raise InputError('columns: give names of columns, as ["time", "kinetic_energy"]')
+        names, values = self._native.sample(instants.ravel(), wanted)
         return Samples(zip(names, (column.reshape(instants.shape) for column in values)))
 
     def _drawn(
         self, size: Optional[Size], theme: Optional[str], quality: Optional[str], fps: Any = None
-    ) -> Any:
+    ) -> _poinsot.Scene:
         """The scene with the options that stand for keys."""
         changes = []
         if size is not None:
@@ -234,6 +250,14 @@ class Scene:
         name = os.fspath(path)
         if name.lower().endswith(".html"):
             raise InputError(f"{name}: .page({name!r}) writes a page")
+        if frames is not None:
+            try:
+                first, last = frames
+                frames = operator.index(first), operator.index(last)
+                if max(frames) >= 2**63 or min(frames) < -(2**63):
+                    raise ValueError
+            except (TypeError, ValueError):
+                raise InputError(f"frames: {frames!r} is not a range of frames; give (first, last), from 0") from None
         scene = self._drawn(size, theme, quality, fps)
         with Progress(progress, scene.name) as shown:
             scene.render(name, frames, backend, portable, shown.say, shown.frames)
@@ -257,7 +281,8 @@ class Scene:
         with Progress(progress, scene.name) as shown:
             scene.slides(name, backend, portable, shown.say, shown.frames)
         with open(os.path.join(name, "slides.json"), encoding="utf-8") as file:
-            return json.load(file)
+            deck: Dict[str, Any] = json.load(file)
+        return deck
 
     def page(self, path: Optional[Path] = None, *, theme: Optional[str] = None, size: Optional[Size] = None) -> Page:
         """The scene as a page that plays, turns and is edited; written to `path` if one is given.

@@ -50,7 +50,7 @@ def _is_tables(value: Any) -> bool:
     return isinstance(value, (list, tuple)) and bool(value) and all(isinstance(one, Mapping) for one in value)
 
 
-def _lines(table: Mapping, path: List[str]) -> Iterator[str]:
+def _lines(table: Mapping[Any, Any], path: List[str]) -> Iterator[str]:
     inner = []
     for key, value in table.items():
         if value is None:
@@ -67,7 +67,7 @@ def _lines(table: Mapping, path: List[str]) -> Iterator[str]:
             yield from _lines(one, below)
 
 
-def scene_text(scene: Mapping) -> str:
+def scene_text(scene: Mapping[Any, Any]) -> str:
     """A scene of nested tables as the text of a scene file; keys whose value is None are left out."""
     return "\n".join(_lines(scene, [])) + "\n"
 

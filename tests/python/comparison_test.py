@@ -1,0 +1,210 @@
+"""Comparisons of pictures of any renderer."""
+import numpy as np
+import pytest
+
+import poinsot
+
+GREY = np.full((6, 8), 100, np.uint8)
+
+
+def changed(picture, level, at=(0, 0)):
+    copy = picture.copy()
+    copy[at] = level
+    return copy
+
+
+def test_the_numbers_of_a_comparison_are_those_of_the_arrays():
+    random = np.random.default_rng(39)
+    a = random.integers(0, 256, (20, 30, 4), np.uint8)
+    b = a.copy()
+    b[3:9, 4:7, 1] = random.integers(0, 256, (6, 3), np.uint8)
+    b[15, 2, 3] ^= 1
+    differences = np.abs(a.astype(int) - b).max(axis=2)
+    found = poinsot.compare(a, b, over_levels=2)
+    assert not found and not found.passes
+    assert found.outcome == "pixels" and "pixels differ" in found.reason and str(found) == f"pixels: {found.reason}"
+    assert found.n_pixels == 600
+    assert found.n_differing == np.count_nonzero(differences)
+    assert found.n_over_level == np.count_nonzero(differences > 2)
+    assert found.largest_difference == differences.max()
+    assert found.ssim is None and found.flip is None and found.changes is None
+
+
+def test_equal_pictures_pass_in_every_form(tmp_path):
+    image = pytest.importorskip("PIL.Image")
+    colour = np.random.default_rng(1).integers(0, 256, (6, 8, 3), np.uint8)
+    opaque = np.dstack([colour, np.full((6, 8), 255, np.uint8)])
+    image.fromarray(colour).save(tmp_path / "rgb.png")
+    image.fromarray(opaque).save(str(tmp_path / "rgba.png"))
+    forms = [colour, opaque, colour / 255.0, (colour / 255.0).astype(np.float32), image.fromarray(colour), image.fromarray(opaque),
+             tmp_path / "rgb.png", str(tmp_path / "rgba.png"), np.asfortranarray(colour), colour[::-1][::-1], colour.tolist()]
+    forms[-1] = np.array(forms[-1], np.uint8)
+    for a in forms:
+        for b in forms:
+            found = poinsot.compare(a, b)
+            assert found and found.outcome == "same" and found.reason == "" and found.difference is None
+            assert found.n_differing == 0 and found.largest_difference == 0
+    for form in forms:
+        assert not poinsot.compare(form, changed(colour, 255 - colour[2, 3], (2, 3)))
+
+
+def test_grey_is_its_colour_and_a_mask_is_black_and_white():
+    assert poinsot.compare(GREY, np.repeat(GREY[:, :, None], 3, axis=2))
+    assert poinsot.compare(GREY > 50, np.full((6, 8), 255, np.uint8))
+    assert not poinsot.compare(GREY > 50, GREY)
+
+
+def test_a_picture_with_a_palette_is_compared_by_its_colours():
+    image = pytest.importorskip("PIL.Image")
+    picture = image.new("P", (8, 6))
+    picture.putpalette([10, 20, 30] + [0] * 765)
+    assert poinsot.compare(picture, np.full((6, 8, 3), (10, 20, 30), np.uint8))
+    grey_alpha = image.new("LA", (8, 6), (100, 255))
+    assert poinsot.compare(grey_alpha, GREY)
+    assert not poinsot.compare(image.new("LA", (8, 6), (100, 254)), GREY)
+
+
+def test_a_still_is_compared_with_its_file_and_with_another(tmp_path):
+    scene = poinsot.Scene("sphere")
+    still = scene.still(0.0, size=(64, 36))
+    still.save(tmp_path / "still.png")
+    assert poinsot.compare(still, tmp_path / "still.png")
+    assert poinsot.compare(tmp_path / "still.png", still.pixels)
+    found = poinsot.compare(still, scene.still(0.0, size=(64, 36), theme="dark"))
+    assert not found
+    assert any("theme" in change for change in found.changes)
+
+
+def test_limits_decide():
+    other = changed(GREY, 103)  # one pixel of 48 by 3 levels
+    for limits, passes in (({}, False), ({"max_differing": 1 / 48, "max_over": 0, "over_levels": 3}, True),
+                           ({"max_differing": 1 / 48, "max_over": 0, "over_levels": 2}, False),
+                           ({"max_differing": 1 / 48, "max_over": 1 / 48}, True),
+                           ({"max_differing": 0.02, "max_over": 1}, False), ({"max_flip": 1}, True), ({"max_flip": 0}, False),
+                           ({"min_ssim": -1}, True), ({"min_ssim": 1}, False), ({"profile": "portable"}, False),
+                           ({"ignore": "0,0,1,1"}, True), ({"ignore": ["1,0,1,1", "0,0,10%,10%"]}, True), ({"ignore": "1,0,7,6"}, False),
+                           ({"max_differing": np.float64(1), "max_over": np.float32(1), "over_levels": np.int64(0)}, True)):
+        found = poinsot.compare(GREY, other, **limits)
+        assert bool(found) is passes, (limits, found)
+        assert found.outcome == ("within limits" if passes else "pixels"), (limits, found)
+
+
+def test_antialiasing_forgives_a_moved_edge_and_not_a_spot():
+    edge, moved = np.zeros((12, 12), np.uint8), np.zeros((12, 12), np.uint8)
+    edge[:, 6:] = 255
+    edge[:, 5] = 100
+    moved[:, 6:] = 255
+    moved[:, 5] = 140
+    assert not poinsot.compare(edge, moved)
+    assert poinsot.compare(edge, moved, antialiasing=True)
+    assert not poinsot.compare(edge, changed(edge, 200, (2, 2)), antialiasing=True)
+
+
+def test_measures_are_made_when_asked_for():
+    other = changed(GREY, 200)
+    found = poinsot.compare(GREY, other, measures=True)
+    assert 0 < found.flip < 1 and found.ssim < 1
+    assert poinsot.compare(GREY, other, max_flip=1).flip == found.flip
+
+
+def test_the_difference_shows_both_pictures_and_what_differs():
+    found = poinsot.compare(GREY, changed(GREY, 103, (2, 5)))
+    shown = found.difference
+    assert shown.shape == (6, 24, 4) and shown.dtype == np.uint8
+    assert (shown[:, :8, :3] == 100).all()
+    assert shown[2, 16 + 5, 0] == 103 and np.count_nonzero(shown[:, 16:, 0] != 100) == 1
+    middle = shown[:, 8:16, :3]
+    assert tuple(middle[2, 5]) == (48, 48, 48) and np.count_nonzero(middle.max(axis=2)) == 1
+    assert found._repr_png_().startswith(b"\x89PNG")
+
+
+def test_sizes_that_differ_fail_and_say_both():
+    found = poinsot.compare(GREY, GREY[:, :7])
+    assert not found and found.outcome == "size" and found.reason == "expected 8×6 pixels, found 7×6"
+    assert not poinsot.compare(GREY, GREY[:, :7], max_differing=1, max_over=1)
+
+
+def test_a_compare_toml_and_a_manifest_beside_the_expected_file_hold(tmp_path):
+    (tmp_path / "results").mkdir()
+    (tmp_path / "baselines").mkdir()
+    poinsot.pictures.write_file(tmp_path / "results" / "a.png", poinsot.comparison.png_bytes("a", GREY))
+    done = poinsot.approve("a", results=tmp_path / "results", baselines=tmp_path / "baselines", why="a \"first\" one")
+    assert done == {"a": "new"}
+    assert 'why = "a \\"first\\" one"' in (tmp_path / "baselines" / "manifest.toml").read_text()
+    assert poinsot.approve(["a"], results=tmp_path / "results", baselines=tmp_path / "baselines", why="") == {"a": "unchanged"}
+    baseline = tmp_path / "baselines" / "a.png"
+    assert poinsot.compare(baseline, GREY)
+    assert not poinsot.compare(baseline, changed(GREY, 101))
+    (tmp_path / "baselines" / "compare.toml").write_text("max_differing = 1\nover_levels = 1\nmax_over = 0\n")
+    assert poinsot.compare(baseline, changed(GREY, 101))
+    assert not poinsot.compare(baseline, changed(GREY, 102))
+    poinsot.pictures.write_file(baseline, poinsot.comparison.png_bytes("a", changed(GREY, 101)))
+    assert poinsot.compare(baseline, changed(GREY, 101)).outcome == "baseline"
+    # A changed picture needs a reason.
+    poinsot.pictures.write_file(tmp_path / "results" / "a.png", poinsot.comparison.png_bytes("a", changed(GREY, 150)))
+    with pytest.raises(poinsot.InputError, match="give the reason"):
+        poinsot.approve("a", results=tmp_path / "results", baselines=tmp_path / "baselines", why="")
+
+
+def test_folders_are_compared_worst_first_with_a_report(tmp_path):
+    for folder, levels in (("a", {"same": 100, "little": 100, "much": 100, "gone": 100}),
+                           ("b", {"same": 100, "little": 101, "much": 200, "new": 100})):
+        (tmp_path / folder).mkdir()
+        for name, level in levels.items():
+            poinsot.pictures.write_file(tmp_path / folder / f"{name}.png",
+                                        poinsot.comparison.png_bytes(name, np.full((4, 4), level, np.uint8)))
+    found = poinsot.compare_folders(tmp_path / "a", tmp_path / "b", report=tmp_path / "report.html", title="Two <folders>")
+    assert [(one.name, one.outcome) for one in found] == [
+        ("gone", "missing"), ("much", "pixels"), ("little", "pixels"), ("new", "unexpected"), ("same", "same")]
+    page = (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "Two &lt;folders&gt;" in page and all(one.name in page for one in found)
+    limited = poinsot.compare_folders(tmp_path / "a", tmp_path / "b", max_differing=1, max_over=0, over_levels=1)
+    assert {one.name: one.passes for one in limited} == {"gone": False, "much": False, "little": True, "new": False, "same": True}
+
+
+@pytest.mark.parametrize("picture, sentence", [
+    (np.zeros((4, 4, 2), np.uint8), "a picture has the shape"),
+    (np.zeros((4, 4, 5), np.uint8), "a picture has the shape"),
+    (np.zeros((1, 4, 4, 4), np.uint8), "a picture has the shape"),
+    (np.zeros(4, np.uint8), "a picture has the shape"),
+    (np.zeros((0, 4), np.uint8), "a picture has the shape"),
+    (np.zeros((4, 4), np.int32), "8-bit values or floats"),
+    (np.zeros((4, 4), np.uint16), "8-bit values or floats"),
+    (np.zeros((4, 4), complex), "8-bit values or floats"),
+    (np.full((4, 4), 2.0), "floats are taken as 0 to 1"),
+    (np.full((4, 4), -0.1), "floats are taken as 0 to 1"),
+    (np.full((4, 4), np.nan), "floats are taken as 0 to 1"),
+    (np.broadcast_to(np.uint8(0), (70_000, 2)), "1 to 65536 pixels"),
+    (None, "8-bit values or floats"),
+    (object(), "8-bit values or floats"),
+    ([[1], [1, 2]], "not a picture"),
+    ("none.png", "none.png: no such file"),
+    (__file__, "not a PNG"),
+])
+def test_what_is_no_picture_is_refused_on_either_side(picture, sentence):
+    for pair in ((GREY, picture), (picture, GREY)):
+        with pytest.raises(poinsot.InputError, match=sentence):
+            poinsot.compare(*pair)
+
+
+@pytest.mark.parametrize("limits, sentence", [
+    ({"max_differing": 2}, "max_differing: a share of the pixels is from 0 to 1"),
+    ({"max_over": -1}, "max_over: a share of the pixels is from 0 to 1"),
+    ({"max_differing": float("nan")}, "max_differing: a share of the pixels is from 0 to 1"),
+    ({"over_levels": 256}, "256: not a level"),
+    ({"over_levels": 2.5}, "over_levels: is a whole number, and this is 2.5"),
+    ({"over_levels": 10**30}, "over_levels: is a whole number"),
+    ({"max_flip": 1.5}, "1.5: not a FLIP value"),
+    ({"max_flip": "0.1"}, "max_flip: is a number, and this is '0.1'"),
+    ({"min_ssim": 1.5}, "1.5: not an SSIM value"),
+    ({"antialiasing": "yes"}, "antialiasing: is True or False, and this is 'yes'"),
+    ({"ignore": "nothing"}, 'unknown region "nothing"'),
+    ({"ignore": [3]}, "ignore: a region is a text, and this is 3"),
+    ({"ignore": "1,2,3"}, "not a rectangle"),
+    ({"profile": "exact"}, "profile: is portable or native"),
+])
+def test_wrong_limits_are_refused(limits, sentence):
+    with pytest.raises(poinsot.InputError, match=sentence):
+        poinsot.compare(GREY, GREY, **limits)
+    with pytest.raises(TypeError):
+        poinsot.compare(GREY, GREY, max_flop=1)

@@ -1,0 +1,254 @@
+"""Motions without a scene, against closed forms, conservation laws and the surfaces themselves."""
+import numpy as np
+import pytest
+
+import poinsot
+
+TRIAXIAL = [1.0, 2.0, 2.5]
+OMEGA = [0.7, 1.9, -0.4]
+TIMES = np.array([-50.0, -1.0, 0.0, 0.3, 7.0, 1234.5])
+
+
+def rotated(q, v):
+    """v in space axes; q = (w, x, y, z) is space_from_body, shape (n, 4); v has shape (n, 3)."""
+    w, u = q[..., :1], q[..., 1:]
+    return v + 2 * np.cross(u, np.cross(u, v) + w * v)
+
+
+def test_the_free_symmetric_body_turns_as_its_closed_form():
+    a, c = 2.0, 3.0
+    start = np.array([0.3, -0.4, 5.0])
+    rate = (c - a) / a * start[2]  # Landau & Lifshitz §36: ω1 + i ω2 turns at Ω
+    states = poinsot.Motion([a, a, c], start).at(TIMES)
+    turned = (start[0] + 1j * start[1]) * np.exp(1j * rate * TIMES)
+    # 1e-15 of the angle Ωt, which is up to 3100 rad, is 3e-12 of ω12.
+    np.testing.assert_allclose(states.omega_body[:, 0] + 1j * states.omega_body[:, 1], turned, rtol=1e-11)
+    np.testing.assert_allclose(states.omega_body[:, 2], start[2], rtol=1e-15)
+    # The figure axis turns about L at |L|/A, and its angle to L is constant.
+    momentum = np.array([a, a, c]) * start
+    size = np.linalg.norm(momentum)
+    axis = rotated(states.space_from_body, np.tile([0.0, 0.0, 1.0], (len(TIMES), 1)))
+    unit = momentum / size
+    np.testing.assert_allclose(axis @ unit, momentum[2] / size, rtol=1e-14)
+    across = axis - (axis @ unit)[:, None] * unit
+    first = across[TIMES == 0.0][0]
+    second = np.cross(unit, first)
+    turns = (across @ first + 1j * (across @ second)) / (first @ first)
+    np.testing.assert_allclose(turns, np.exp(1j * size / a * TIMES), atol=1e-11)
+
+
+@pytest.mark.parametrize("axis", [0, 1, 2])
+def test_a_spin_about_a_principal_axis_is_uniform(axis):
+    omega = np.zeros(3)
+    omega[axis] = 1.5
+    motion = poinsot.Motion(TRIAXIAL, omega)
+    states = motion.at(TIMES)
+    np.testing.assert_array_equal(states.omega_body, np.tile(omega, (len(TIMES), 1)))
+    expected = np.zeros((len(TIMES), 4))
+    expected[:, 0] = np.cos(0.75 * TIMES)
+    expected[:, 1 + axis] = np.sin(0.75 * TIMES)
+    sign = np.sign((expected * states.space_from_body).sum(axis=1))
+    np.testing.assert_allclose(states.space_from_body, sign[:, None] * expected, atol=1e-12)
+    assert np.abs(states.herpolhode).max() < 1e-14
+    assert motion.polhode().shape == (1, 3)
+    assert motion.constants.plane_distance == pytest.approx(1 / np.sqrt(TRIAXIAL[axis]), rel=1e-15)
+
+
+def test_energy_and_momentum_are_conserved_and_euler_equations_hold():
+    moments, omega = np.array(TRIAXIAL), np.array(OMEGA)
+    times = np.linspace(-300, 300, 997)
+    motion = poinsot.Motion(moments, omega)
+    states = motion.at(times)
+    w = states.omega_body
+    energy = 0.5 * (moments * omega**2).sum()
+    np.testing.assert_allclose(0.5 * (moments * w**2).sum(axis=1), energy, rtol=1e-14)
+    in_space = rotated(states.space_from_body, moments * w)
+    np.testing.assert_allclose(in_space, np.tile(moments * omega, (len(times), 1)), atol=1e-13)
+    constants = motion.constants
+    assert constants.kinetic_energy_J == pytest.approx(energy, rel=1e-15)
+    assert constants.momentum_kg_m2_s == pytest.approx(np.linalg.norm(moments * omega), rel=1e-15)
+    np.testing.assert_allclose(constants.momentum_space, moments * omega, rtol=1e-15)
+    # I dω/dt = Iω × ω, by central differences: their error is h²/6 ω''' + 1e-16/h.
+    h = 1e-5
+    derivative = (motion.at(times + h).omega_body - motion.at(times - h).omega_body) / (2 * h)
+    np.testing.assert_allclose(moments * derivative, np.cross(moments * w, w), atol=1e-8)
+    # dq/dt = q ω/2, in the same way.
+    q = states.space_from_body
+    q_dot = (motion.at(times + h).space_from_body - motion.at(times - h).space_from_body) / (2 * h)
+    product = np.column_stack([-(q[:, 1:] * w).sum(axis=1), q[:, :1] * w + np.cross(q[:, 1:], w)]) / 2
+    np.testing.assert_allclose(q_dot, product, atol=1e-8)
+    # The herpolhode is ω perpendicular to L, in space axes.
+    space = rotated(q, w)
+    unit = constants.momentum_space / constants.momentum_kg_m2_s
+    np.testing.assert_allclose(states.herpolhode, space - (space @ unit)[:, None] * unit, atol=1e-14)
+
+
+@pytest.mark.parametrize("omega, axis, regime", [
+    ([0.7, 1.9, -0.4], 1, "elliptic, about the axis of the smallest moment"),
+    ([0.4, 1.9, -0.8], 3, "elliptic, about the axis of the largest moment"),
+])
+def test_the_period_is_that_of_the_elliptic_integral(omega, axis, regime):
+    special = pytest.importorskip("scipy.special")
+    i1, i2, i3 = TRIAXIAL if axis == 3 else TRIAXIAL[::-1]
+    t2 = (np.array(TRIAXIAL) * np.array(omega) ** 2).sum()
+    m2 = ((np.array(TRIAXIAL) * np.array(omega)) ** 2).sum()
+    assert (m2 > t2 * i2) == (axis == 3)
+    # Landau & Lifshitz, Mechanics (37.8), (37.12); for the other side, 1 and 3 change places.
+    k2 = (i2 - i1) * (t2 * i3 - m2) / ((i3 - i2) * (m2 - t2 * i1))
+    period = 4 * special.ellipk(k2) * np.sqrt(i1 * i2 * i3 / ((i3 - i2) * (m2 - t2 * i1)))
+    motion = poinsot.Motion(TRIAXIAL, omega)
+    assert motion.period_s == motion.constants.polhode_period_s == pytest.approx(period, rel=1e-12)
+    assert motion.constants.modulus == pytest.approx(np.sqrt(k2), rel=1e-12)
+    assert motion.constants.encircled_axis == axis
+    np.testing.assert_allclose(motion.at(motion.period_s).omega_body, omega, rtol=1e-13)
+    assert motion.regime == regime
+
+
+@pytest.mark.parametrize("omega", [OMEGA, [3.0, 0.1, 0.2], [0.1, 0.2, 3.0]])
+def test_the_polhode_is_on_both_quadrics_and_closed(omega):
+    moments, omega = np.array(TRIAXIAL), np.array(omega)
+    motion = poinsot.Motion(moments, omega)
+    points = motion.polhode()
+    assert len(points) > 20
+    energy2, momentum2 = (moments * omega**2).sum(), ((moments * omega) ** 2).sum()
+    np.testing.assert_allclose((moments * points**2).sum(axis=1), 1.0, rtol=1e-14)  # the ellipsoid
+    np.testing.assert_allclose((moments**2 * points**2).sum(axis=1), momentum2 / energy2, rtol=1e-14)
+    np.testing.assert_array_equal(points[0], points[-1])
+    assert len(motion.polhode(1e-6)) > len(points) > len(motion.polhode(1e-2))
+    # The contact points run along it: 0.01 is some ten times the distance of the polyline's points.
+    contact = motion.contact(np.linspace(0, motion.period_s, 50))
+    np.testing.assert_allclose(contact, motion.at(np.linspace(0, motion.period_s, 50)).omega_body / np.sqrt(energy2), rtol=1e-14,
+                               atol=1e-15)
+    gaps = np.linalg.norm(contact[:, None, :] - motion.polhode(1e-7)[None, :, :], axis=2).min(axis=1)
+    assert gaps.max() < 0.01
+
+
+def test_the_herpolhode_is_in_the_invariable_plane_and_between_its_radii():
+    motion = poinsot.Motion(TRIAXIAL, OMEGA)
+    constants = motion.constants
+    points = motion.herpolhode(np.linspace(0, 100, 1000))
+    unit = constants.momentum_space / constants.momentum_kg_m2_s
+    height = points @ unit
+    np.testing.assert_allclose(np.abs(height), constants.plane_distance, rtol=1e-13)
+    assert constants.plane_distance == pytest.approx(np.sqrt(2 * constants.kinetic_energy_J) / constants.momentum_kg_m2_s, rel=1e-15)
+    radii = np.linalg.norm(points - height[:, None] * unit, axis=1) * np.sqrt(2 * constants.kinetic_energy_J)
+    least, greatest = constants.herpolhode_radii_rad_s
+    assert least * (1 - 1e-12) <= radii.min() < least * 1.01 and greatest * 0.99 < radii.max() <= greatest * (1 + 1e-12)
+    np.testing.assert_allclose(constants.half_axes, 1 / np.sqrt(TRIAXIAL), rtol=1e-15)
+
+
+def test_the_certificate_holds():
+    claims = poinsot.Motion(TRIAXIAL, OMEGA).certificate(np.linspace(-1e6, 1e6, 100))
+    assert len(claims) >= 5
+    for claim in claims:
+        assert claim.holds and 0 <= claim.worst <= claim.bound <= 1e-9
+        assert -1e6 <= claim.at_time_s <= 1e6 and claim.means
+    assert poinsot.Motion(TRIAXIAL, OMEGA).certificate([]) == []
+
+
+def test_a_tensor_is_its_moments_in_turned_axes():
+    c, s = np.cos(0.4), np.sin(0.4)
+    turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])  # given axes from principal axes
+    tensor = turn @ np.diag(TRIAXIAL) @ turn.T
+    tensor = (tensor + tensor.T) / 2
+    in_principal = poinsot.Motion(TRIAXIAL, OMEGA).at(TIMES).omega_body
+    in_given = poinsot.Motion(tensor, turn @ OMEGA).at(TIMES).omega_body
+    # The tensor's rounding, 1e-16, changes the periods by as much: 1e-13 after 1e3 s.
+    np.testing.assert_allclose(in_given, in_principal @ turn.T, atol=1e-11)
+
+
+def test_the_attitude_at_the_start_is_the_one_given():
+    attitude = np.array([0.1, -0.5, 0.7, 0.5])
+    attitude /= np.linalg.norm(attitude)
+    turned, plain = poinsot.Motion(TRIAXIAL, OMEGA, attitude=attitude), poinsot.Motion(TRIAXIAL, OMEGA)
+    np.testing.assert_allclose(turned.at(0.0).space_from_body, attitude, atol=2e-16)
+    np.testing.assert_array_equal(turned.at(TIMES).omega_body, plain.at(TIMES).omega_body)
+    vectors = np.tile([0.2, 0.3, 0.4], (len(TIMES), 1))
+    through_plain = rotated(np.tile(attitude, (len(TIMES), 1)), rotated(plain.at(TIMES).space_from_body, vectors))
+    np.testing.assert_allclose(rotated(turned.at(TIMES).space_from_body, vectors), through_plain, atol=1e-14)
+
+
+def test_a_motion_and_a_scene_have_the_same_digits():
+    scene = poinsot.Scene({"body": {"moments_kg_m2": TRIAXIAL}, "start": {"omega_rad_s": OMEGA}}).sample(TIMES)
+    states = poinsot.Motion(TRIAXIAL, OMEGA).at(TIMES)
+    np.testing.assert_array_equal(states.omega_body, scene["omega_body"])
+    np.testing.assert_array_equal(states.space_from_body, scene["q"])
+    np.testing.assert_array_equal(states.herpolhode, scene["herpolhode"])
+
+
+@pytest.mark.parametrize("times", [1.5, 2, np.float32(1.5), np.array(1.5), [], [1, 2], np.zeros((2, 3)), np.zeros((0, 3)),
+                                   np.linspace(0, 1, 24).reshape(2, 3, 4).T, np.arange(10.0)[::-3]],
+                         ids=lambda times: f"{type(times).__name__}{np.shape(times)}")
+def test_states_have_the_shape_of_the_times(times):
+    motion = poinsot.Motion(TRIAXIAL, OMEGA)
+    shape = np.shape(times)
+    states = motion.at(times)
+    arrays = {(): [states.time_s], (3,): [states.omega_body, states.herpolhode, motion.herpolhode(times), motion.contact(times)],
+              (4,): [states.space_from_body]}
+    for width, found in arrays.items():
+        for array in found:
+            assert array.shape == shape + width
+            assert array.dtype == np.float64 and array.flags.c_contiguous
+    np.testing.assert_array_equal(states.time_s, np.asarray(times, np.float64))
+    one_by_one = [motion.at(float(t)).omega_body for t in np.asarray(times).ravel()]
+    np.testing.assert_array_equal(states.omega_body.reshape(-1, 3), np.array(one_by_one).reshape(-1, 3))
+
+
+def test_a_body_at_rest_stays_and_has_no_plane():
+    motion = poinsot.Motion(TRIAXIAL, [0, 0, 0])
+    np.testing.assert_array_equal(motion.at(1e9).space_from_body, [1, 0, 0, 0])
+    for ask in (lambda: motion.constants, lambda: motion.period_s, motion.polhode, lambda: motion.herpolhode(0.0),
+                lambda: motion.certificate([0.0])):
+        with pytest.raises(poinsot.InputError, match="at rest"):
+            ask()
+
+
+NAN, INF = float("nan"), float("inf")
+
+
+@pytest.mark.parametrize("moments, omega, options, sentence", [
+    ([1, 2], OMEGA, {}, "moments: give the three principal moments"),
+    (1.0, OMEGA, {}, "moments: give the three principal moments"),
+    (np.ones((3, 2)), OMEGA, {}, "moments: give the three principal moments"),
+    (np.ones((2, 3, 3)), OMEGA, {}, "moments: give the three principal moments"),
+    ("abc", OMEGA, {}, "moments: numbers are needed"),
+    (None, OMEGA, {}, "moments: numbers are needed"),
+    ([1, 2j, 3], OMEGA, {}, "moments: numbers are needed"),
+    ([1, 2, NAN], OMEGA, {}, "must be a finite number"),
+    ([1, INF, 3], OMEGA, {}, "must be a finite number"),
+    ([0, 1, 1], OMEGA, {}, "must be positive"),
+    ([-1, 1, 1], OMEGA, {}, "must be positive"),
+    ([1, 1, 5], OMEGA, {}, "no distribution of mass"),
+    ([[2, 1, 0], [0, 2, 0], [0, 0, 2]], OMEGA, {}, "not symmetric"),
+    (TRIAXIAL, [1, 2], {}, "omega: give three numbers"),
+    (TRIAXIAL, [[1, 2, 3]], {}, "omega: give three numbers"),
+    (TRIAXIAL, [1, 2, NAN], {}, "must be finite"),
+    (TRIAXIAL, [1, 2, -INF], {}, "must be finite"),
+    (TRIAXIAL, [[1], [2, 3]], {}, "omega: not an array of numbers"),
+    (TRIAXIAL, OMEGA, {"attitude": [1, 0, 0]}, "attitude: give a quaternion"),
+    (TRIAXIAL, OMEGA, {"attitude": [0, 0, 0, 0]}, "other than zero"),
+    (TRIAXIAL, OMEGA, {"attitude": [NAN, 0, 0, 1]}, "finite quaternion"),
+])
+def test_a_wrong_motion_is_refused_with_one_line(moments, omega, options, sentence):
+    with pytest.raises(poinsot.InputError, match=sentence) as caught:
+        poinsot.Motion(moments, omega, **options)
+    assert "\n" not in str(caught.value)
+
+
+def test_moments_of_no_real_body_are_taken_when_asked_for():
+    motion = poinsot.Motion([1, 1.5, 5], OMEGA, allow_unphysical=True)
+    assert motion.at(3.0).omega_body.shape == (3,)
+
+
+@pytest.mark.parametrize("times", [NAN, INF, [0.0, NAN], [-INF], "soon", None, [1j], [True], [[1], [2, 3]], [object()]], ids=repr)
+def test_wrong_times_are_refused(times):
+    motion = poinsot.Motion(TRIAXIAL, OMEGA)
+    for ask in (motion.at, motion.herpolhode, motion.contact, motion.certificate):
+        with pytest.raises(poinsot.InputError):
+            ask(times)
+
+
+@pytest.mark.parametrize("tolerance", [0, -1, NAN, INF, 2.0])
+def test_a_wrong_tolerance_is_refused(tolerance):
+    with pytest.raises(poinsot.InputError, match="tolerance: a share of the longest half-axis"):
+        poinsot.Motion(TRIAXIAL, OMEGA).polhode(tolerance)

@@ -1,0 +1,281 @@
+"""Scenes: their numbers and pictures are those of the program, and their errors say where."""
+import pathlib
+import pickle
+
+import numpy as np
+import pytest
+
+import poinsot
+from conftest import SCENES
+
+GENERIC = str(SCENES / "generic.toml")
+TINY = (64, 36)
+
+
+def bits(values):
+    return np.ascontiguousarray(values).view(np.int64)
+
+
+def columns_of(csv):
+    """The columns of the program's CSV, which gives each double back."""
+    heading, *rows = csv.decode().splitlines()
+    numbers = np.array([[float(text) for text in row.split(",")] for row in rows]).reshape(len(rows), -1)
+    return dict(zip(heading.split(","), numbers.T))
+
+
+# Free motions of each regime, tops, stepped motions, torques, measured ones.
+SAMPLED = ["generic", "separatrix", "sphere", "symmetric_prolate", "tensor", "montgomery", "heavy_top_cusp", "heavy_top_sleeping",
+           "euler_drift", "inertial_forces", "torque_axis", "torque_symmetric", "measured", "rolling"]
+
+
+@pytest.mark.parametrize("name", SAMPLED)
+def test_the_digits_of_a_sample_are_those_of_the_command(program, name):
+    file = SCENES / f"{name}.toml"
+    times = [0.0, 0.125, 1.0, 1.0 / 3.0, 7.25]
+    expected = columns_of(program("sample", file, "--times", ",".join(map(repr, times))))
+    found = poinsot.Scene(file).sample(times)
+    assert list(found) == list(expected)
+    for column, values in expected.items():
+        np.testing.assert_array_equal(bits(found[column]), bits(values), err_msg=column)
+
+
+@pytest.mark.parametrize("name, columns", [
+    ("generic", ["time", "kinetic_energy", "contact_space"]),
+    ("heavy_top_looping", ["time", "euler"]),
+    ("euler_drift", ["kinetic_energy", "omega_body"]),
+])
+def test_named_columns_are_those_of_the_command(program, name, columns):
+    file = SCENES / f"{name}.toml"
+    expected = columns_of(program("sample", file, "--times", "0,0.5,2", "--columns", ",".join(columns)))
+    found = poinsot.Scene(file).sample([0, 0.5, 2], columns)
+    assert list(found) == list(expected)
+    for column, values in expected.items():
+        np.testing.assert_array_equal(bits(found[column]), bits(values), err_msg=column)
+
+
+@pytest.mark.parametrize("times", [2.0, 2, np.float32(2), [], [1, 2, 3], np.linspace(0, 1, 6).reshape(2, 3), np.zeros((0, 4)),
+                                   np.linspace(0, 1, 24).reshape(2, 3, 4).T, np.linspace(0, 1, 10)[::3]],
+                         ids=lambda times: f"{type(times).__name__}{np.shape(times)}")
+def test_columns_have_the_shape_of_the_times_and_are_contiguous(times):
+    sampled = poinsot.Scene("generic").sample(times)
+    np.testing.assert_array_equal(sampled["time_s"], np.asarray(times, np.float64))
+    for column in sampled.values():
+        assert column.shape == np.shape(times)
+        assert column.dtype == np.float64 and column.flags.c_contiguous
+    assert sampled["omega_body"].shape == np.shape(times) + (3,)
+    assert sampled["q"].shape == np.shape(times) + (4,)
+    np.testing.assert_array_equal(sampled["omega_body"][..., 1], sampled["omega_body_2"])
+    np.testing.assert_allclose((sampled["q"] ** 2).sum(axis=-1), 1.0, rtol=1e-14)
+
+
+def test_an_unknown_quantity_of_a_sample_names_the_columns():
+    with pytest.raises(KeyError, match="omega: not a column; there are time_s, omega_body_1"):
+        poinsot.Scene("generic").sample([0.0])["omega"]
+
+
+def test_a_sample_becomes_a_data_frame():
+    pytest.importorskip("pandas")
+    sampled = poinsot.Scene("generic").sample([0.0, 1.0])
+    frame = sampled.to_pandas()
+    assert list(frame.columns) == list(sampled) and len(frame) == 2
+    np.testing.assert_array_equal(frame["omega_body_1"].to_numpy(), sampled["omega_body_1"])
+
+
+@pytest.mark.parametrize("arguments, options", [
+    ((), {}),
+    ((1.5,), {}),
+    (("auto",), {"theme": "dark"}),
+    ((), {"portable": False, "quality": "draft"}),
+], ids=["scene's instant", "instant", "clearest", "draft"])
+def test_a_still_is_the_file_of_the_command(program, tmp_path, arguments, options):
+    command = ["--size", "96x54"]
+    for value in arguments:
+        command += ["--time", value]
+    for name, value in options.items():
+        command += [f"--{name}", value] if name != "portable" else []
+    program("still", GENERIC, *command, "-o", tmp_path / "still.png")
+    still = poinsot.Scene(GENERIC).still(*arguments, size=(96, 54), **options)
+    assert still.png == (tmp_path / "still.png").read_bytes()
+    assert still.pixels.shape == (54, 96, 4) and still.pixels.dtype == np.uint8
+
+
+def test_a_still_on_paper_is_the_file_of_the_command(program, tmp_path):
+    program("still", GENERIC, "--width-mm", "85", "--dpi", "100", "--type-pt", "9", "-o", tmp_path / "still.png")
+    still = poinsot.Scene(GENERIC).still(width_mm=85, dpi=100, type_pt=9)
+    assert still.png == (tmp_path / "still.png").read_bytes()
+
+
+def test_the_pixels_of_a_still_are_those_of_its_png():
+    image = pytest.importorskip("PIL.Image")
+    import io
+
+    still = poinsot.Scene("generic").still(size=TINY)
+    np.testing.assert_array_equal(still.pixels, np.asarray(image.open(io.BytesIO(still.png)).convert("RGBA")))
+    np.testing.assert_array_equal(np.asarray(still), still.pixels)
+    assert len(np.unique(still.pixels.reshape(-1, 4), axis=0)) > 10  # it shows something
+
+
+def test_a_figure_is_the_file_of_the_command(program, tmp_path):
+    figure = poinsot.Scene(GENERIC).figure(1.5, size=(320, 180))
+    for suffix, contents in (("svg", figure.svg.encode()), ("pdf", figure.pdf)):
+        program("still", GENERIC, "--time", "1.5", "--size", "320x180", "-o", tmp_path / f"figure.{suffix}")
+        assert contents == (tmp_path / f"figure.{suffix}").read_bytes()
+
+
+@pytest.mark.parametrize("name", ["turn.mp4", "turn.gif", "turn_####.png"])
+def test_a_film_is_the_file_of_the_command(program, tmp_path, name):
+    (tmp_path / "command").mkdir()
+    (tmp_path / "module").mkdir()
+    program("render", GENERIC, "--size", "64x36", "--frames", "0-9", "-o", tmp_path / "command" / name)
+    film = poinsot.Scene(GENERIC).render(tmp_path / "module" / name, size=TINY, frames=(0, 9), progress=False)
+    expected = {file.name: file.read_bytes() for file in (tmp_path / "command").iterdir()}
+    assert {file.name: file.read_bytes() for file in (tmp_path / "module").iterdir()} == expected
+    assert len(expected) == (10 if "#" in name else 1)
+    assert film.path == str(tmp_path / "module" / name)
+
+
+def test_saved_files_are_the_pictures(tmp_path):
+    scene = poinsot.Scene("sphere")
+    still, figure = scene.still(size=TINY), scene.figure(size=TINY)
+    still.save(tmp_path / "a.png")
+    figure.save(tmp_path / "a.svg")
+    figure.save(tmp_path / "a.pdf")
+    assert (tmp_path / "a.png").read_bytes() == still.png
+    assert (tmp_path / "a.svg").read_text(encoding="utf-8") == figure.svg
+    assert (tmp_path / "a.pdf").read_bytes() == figure.pdf
+    for save in (still.save, figure.save):
+        with pytest.raises(poinsot.InputError, match="end its name in"):
+            save(tmp_path / "a.jpg")
+    with pytest.raises(poinsot.EnvironmentError, match="nowhere"):
+        still.save(tmp_path / "nowhere" / "a.png")
+
+
+def test_a_scene_is_a_path_a_name_a_text_or_tables():
+    text = pathlib.Path(GENERIC).read_text(encoding="utf-8")
+    tables = {"body": {"moments_kg_m2": np.array([1.0, 2.0, 3.0])}, "start": {"omega_rad_s": (0.1, np.float64(2.0), 0)}}
+    same_text = "[body]\nmoments_kg_m2 = [1.0, 2.0, 3.0]\n[start]\nomega_rad_s = [0.1, 2.0, 0]\n"
+    for a, b in ((GENERIC, pathlib.Path(GENERIC)), (GENERIC, "generic"), (GENERIC, text), (tables, same_text)):
+        left, right = poinsot.Scene(a).sample([0.0, 1.0]), poinsot.Scene(b).sample([0.0, 1.0])
+        for column in left:
+            np.testing.assert_array_equal(bits(left[column]), bits(right[column]))
+    assert poinsot.Scene(GENERIC).name == poinsot.Scene("generic").name == "generic"
+    assert poinsot.Scene(text).text == text
+    assert set(poinsot.scenes()) == {file.stem for file in SCENES.glob("*.toml")}
+
+
+def test_set_changes_a_copy(program):
+    scene = poinsot.Scene(GENERIC)
+    changed = scene.set({"start.omega_rad_s": [0.1, 2.0, 0.3]}).set({"body.moments_kg_m2": np.array([1.0, 2.0, 2.5])})
+    assert scene.values == []
+    assert changed.values == ["start.omega_rad_s=[0.1, 2.0, 0.3]", "body.moments_kg_m2=[1.0, 2.0, 2.5]"]
+    expected = columns_of(program("sample", GENERIC, "--times", "0,2", "--set", "start.omega_rad_s=[0.1, 2.0, 0.3]", "--set",
+                                  "body.moments_kg_m2=[1.0, 2.0, 2.5]"))
+    for column, values in changed.sample([0, 2]).items():
+        np.testing.assert_array_equal(bits(values), bits(expected[column]))
+    np.testing.assert_array_equal(poinsot.Scene(GENERIC, {"start.omega_rad_s": [0.1, 2.0, 0.3]}).sample(0.0)["omega_body"],
+                                  [0.1, 2.0, 0.3])
+
+
+def test_check_says_what_the_command_says(program):
+    import json
+
+    assert poinsot.Scene(GENERIC).check() == json.loads(program("check", GENERIC, "--json"))
+
+
+def test_an_input_error_says_file_line_and_column(tmp_path):
+    file = tmp_path / "wrong.toml"
+    file.write_text("[body]\nmoments_kg_m2 = [1, 2, 3]\n\n[start]\n  omega = [1, 2, 3]\n")
+    with pytest.raises(poinsot.InputError) as caught:
+        poinsot.Scene(file)
+    error = caught.value
+    assert (error.file, error.line, error.column) == (str(file), 5, 3)
+    assert str(error).startswith(f'{file}:5:3: unknown key "omega"')
+    assert "\n" not in str(error)
+    assert isinstance(error, ValueError) and isinstance(error, poinsot.Error)
+
+    with pytest.raises(poinsot.InputError) as caught:
+        poinsot.Scene("generic").set({"film.sise": 3})
+    assert (caught.value.file, caught.value.line, caught.value.column) == ("--set film.sise=3", None, None)
+    assert str(caught.value) == '--set film.sise=3: unknown key "film.sise"; did you mean "film.size"?'
+
+
+def test_errors_survive_pickling():
+    with pytest.raises(poinsot.InputError) as caught:
+        poinsot.Scene("[body]\nmoment = 3\n")
+    copy = pickle.loads(pickle.dumps(caught.value))
+    assert type(copy) is poinsot.InputError and str(copy) == str(caught.value)
+    assert (copy.file, copy.line, copy.column) == ("scene.toml", 2, 1)
+    with pytest.raises(poinsot.EnvironmentError) as no_folder:
+        poinsot.Scene("generic").render("/nowhere/at/all.mp4", size=TINY, frames=(0, 0), progress=False)
+    copy = pickle.loads(pickle.dumps(no_folder.value))
+    assert type(copy) is poinsot.EnvironmentError and str(copy) == str(no_folder.value)
+    assert isinstance(copy, RuntimeError) and not isinstance(copy, ValueError)
+
+
+@pytest.mark.parametrize("wrong, sentence", [
+    (lambda s: s.sample([0.0, np.nan]), "times nan: .* not finite"),
+    (lambda s: s.sample(np.inf), "times inf: .* not finite"),
+    (lambda s: s.sample("soon"), "times: numbers are needed, and these are of type <U4"),
+    (lambda s: s.sample([1j]), "times: numbers are needed, and these are of type complex128"),
+    (lambda s: s.sample([True]), "times: numbers are needed, and these are of type bool"),
+    (lambda s: s.sample(None), "times: numbers are needed"),
+    (lambda s: s.sample([10**400]), "times: numbers are needed"),
+    (lambda s: s.sample([[1], [2, 3]]), "times: not an array of numbers"),
+    (lambda s: s.sample(np.array(["2020-01-01"], "M8[D]")), "times: numbers are needed"),
+    (lambda s: s.sample([0.0], ["omega_bod"]), "no column is called"),
+    (lambda s: s.sample([0.0], [1]), "columns: give names of columns"),
+    (lambda s: s.sample([0.0], ["time"] * 100_000), "given twice"),
+    (lambda s: s.still(size=(-1, 10)), "size is \"-1x10\""),
+    (lambda s: s.still(size=(0, 0)), "from 1 to 65536 pixels"),
+    (lambda s: s.still(size=(10**9, 10**9)), "from 1 to 65536 pixels"),
+    (lambda s: s.still(size=(10**30, 1)), "give width and height in pixels"),
+    (lambda s: s.still(size=(64.5, 36)), "not a size in pixels"),
+    (lambda s: s.still(size=(np.nan, 36)), "not a size in pixels"),
+    (lambda s: s.still(size=(np.inf, 36)), "not a size in pixels"),
+    (lambda s: s.still(size=3), "not a size in pixels"),
+    (lambda s: s.still(size="64"), "give width and height in pixels"),
+    (lambda s: s.still(np.nan), "not finite"),
+    (lambda s: s.still("soon"), "not an instant in seconds"),
+    (lambda s: s.still([1.0, 2.0]), "one instant"),
+    (lambda s: s.still(width_mm=-3), "millimetres"),
+    (lambda s: s.still(width_mm=np.nan), "millimetres"),
+    (lambda s: s.still(width_mm="wide"), "width_mm: is a number, and this is 'wide'"),
+    (lambda s: s.still(width_mm=50, dpi=1e12), "dots per inch"),
+    (lambda s: s.still(journal=3), "journal: is a text, and this is 3"),
+    (lambda s: s.still(journal="diary"), "unknown journal"),
+    (lambda s: s.still(theme="pink"), "unknown theme"),
+    (lambda s: s.still(quality="best"), "unknown quality"),
+    (lambda s: s.still(backend="metal"), "choose auto, osmesa, egl or gpu"),
+    (lambda s: s.figure(shading="oil"), "shading"),
+    (lambda s: s.figure(text="latex"), "latex"),
+    (lambda s: s.render(""), "no name"),
+    (lambda s: s.render("film.doc"), "no output format for the suffix"),
+    (lambda s: s.render("film.mp4", frames=(5, 1)), "frames 5 to 1: not a range of frames"),
+    (lambda s: s.render("film.mp4", frames=(-5, 1)), "frames -5 to 1: not a range of frames"),
+    (lambda s: s.render("film.mp4", frames=(0, 10**15)), "the film has frames 0-"),
+    (lambda s: s.render("film.mp4", frames=(0, 10**30)), "not a range of frames"),
+    (lambda s: s.render("film.mp4", frames=3), "not a range of frames"),
+    (lambda s: s.render("film.mp4", frames=(0.5, 1)), "not a range of frames"),
+    (lambda s: s.render("film.mp4", fps=-1), "frames a second"),
+    (lambda s: s.render("page.html"), r"\.page\("),
+    (lambda s: s.slides(""), "no name"),
+    (lambda s: s.page("page.pdf"), "a page ends in .html"),
+    (lambda s: s.set({"film": {"size": "-1x1"}}), "size"),
+    (lambda s: s.set({3: 1}), "not a key"),
+    (lambda s: s.set({"title": object()}), "cannot stand in a scene"),
+    (lambda s: poinsot.Scene("generik"), 'did you mean "generic"'),
+    (lambda s: poinsot.Scene(3), "a file, a text or a dict"),
+    (lambda s: poinsot.Scene(b"generic"), "a file, a text or a dict"),
+    (lambda s: poinsot.Scene({}), "the file is empty"),
+    (lambda s: poinsot.Scene("a = \udc80"), "not valid Unicode"),
+    (lambda s: poinsot.Scene("a = 1\0"), "control character"),
+    (lambda s: poinsot.Scene({"body": {"moments_kg_m2": [1, 2, float("nan")]}}), "finite"),
+    (lambda s: poinsot.Scene({"title": "x" * 10_000_000}), ""),
+])
+def test_wrong_input_is_refused_with_one_line(monkeypatch, tmp_path, wrong, sentence):
+    monkeypatch.chdir(tmp_path)
+    scene = poinsot.Scene("sphere")
+    with pytest.raises(poinsot.InputError, match=sentence) as caught:
+        wrong(scene)
+    assert "\n" not in str(caught.value)
+    assert list(tmp_path.iterdir()) == []
