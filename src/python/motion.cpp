@@ -31,7 +31,10 @@ class States {
  public:
     States(const Motion& motion, std::span<const double> times_s, std::vector<py::ssize_t> shape)
         : shape_(std::move(shape)), n_(times_s.size()), values_(11 * n_) {
-        if (n_ == 1) return put(motion.at(times_s.front()), 0);
+        if (n_ == 1) {
+            put(motion.at(times_s.front()), 0);
+            return;
+        }
         constexpr std::size_t most_at_once = 64;
         std::array<State, most_at_once> states;
         for (std::size_t first = 0; first < n_; first += most_at_once) {
@@ -245,7 +248,10 @@ void add_motion(py::module_& module) {
         .def_static("heavy_top", heavy_top, "transverse"_a, "axial"_a, "mgl_N_m"_a, "theta_rad"_a,
                     "theta_dot_rad_s"_a, "phi_dot_rad_s"_a, "omega3_rad_s"_a)
         .def("at", at, "times"_a)
-        .def_property_readonly("regime", &Motion::regime_sentence)
+        .def_property_readonly(
+            "regime",
+            [](const Motion& motion) { return std::string(library::name_of(motion.regime())); })
+        .def_property_readonly("description", &Motion::regime_sentence)
         .def("constants", constants)
         .def("top_constants", top_constants)
         .def("cones", cones)

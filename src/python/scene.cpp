@@ -111,6 +111,8 @@ void add_scene(py::module_& module) {
         .def_property_readonly("title", &Scene::title)
         .def_property_readonly("text", &Scene::text)
         .def_property_readonly("values", &Scene::values)
+        .def_property_readonly("file", &Scene::file)
+        .def_property_readonly("allow_outside", &Scene::allows_outside)
         .def_property_readonly("width_px", &Scene::width_px)
         .def_property_readonly("height_px", &Scene::height_px)
         .def_property_readonly("language", &Scene::language)

@@ -252,3 +252,54 @@ def test_wrong_times_are_refused(times):
 def test_a_wrong_tolerance_is_refused(tolerance):
     with pytest.raises(poinsot.InputError, match="tolerance: a share of the longest half-axis"):
         poinsot.Motion(TRIAXIAL, OMEGA).polhode(tolerance)
+
+
+def test_the_cones_are_those_of_the_textbook():
+    i1, i3, w3 = 2.0, 3.0, 1.7
+    motion = poinsot.Motion([i1, i1, i3], [0.3, 0.0, w3])
+    cones = motion.cones
+    # Landau & Lifshitz, Mechanics (33.4), (35): Omega = (I3 - I1) w3 / I1, and L/I1 about L.
+    assert cones.symmetry_axis == 3
+    assert cones.body_precession_rad_s == pytest.approx((i3 - i1) * w3 / i1, rel=1e-14)
+    assert cones.space_precession_rad_s == pytest.approx(np.hypot(i1 * 0.3, i3 * w3) / i1, rel=1e-14)
+    assert cones.body_half_angle_rad == pytest.approx(np.arctan2(0.3, w3), rel=1e-14)
+    assert poinsot.Motion(TRIAXIAL, OMEGA).cones is None
+
+
+def test_a_flip_is_where_omega_along_the_middle_axis_changes_its_sign():
+    motion = poinsot.Motion([3.0, 2.0, 1.0], [0.01, 2.0, 0.01])
+    flips = motion.flips(0.0, 100.0)
+    assert len(flips) >= 4
+    np.testing.assert_allclose(np.diff(flips), motion.period_s / 2, rtol=1e-12)
+    for instant in flips:
+        assert motion.at(instant - 1e-3).omega_body[1] * motion.at(instant + 1e-3).omega_body[1] < 0
+
+
+def test_a_heavy_top_keeps_its_momenta_and_energy():
+    transverse, axial, mgl = 1.0, 0.5, 2.0
+    top = poinsot.Motion.heavy_top(transverse, axial, mgl, theta_rad=0.5, omega3_rad_s=20.0, phi_dot_rad_s=0.3)
+    states = top.at(np.linspace(0.0, 5.0, 200))
+    q, w = states.space_from_body, states.omega_body
+    moments = np.array([transverse, transverse, axial])
+    vertical = rotated(q, w * moments)[:, 2]
+    cos_theta = 1 - 2 * (q[:, 1] ** 2 + q[:, 2] ** 2)
+    energy = 0.5 * (moments * w ** 2).sum(axis=1) + mgl * cos_theta
+    constants = top.top_constants
+    np.testing.assert_allclose(vertical, constants.p_phi_kg_m2_s, rtol=1e-13)
+    np.testing.assert_allclose(axial * w[:, 2], constants.p_psi_kg_m2_s, rtol=1e-13)
+    np.testing.assert_allclose(energy, constants.energy_J, rtol=1e-13)
+    theta = np.arccos(cos_theta)
+    assert constants.theta_min_rad - 1e-9 <= theta.min() and theta.max() <= constants.theta_max_rad + 1e-9
+    with pytest.raises(poinsot.InputError):
+        poinsot.Motion(TRIAXIAL, OMEGA).top_constants
+
+
+def test_a_stepping_method_is_near_the_exact_motion_in_its_span():
+    exact = poinsot.Motion(TRIAXIAL, OMEGA)
+    stepped = poinsot.Motion(TRIAXIAL, OMEGA, method="rk4", step_s=1e-3, span_s=(0.0, 2.0))
+    difference = np.abs(stepped.at(2.0).omega_body - exact.at(2.0).omega_body).max()
+    assert 0.0 < difference < 1e-9
+    with pytest.raises(poinsot.InputError):
+        stepped.at(50.0)
+    with pytest.raises(poinsot.InputError, match="rk4"):
+        poinsot.Motion(TRIAXIAL, OMEGA, method="rk5")

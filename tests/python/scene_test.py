@@ -279,3 +279,10 @@ def test_wrong_input_is_refused_with_one_line(monkeypatch, tmp_path, wrong, sent
         wrong(scene)
     assert "\n" not in str(caught.value)
     assert list(tmp_path.iterdir()) == []
+
+
+def test_a_scene_can_be_sent_to_another_process():
+    scene = poinsot.Scene("generic").set({"start.omega_rad_s": [0.5, 0.6, 0.7]})
+    same = pickle.loads(pickle.dumps(scene))
+    assert (same.name, same.text, same.values) == (scene.name, scene.text, scene.values)
+    np.testing.assert_array_equal(same.sample(3.0)["omega_body"], scene.sample(3.0)["omega_body"])

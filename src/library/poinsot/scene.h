@@ -108,6 +108,9 @@ class Scene {
     std::string title() const;
     const std::string& text() const;
     const std::vector<std::string>& values() const;
+    // As given to from_file or from_text.
+    const std::string& file() const;
+    bool allows_outside() const;
     int width_px() const;
     int height_px() const;
     std::string language() const;

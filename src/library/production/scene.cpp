@@ -110,6 +110,8 @@ std::string Scene::name() const { return contents_->scene.name; }
 std::string Scene::title() const { return title_of(contents_->scene); }
 const std::string& Scene::text() const { return *contents_->request.text; }
 const std::vector<std::string>& Scene::values() const { return contents_->request.overrides; }
+const std::string& Scene::file() const { return contents_->request.file; }
+bool Scene::allows_outside() const { return contents_->request.outside == OutsideFiles::allowed; }
 int Scene::width_px() const { return contents_->scene.film.width_px; }
 int Scene::height_px() const { return contents_->scene.film.height_px; }
 std::string Scene::language() const { return contents_->scene.language; }

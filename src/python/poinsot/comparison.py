@@ -113,7 +113,7 @@ def compare(
     The limits are those of `poinsot compare`; without any, no pixel may differ, except where the
     manifest or the compare.toml beside the expected file says more. Raises InputError.
 
-    >>> from numpy.typing import NDArray
+    >>> import numpy as np
     >>> grey = np.full((4, 4), 128, np.uint8)
     >>> other = grey.copy(); other[0, 0] = 130
     >>> bool(compare(grey, grey)), bool(compare(grey, other))

@@ -177,8 +177,13 @@ class Motion:
 
     @property
     def regime(self) -> str:
-        """The kind of motion in one sentence, as `poinsot check` says it."""
+        """The kind of motion in few words, as `check()` of a scene names it."""
         return self._native.regime
+
+    @property
+    def description(self) -> str:
+        """The kind of motion in one sentence, as `poinsot check` prints it."""
+        return self._native.description
 
     @property
     def constants(self) -> Constants:
@@ -235,4 +240,4 @@ class Motion:
         return [Claim(**claim) for claim in self._native.certificate(given, attitude_error_rad)]
 
     def __repr__(self) -> str:
-        return f"<poinsot.Motion, {self.regime}>"
+        return f"<poinsot.Motion, {self.description}>"

@@ -105,6 +105,10 @@ class Scene:
         changed._native = self._native.with_values(toml.assignments(values))
         return changed
 
+    def __reduce__(self) -> Tuple[Any, ...]:
+        native = self._native
+        return _same_scene, (native.text, native.file, native.values, native.allow_outside)
+
     @property
     def name(self) -> str:
         """The scene's name: that of its file without the suffix."""
@@ -312,6 +316,13 @@ class Scene:
 
     def __repr__(self) -> str:
         return f"<poinsot.Scene {self.name}>"
+
+
+def _same_scene(text: str, file: str, values: List[str], allow_outside: bool) -> Scene:
+    """A scene that was sent to another process."""
+    same = object.__new__(Scene)
+    same._native = _poinsot.Scene.from_text(text, file, values, allow_outside)
+    return same
 
 
 def _instant(time_s: Union[None, float, str]) -> Tuple[Optional[float], bool]:
