@@ -6,8 +6,8 @@
 #include <tuple>
 #include <vector>
 
-#include "bindings.h"
 #include "image/files/png_files.h"
+#include "python/bindings.h"
 #include "report/approval.h"
 #include "report/compared_picture.h"
 #include "report/html_report.h"

@@ -1,6 +1,6 @@
 #include <poinsot/error.h>
 
-#include "bindings.h"
+#include "python/bindings.h"
 
 namespace poinsot::python {
 

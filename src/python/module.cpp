@@ -7,7 +7,7 @@
 #include <filesystem>
 #include <thread>
 
-#include "bindings.h"
+#include "python/bindings.h"
 #include "system/files/program_files.h"
 
 namespace poinsot::python {

@@ -11,7 +11,7 @@
 #include <memory>
 #include <string>
 
-#include "bindings.h"
+#include "python/bindings.h"
 
 namespace poinsot::python {
 

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "bindings.h"
+#include "python/bindings.h"
 
 namespace poinsot::python {
 

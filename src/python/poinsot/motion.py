@@ -140,8 +140,8 @@ class Motion:
             )
         )
 
-    def _hold(self, native: Any) -> None:
-        self._native = native
+    def _hold(self, native: _poinsot.Motion) -> None:
+        self._native: _poinsot.Motion = native
         #: The states at these instants, in s, of any shape S: `.time_s` (S), `.omega_body` (S, 3) in
         #: rad/s, `.space_from_body` (S, 4) as (w, x, y, z), and `.herpolhode` (S, 3), ω
         #: perpendicular to L in space axes, rad/s. All are contiguous arrays of float64.
