@@ -27,6 +27,7 @@ void raise_input_error(const InputError& error) {
 }  // namespace
 
 void add_errors(py::module_&) {
+    // The type that pybind11 takes. NOLINTNEXTLINE(performance-unnecessary-value-param)
     py::register_exception_translator([](std::exception_ptr thrown) {
         try {
             if (thrown) std::rethrow_exception(thrown);

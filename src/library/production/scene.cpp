@@ -90,13 +90,14 @@ Scene Scene::from_file(const std::string& file, const std::vector<std::string>& 
 
 Scene Scene::from_text(const std::string& text, const std::string& name,
                        const std::vector<std::string>& values, bool allow_outside) {
-    SceneRequest request;
+    auto contents = std::make_shared<Contents>();
+    SceneRequest& request = contents->request;
     request.file = name;
     request.text = text;
     request.overrides = values;
     request.outside = allow_outside ? OutsideFiles::allowed : OutsideFiles::refused;
-    poinsot::Scene scene = scene_of(request);
-    return Scene(std::make_shared<const Contents>(std::move(request), std::move(scene)));
+    contents->scene = scene_of(request);
+    return Scene(std::move(contents));
 }
 
 Scene Scene::with(const std::vector<std::string>& values) const {
