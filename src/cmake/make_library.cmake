@@ -16,8 +16,10 @@ foreach(component ${COMPONENTS})
 endforeach()
 
 set(new_names ${FOLDER}/new_names)
-execute_process(COMMAND ${NM} --extern-only --defined-only --format=posix ${joined}
-    COMMAND awk "NF > 1 && $1 !~ /poinsot/ {print $1, \"poinsot_\" $1}" COMMAND sort -u
+# Those of type n are the signatures of COMDAT groups, which must change with their members: the linker drops all but one group
+# of a name, whatever its members are called.
+execute_process(COMMAND ${NM} --defined-only --format=posix ${joined}
+    COMMAND awk "NF > 1 && $1 !~ /poinsot/ && ($2 ~ /^[A-Zuvw]/ || ($2 == \"n\" && $1 ~ /^_Z/)) {print $1, \"poinsot_\" $1}" COMMAND sort -u
     OUTPUT_FILE ${new_names} COMMAND_ERROR_IS_FATAL ANY)
 file(STRINGS ${new_names} of_lto REGEX "^__gnu_lto" LIMIT_COUNT 1)
 if(of_lto)

@@ -86,6 +86,49 @@ def reference():
             "contact_height": [math.sqrt(twice_T) / L], "omega_from_L_deg": [math.degrees(math.acos(twice_T / L / length))]}
 
 
+SCENE = """#include <poinsot/error.h>
+#include <poinsot/motion.h>
+#include <poinsot/scene.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+using namespace poinsot::library;
+
+int main(int, char** arguments) {
+    const Scene scene = Scene::from_text("[body]\\nmoments_kg_m2 = [4, 3, 1.5]\\n[start]\\nomega_rad_s = [1, 1, 2]\\n")
+                            .with(std::vector<std::string>{"film.size=64x36"});
+    const Still still = scene.still();
+    const std::vector<std::uint8_t> png = still.png();
+    std::ofstream(std::filesystem::path(arguments[1]), std::ios::binary).write(reinterpret_cast<const char*>(png.data()), png.size());
+    MotionOptions options;
+    options.method = "rk4";
+    options.last_time_s = 1.0;
+    options.torque = Gravity{1.0};
+    const Motion top({1, 2, 3}, {0.1, 2, 0}, options);
+    std::variant<int, double, std::string> first = options.method;
+    std::map<std::string, std::vector<double>> table{{"omega", {top.at(0.5).omega_body[0]}}};
+    std::cout << still.width_px() << ' ' << still.height_px() << ' ' << std::get<std::string>(first) << ' ';
+    try {
+        Scene::from_text("", "bad.toml");
+    } catch (const poinsot::InputError& error) {
+        std::cout << std::string(error.what()).substr(0, 13) << ' ';
+    }
+    try {
+        return std::get<int>(first);
+    } catch (const std::bad_variant_access&) {
+        std::cout << table.size() + 1 << '\\n';
+    }
+    stop_drawing();
+}
+"""
+
+
 def numbers(text):
     found = {}
     for line in text.splitlines():
@@ -168,6 +211,18 @@ target_link_libraries(everything PRIVATE -Wl,--whole-archive $<TARGET_FILE:poins
 """)
     build(cmake, launcher, everything, place / "everything/build", found)
     run(place / "everything/build/everything")
+    # Programs that define the same templates of the standard library, as groups of sections of which the linker keeps one.
+    scene = project(place / "scene", """project(scene LANGUAGES CXX)
+find_package(poinsot 0.1 REQUIRED)
+add_executable(scene main.cpp)
+target_link_libraries(scene PRIVATE poinsot::production)
+""")
+    (scene / "main.cpp").write_text(SCENE)
+    for level in ("-O0", "-O2"):
+        build(cmake, launcher, scene, scene / level[1:], found, f"-DCMAKE_CXX_FLAGS={level}", "-DCMAKE_BUILD_TYPE=")
+        said = run(scene / level[1:] / "scene", place / "still.png")
+        if said.split() != ["64", "36", "rk4", "bad.toml:1:1:", "2"]:
+            sys.exit(f"the program with {level} says {said}")
     for ask, said in (("1.0 REQUIRED", "version"), ("0.2 REQUIRED", "version"),
                       ("REQUIRED COMPONENTS mechanics cinema", "the component cinema")):
         asking = project(place / re.sub(r"\W", "_", ask), f"project(asking LANGUAGES CXX)\nfind_package(poinsot {ask})\n")
