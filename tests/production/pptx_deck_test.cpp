@@ -142,6 +142,20 @@ TEST_F(PptxDeck, KeepsTheOldOneAndTheFilmsOnAFullDisk) {
     EXPECT_EQ(folder_.contents(), (std::vector<std::string>{".a.pptx.slides", "a.pptx", "a.toml"}));
 }
 
+TEST_F(PptxDeck, IsRefusedWhereTheDirectoryHasChanged) {
+    write();
+    std::string bytes = read_text(folder_ / "a.pptx");
+    write();  // as it was written, it is replaced
+    // The checksum of the last entry, which an editor changes with its contents.
+    const std::size_t row = bytes.rfind("PK\1\2");
+    ASSERT_NE(row, std::string::npos);
+    constexpr std::size_t checksum_at = 16;
+    bytes[row + checksum_at] = static_cast<char>(bytes[row + checksum_at] ^ 1);
+    std::ofstream(folder_ / "a.pptx", std::ios::binary) << bytes;
+    EXPECT_THROW(write(), InputError);
+    EXPECT_EQ(read_text(folder_ / "a.pptx"), bytes);
+}
+
 TEST_F(PptxDeck, IsRefusedWhereAnotherRunWritesIt) {
     const AtomicFile held(folder_ / "a.pptx");
     EXPECT_THROW(write(), EnvironmentError);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 
+#include "production/slides/stored_zip.h"
 #include "system/files/file_contents.h"
 #include "text/markup.h"
 
@@ -233,7 +234,8 @@ void add_slide(PartList& parts, const PptxText& text, std::size_t index) {
 
 bool is_pptx_as_written(const std::filesystem::path& file) {
     constexpr std::size_t n_bytes = 1024;
-    return read_beginning(file, n_bytes).find(types_start) != std::string::npos;
+    return read_beginning(file, n_bytes).find(types_start) != std::string::npos &&
+           StoredZip::is_unchanged(file);
 }
 
 std::vector<PptxPart> pptx_parts(const PptxText& text) {

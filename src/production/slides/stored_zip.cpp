@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <fstream>
 #include <limits>
 #include <span>
 
@@ -15,6 +16,8 @@ namespace poinsot {
 namespace {
 
 constexpr std::uint32_t entry_mark = 0x04034b50, directory_mark = 0x02014b50, end_mark = 0x06054b50;
+constexpr std::size_t end_bytes = 22;  // without the comment
+constexpr std::uint16_t comment_bytes = 16;
 constexpr std::uint16_t version = 20;  // 2.0
 // Midnight on 1980-01-01, the first date of the format.
 constexpr std::uint16_t entry_time = 0, entry_date = 0x21;
@@ -47,6 +50,19 @@ std::uint32_t crc_after(std::uint32_t crc, std::string_view bytes) {
     return ~crc;
 }
 
+// The archive's comment: a checksum of its directory.
+std::string comment_of(std::string_view directory) {
+    return fmt::format("poinsot {:08x}", crc_after(0, directory));
+}
+
+// A number of four bytes. Precondition: they exist.
+std::uint32_t number_at(std::string_view bytes, std::size_t at) {
+    std::uint32_t number = 0;
+    for (std::size_t i = 0; i < 4; ++i)
+        number |= std::uint32_t{static_cast<std::uint8_t>(bytes[at + i])} << (8 * i);
+    return number;
+}
+
 // The fields which an entry and its row in the directory share.
 std::string shared_fields(const std::string& name, std::uint32_t crc, std::uint32_t n_bytes) {
     constexpr std::uint16_t none = 0;
@@ -73,8 +89,9 @@ void StoredZip::check_size(std::uint64_t n_bytes) const {
 }
 
 void StoredZip::begin(const std::string& name, std::uint32_t crc, std::uint64_t n_bytes) {
-    constexpr std::size_t entry_bytes = 30, row_bytes = 46, end_bytes = 22;
-    check_size(n_bytes + directory_.size() + entry_bytes + row_bytes + 2 * name.size() + end_bytes);
+    constexpr std::size_t entry_bytes = 30, row_bytes = 46;
+    check_size(n_bytes + directory_.size() + entry_bytes + row_bytes + 2 * name.size() + end_bytes +
+               comment_bytes);
     const auto at = static_cast<std::uint32_t>(n_written_);
     const std::string fields = shared_fields(name, crc, static_cast<std::uint32_t>(n_bytes));
     // No comment, first disk, no attributes.
@@ -102,14 +119,27 @@ void StoredZip::add_file(const std::string& name, const std::filesystem::path& f
 }
 
 void StoredZip::finish() {
-    constexpr std::uint16_t first_disk = 0, no_comment = 0;
+    constexpr std::uint16_t first_disk = 0;
     const auto at = static_cast<std::uint32_t>(n_written_);
     const auto n_bytes = static_cast<std::uint32_t>(directory_.size());
     const auto n_entries = static_cast<std::uint16_t>(n_entries_);
     write(directory_);
     write(little_endian(end_mark) + little_endian(first_disk) + little_endian(first_disk) +
           little_endian(n_entries) + little_endian(n_entries) + little_endian(n_bytes) +
-          little_endian(at) + little_endian(no_comment));
+          little_endian(at) + little_endian(comment_bytes) + comment_of(directory_));
+}
+
+bool StoredZip::is_unchanged(const std::filesystem::path& file) {
+    std::ifstream stream(file, std::ios::binary);
+    std::string end(end_bytes + comment_bytes, '\0');
+    stream.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+    stream.read(end.data(), static_cast<std::streamsize>(end.size()));
+    if (!stream || !end.starts_with(little_endian(end_mark))) return false;
+    constexpr std::size_t size_at = 12, place_at = 16;
+    std::string directory(number_at(end, size_at), '\0');
+    stream.seekg(number_at(end, place_at));
+    stream.read(directory.data(), static_cast<std::streamsize>(directory.size()));
+    return stream && end.substr(end_bytes) == comment_of(directory);
 }
 
 }  // namespace poinsot

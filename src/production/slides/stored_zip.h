@@ -21,8 +21,13 @@ class StoredZip {
     void add(const std::string& name, std::string_view contents);
     void add_file(const std::string& name, const std::filesystem::path& file);
 
-    // Writes the directory; the caller commits the file.
+    // Writes the directory, with a checksum of it as the archive's comment; the caller commits the
+    // file.
     void finish();
+
+    // Whether a file is an archive as finish() left it: its directory, which has the checksum of
+    // every entry, has not changed.
+    static bool is_unchanged(const std::filesystem::path& file);
 
  private:
     void begin(const std::string& name, std::uint32_t crc, std::uint64_t n_bytes);
