@@ -70,13 +70,19 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
     const auto amplitude = [&](int i, double root_delta, double difference) {
         return root_delta / std::sqrt(std::abs(I[i] * difference) * (twice_T * I_largest));
     };
-    const double root_delta_c = std::sqrt(std::abs(delta_c));
+    // Δ_c underflows where ω nearly lies in the plane of two equal moments.
+    const bool vanishes = delta_c == 0.0;
+    const double root_delta_c =
+        vanishes ? std::hypot(omega[a_] * std::sqrt(I[a_]) * std::sqrt(std::abs(I[a_] - I[c_])),
+                              omega[b_] * std::sqrt(I[b_]) * std::sqrt(std::abs(I[b_] - I[c_])))
+                 : std::sqrt(std::abs(delta_c));
     alpha_ = amplitude(a_, root_delta_c, I[a_] - I[c_]) * (omega[a_] < 0.0 ? -1.0 : 1.0);
     gamma_ = amplitude(c_, root_delta_a, I[c_] - I[a_]) * (omega[c_] < 0.0 ? -1.0 : 1.0);
     beta_ = amplitude(b_, root_delta_a, I[b_] - I[a_]);
     const double ratio = root_delta_a / root_delta_c;
-    k2_ = ratio * ratio * std::abs((I[b_] - I[c_]) / (I[b_] - I[a_]));
-    k2_complement_ = delta_middle * (I[a_] - I[c_]) / (delta_c * (I[a_] - I[b_]));
+    k2_ = I[b_] == I[c_] ? 0.0 : ratio * ratio * std::abs((I[b_] - I[c_]) / (I[b_] - I[a_]));
+    k2_complement_ =
+        vanishes ? 1.0 - k2_ : delta_middle * (I[a_] - I[c_]) / (delta_c * (I[a_] - I[b_]));
     kind_ = k2_ == 0.0 ? Kind::circle : k2_complement_ == 0.0 ? Kind::separatrix : Kind::closed;
 }
 
