@@ -13,6 +13,7 @@
 #include "report/html_report.h"
 #include "report/report_pictures.h"
 #include "system/files/atomic_file.h"
+#include "system/interrupt.h"
 
 namespace poinsot::python {
 
@@ -213,8 +214,10 @@ void add_comparison(py::module_& module) {
         "write_whole",
         [](const std::string& file, const py::bytes& contents) {
             const std::string_view bytes = contents;
-            const WithoutLock without_lock;
-            write_whole(file, bytes);
+            Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+                const StopsWhen stops(watch.stop);  // waits for the reader of a pipe
+                write_whole(file, bytes);
+            });
         },
         "file"_a, "contents"_a);
     module.def("pixels_in", pixels_in, "file"_a);

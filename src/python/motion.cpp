@@ -147,7 +147,9 @@ py::dict constants(const Motion& motion) {
     return py::dict(
         "kinetic_energy_J"_a = c.kinetic_energy_J, "momentum_kg_m2_s"_a = c.momentum_kg_m2_s,
         "momentum_space"_a = c.momentum_space, "plane_distance"_a = construction.plane_distance(),
-        "half_axes"_a = construction.half_axes(), "encircled_axis"_a = c.encircled_axis + 1,
+        "half_axes"_a = construction.half_axes(),
+        "encircled_axis"_a =
+            c.encircled_axis ? py::object(py::int_(*c.encircled_axis + 1)) : py::object(py::none()),
         "modulus"_a = c.modulus, "polhode_period_s"_a = c.polhode_period_s,
         "advance_per_period_rad"_a = c.advance_per_period_rad,
         "precession_rad_s"_a = c.precession_rad_s,

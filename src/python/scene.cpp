@@ -24,11 +24,15 @@ library::PaperOptions paper_of(const py::dict& options) {
 
 // The pixels share the memory of the still.
 py::array pixels_of(const library::Still& still) {
+    using namespace py::literals;
     auto* const kept = new library::Still(still);
     const py::capsule owner(kept,
                             [](void* pointer) { delete static_cast<library::Still*>(pointer); });
     const std::vector<py::ssize_t> shape{still.height_px(), still.width_px(), 4};
-    return py::array_t<std::uint8_t>(shape, still.rgba().data(), owner);
+    py::array_t<std::uint8_t> pixels(shape, still.rgba().data(), owner);
+    // Its record describes these pixels.
+    pixels.attr("setflags")("write"_a = false);
+    return pixels;
 }
 
 py::bytes png_of(const library::Still& still) {
@@ -43,14 +47,21 @@ py::bytes png_of(const library::Still& still) {
 py::tuple sample(const Scene& scene, const Doubles& times,
                  const std::vector<std::string>& columns) {
     library::Table table;
-    {
-        const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
-        const WithoutLock without_lock;
-        table = scene.sample(times_s, columns);
-    }
+    const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
+    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+        table = scene.sample(times_s, columns, watch);
+    });
     const auto n_columns = static_cast<py::ssize_t>(table.names.size());
     const auto n_rows = static_cast<py::ssize_t>(table.n_rows);
     return py::make_tuple(table.names, array_of(std::move(table.values), {n_columns, n_rows}));
+}
+
+std::string check_json(const Scene& scene) {
+    std::string answer;
+    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+        answer = scene.check_json(watch);
+    });
+    return answer;
 }
 
 library::Still still(const Scene& scene, std::optional<double> time_s, bool clearest,
@@ -116,7 +127,7 @@ void add_scene(py::module_& module) {
         .def_property_readonly("width_px", &Scene::width_px)
         .def_property_readonly("height_px", &Scene::height_px)
         .def_property_readonly("language", &Scene::language)
-        .def("check_json", &Scene::check_json, without_lock)
+        .def("check_json", check_json)
         .def("sample", sample, "times_s"_a, "columns"_a)
         .def("still", still, "time_s"_a, "clearest"_a, "paper"_a, "backend"_a, "portable"_a,
              "say"_a)

@@ -2,6 +2,7 @@
 
 #include <atomic>
 #include <csignal>
+#include <utility>
 
 #include "error/error.h"
 
@@ -10,7 +11,8 @@ namespace poinsot {
 namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
-std::atomic<bool> host_handles_signals{false}, host_asks_to_stop{false};
+std::atomic<bool> host_handles_signals{false};
+thread_local StopsWhen* host_of_thread = nullptr;
 std::atomic<int> n_ends_at_once{0};
 static_assert(std::atomic<int>::is_always_lock_free);  // the signal handler reads it
 
@@ -29,14 +31,24 @@ void watch_for_interrupts() {
 }
 
 void stop_if_interrupted() {
-    if (interrupted != 0 || host_asks_to_stop)
+    if (interrupted != 0 || (host_of_thread != nullptr && host_of_thread->asks()))
         throw EnvironmentError(
             "interrupted before the output was finished; run the same command again to continue a "
             "film");
 }
 
 void leave_signals_to_host() { host_handles_signals = true; }
-void request_stop(bool stop) { host_asks_to_stop = stop; }
+
+StopsWhen::StopsWhen(std::function<bool()> stop)
+    : stop_(std::move(stop)), outer_(std::exchange(host_of_thread, this)) {}
+StopsWhen::~StopsWhen() { host_of_thread = outer_; }
+
+bool StopsWhen::asks() {
+    const auto now = std::chrono::steady_clock::now();
+    if (!stop_ || now < next_) return false;
+    next_ = now + std::chrono::milliseconds(20);
+    return stop_();
+}
 
 EndsAtOnce::EndsAtOnce() { ++n_ends_at_once; }
 EndsAtOnce::~EndsAtOnce() { --n_ends_at_once; }

@@ -1,6 +1,9 @@
 // Lets long loops check for Ctrl-C, so that they can stop cleanly.
 #pragma once
 
+#include <chrono>
+#include <functional>
+
 namespace poinsot {
 
 // From this call on, the first SIGINT or SIGTERM is recorded and does not end the process; the
@@ -11,10 +14,26 @@ void watch_for_interrupts();
 void stop_if_interrupted();
 
 // For a host that handles signals itself, such as an interpreter: from this call on,
-// watch_for_interrupts() leaves signals alone. request_stop(true) then makes stop_if_interrupted()
-// throw in every thread, until request_stop(false).
+// watch_for_interrupts() leaves signals alone.
 void leave_signals_to_host();
-void request_stop(bool stop);
+
+// While an object of this class exists, stop_if_interrupted() also throws on its thread if `stop`,
+// which it asks at most every 20 ms, says so.
+class StopsWhen {
+ public:
+    explicit StopsWhen(std::function<bool()> stop);
+    ~StopsWhen();
+    StopsWhen(const StopsWhen&) = delete;
+    StopsWhen& operator=(const StopsWhen&) = delete;
+
+ private:
+    friend void stop_if_interrupted();
+    bool asks();
+
+    std::function<bool()> stop_;
+    std::chrono::steady_clock::time_point next_{};
+    StopsWhen* outer_;
+};
 
 // While an object of this class exists in any thread, signals end the process at once: for work
 // that does not check.

@@ -161,10 +161,16 @@ Constants Motion::constants() const {
             "constants: T and L are not constant under a torque; a heavy symmetric top has "
             "top_constants");
     const FreeRotationConstants constants = inside_->motion.free_constants();
+    // ω stays where it is: the polhode is a point.
+    const poinsot::MotionProblem& problem = inside_->motion.problem();
+    const Eigen::Vector3d omega =
+        problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
+    const Eigen::Vector3d momentum = problem.inertia.moments_kg_m2().cwiseProduct(omega);
+    const bool steady = omega.cross(momentum).isZero(0.0);
     return {.kinetic_energy_J = constants.kinetic_energy_J,
             .momentum_kg_m2_s = constants.momentum_kg_m2_s,
             .momentum_space = constants.momentum_space,
-            .encircled_axis = constants.encircled_axis,
+            .encircled_axis = steady ? std::nullopt : std::optional<int>(constants.encircled_axis),
             .modulus = constants.modulus,
             .polhode_period_s = constants.polhode_period_s,
             .advance_per_period_rad = constants.advance_per_period_rad,

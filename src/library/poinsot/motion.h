@@ -105,8 +105,8 @@ struct Constants {
     double kinetic_energy_J = 0.0;                             // T
     double momentum_kg_m2_s = 0.0;                             // |L|
     Eigen::Vector3d momentum_space = Eigen::Vector3d::Zero();  // L, space axes
-    int encircled_axis = 2;  // the principal axis, 0 to 2, that the polhode encircles
-    double modulus = 0.0;    // k of Jacobi's elliptic functions
+    std::optional<int> encircled_axis;  // the principal axis, 0 to 2, that the polhode encircles
+    double modulus = 0.0;               // k of Jacobi's elliptic functions
     std::optional<double> polhode_period_s;        // ω returns in body axes
     std::optional<double> advance_per_period_rad;  // ω's turn about L in that time
     double precession_rad_s = 0.0;                 // mean rate of ω about L, space axes

@@ -16,7 +16,8 @@
 
 namespace poinsot::library {
 
-// What long work tells its caller, on the caller's thread, about every 20 ms. Unset functions do
+// What long work tells its caller, on the caller's thread, about every 20 ms; it also stops the
+// computation of stepping methods. Unset functions do
 // nothing. Work that is asked to stop ends with an EnvironmentError; a film continues at the next
 // call.
 struct Watch {
@@ -60,6 +61,11 @@ class Still {
     std::vector<std::uint8_t> png() const;
     // How far its lines may be from the truth, in words.
     const std::string& bound() const;
+
+    // Copies only: a still that was moved from would be empty.
+    Still(const Still&) = default;
+    Still& operator=(const Still&) = default;
+    ~Still() = default;
 
  private:
     friend class Scene;
@@ -116,12 +122,12 @@ class Scene {
     std::string language() const;
 
     // The object that `poinsot check --json` prints.
-    std::string check_json() const;
+    std::string check_json(const Watch& watch = {}) const;
 
     // The motion at these instants, in seconds, in this order. `columns`: as for --columns; empty:
     // the default ones, without units in their names.
-    Table sample(std::span<const double> times_s,
-                 const std::vector<std::string>& columns = {}) const;
+    Table sample(std::span<const double> times_s, const std::vector<std::string>& columns = {},
+                 const Watch& watch = {}) const;
 
     Still still(const StillOptions& options = {}, const Watch& watch = {}) const;
     // The bytes of an SVG or a PDF.
@@ -133,6 +139,11 @@ class Scene {
     // Writes a film and stills for each stop; as `poinsot render --slides`.
     void slides(const std::string& folder, const ContextOptions& context = {},
                 const Watch& watch = {}) const;
+
+    // Copies only, likewise.
+    Scene(const Scene&) = default;
+    Scene& operator=(const Scene&) = default;
+    ~Scene() = default;
 
  private:
     struct Contents;

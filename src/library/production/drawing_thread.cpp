@@ -35,15 +35,16 @@ struct Job {
     ContextChoice choice;
     const DrawingWork* work = nullptr;
     bool is_begun = false, is_done = false;
+    std::atomic<bool> stops = false;
     std::exception_ptr error{};
     std::vector<std::string> lines{};
     std::int64_t n_done = 0, n_frames = 0;
 };
 
-// Whether a process from which this one was forked had opened a context: the threads of Mesa's
+// Whether a process from which this one was forked had begun to draw: the threads of Mesa's
 // renderer, which are started once, do not exist in this process.
 std::atomic<bool> lost_the_renderer{false};
-std::atomic<bool> opened_a_context{false};
+std::atomic<bool> has_drawn{false};
 
 class Queue {
  public:
@@ -61,7 +62,7 @@ class Queue {
     std::condition_variable changed_;
     std::deque<Job*> waiting_;
     std::thread thread_;
-    bool is_drawing_ = false;
+    Job* drawn_ = nullptr;
     bool ends_ = false;  // the thread is asked to end
 };
 
@@ -71,8 +72,7 @@ std::mutex queue_is_made;
 
 void forget_the_parents_queue() {
     queue_of_process = nullptr;
-    request_stop(false);
-    if (!opened_a_context) return;
+    if (!has_drawn) return;
     lost_the_renderer = true;
     // At exit, Mesa would join its threads, and crash; handlers run in reverse order, so that this
     // one comes first.
@@ -122,6 +122,7 @@ ProgressSink Queue::sink_of(Job& job) {
 }
 
 void Queue::draw_one(Job& job, std::optional<LazyRenderer>& renderer, ContextChoice& open) {
+    const StopsWhen stops([&job] { return job.stops.load(); });
     try {
         if (renderer && !(open == job.choice)) renderer.reset();
         if (!renderer) {
@@ -132,7 +133,6 @@ void Queue::draw_one(Job& job, std::optional<LazyRenderer>& renderer, ContextCho
     } catch (...) {
         job.error = std::current_exception();
     }
-    if (renderer && renderer->is_open()) opened_a_context = true;
 }
 
 void Queue::draw_jobs() {
@@ -144,13 +144,12 @@ void Queue::draw_jobs() {
         if (ends_) return;
         Job& job = *waiting_.front();
         waiting_.pop_front();
-        job.is_begun = is_drawing_ = true;
+        job.is_begun = true;
+        drawn_ = &job;
         lock.unlock();
         draw_one(job, renderer, open);
         lock.lock();
-        // Before the next job begins: it was not asked to stop.
-        is_drawing_ = false;
-        request_stop(false);
+        drawn_ = nullptr;
         job.is_done = true;
         changed_.notify_all();
     }
@@ -194,7 +193,7 @@ void Queue::run(Job& job, const Watch& watch) {
             if (fault) std::rethrow_exception(fault);
             throw EnvironmentError(stopped_before);
         }
-        request_stop(true);
+        job.stops = true;
     }
     if (!fault && !job.error) tell(lock, job, watch);
     if (fault) std::rethrow_exception(fault);
@@ -206,7 +205,7 @@ void Queue::end() {
     changed_.wait(lock, [this] { return !ends_; });
     if (!thread_.joinable()) return;
     ends_ = true;
-    if (is_drawing_) request_stop(true);
+    if (drawn_ != nullptr) drawn_->stops = true;
     for (Job* const job : waiting_) {
         job->error = std::make_exception_ptr(EnvironmentError(stopped_before));
         job->is_done = true;
@@ -229,7 +228,10 @@ void draw(const ContextChoice& choice, const Watch& watch, const DrawingWork& wo
             "renderer do not exist in it; start it by spawn, as "
             "multiprocessing.get_context(\"spawn\") does, or draw only in the forked processes");
     leave_signals_to_host();
-    Job job{choice, &work};
+    has_drawn = true;
+    Job job;
+    job.choice = choice;
+    job.work = &work;
     queue().run(job, watch);
 }
 

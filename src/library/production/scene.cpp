@@ -1,7 +1,7 @@
 #include <fmt/format.h>
 #include <poinsot/scene.h>
 
-#include <mutex>
+#include <atomic>
 #include <utility>
 
 #include "error/error.h"
@@ -16,6 +16,7 @@
 #include "production/session/scene_summary.h"
 #include "production/slides/pptx_deck.h"
 #include "production/slides/slide_deck.h"
+#include "system/interrupt.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 
@@ -38,8 +39,12 @@ PrintChoices print_of(const PaperOptions& paper, bool is_vectors) {
     return print;
 }
 
-// A session that says nothing, and whose stepping nobody stops.
-Session quiet_session(const SceneRequest& request) { return open_session(request); }
+// A session that says nothing; the caller can stop its stepping.
+Session quiet_session(const SceneRequest& request, const Watch& watch) {
+    leave_signals_to_host();
+    const StopsWhen stops(watch.stop);
+    return open_session(request);
+}
 
 }  // namespace
 
@@ -59,13 +64,15 @@ const std::string& Still::bound() const { return contents_->still.bound; }
 struct Scene::Contents {
     SceneRequest request;
     poinsot::Scene scene;
-    mutable std::mutex opening{};
-    mutable std::shared_ptr<const Session> opened{};
+    // Opened at the first use, by several threads if they need it at the same time, of which the
+    // first to finish keeps its own. A lock might be held by another thread when a process forks.
+    mutable std::atomic<std::shared_ptr<const Session>> opened{};
 
-    std::shared_ptr<const Session> session() const {
-        const std::lock_guard lock(opening);
-        if (!opened) opened = std::make_shared<const Session>(quiet_session(request));
-        return opened;
+    std::shared_ptr<const Session> session(const Watch& watch) const {
+        std::shared_ptr<const Session> there = opened.load();
+        if (there) return there;
+        auto made = std::make_shared<const Session>(quiet_session(request, watch));
+        return opened.compare_exchange_strong(there, made) ? made : there;
     }
 };
 
@@ -73,12 +80,12 @@ namespace {
 
 std::shared_ptr<const Session> session_at(const SceneRequest& request,
                                           std::shared_ptr<const Session> session,
-                                          std::vector<double> times_s) {
+                                          std::vector<double> times_s, const Watch& watch) {
     // A stepped motion is computed again for instants outside of the film.
     if (!is_stepped(session->motion.problem().method) || times_s.empty()) return session;
     SceneRequest longer = request;
     longer.times_s = std::move(times_s);
-    return std::make_shared<const Session>(quiet_session(longer));
+    return std::make_shared<const Session>(quiet_session(longer, watch));
 }
 
 }  // namespace
@@ -117,17 +124,17 @@ int Scene::width_px() const { return contents_->scene.film.width_px; }
 int Scene::height_px() const { return contents_->scene.film.height_px; }
 std::string Scene::language() const { return contents_->scene.language; }
 
-std::string Scene::check_json() const {
-    const SceneSummary summary = summarise(*contents_->session(), false);
+std::string Scene::check_json(const Watch& watch) const {
+    const SceneSummary summary = summarise(*contents_->session(watch), false);
     JsonObject answer;
     for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
     return answer.lines();
 }
 
-Table Scene::sample(std::span<const double> times_s,
-                    const std::vector<std::string>& columns) const {
-    const auto session =
-        session_at(contents_->request, contents_->session(), {times_s.begin(), times_s.end()});
+Table Scene::sample(std::span<const double> times_s, const std::vector<std::string>& columns,
+                    const Watch& watch) const {
+    const auto session = session_at(contents_->request, contents_->session(watch),
+                                    {times_s.begin(), times_s.end()}, watch);
     const std::vector<ChosenColumn> chosen = columns.empty()
                                                  ? default_columns(session->motion)
                                                  : columns_named(session->motion, columns);
@@ -151,9 +158,9 @@ Still Scene::still(const StillOptions& options, const Watch& watch) const {
     // Without a size on paper, the session of the scene serves.
     const bool has_own = options.paper.width_mm || options.paper.height_mm || options.paper.dpi ||
                          options.paper.type_pt || !options.paper.journal.empty();
-    Session session =
-        has_own ? quiet_session(request)
-                : Session(*session_at(contents_->request, contents_->session(), request.times_s));
+    Session session = has_own ? quiet_session(request, watch)
+                              : Session(*session_at(contents_->request, contents_->session(watch),
+                                                    request.times_s, watch));
     StillJob job(std::move(session), std::move(still));
     auto made = std::make_shared<Still::Contents>();
     draw(choice_of(options.context), watch,
@@ -181,7 +188,7 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
     if (!options.paper.journal.empty()) follow_journal(false, request, {});
     still.print = request.print;
     check_vector_choices(still.vectors);
-    StillJob job(quiet_session(request), std::move(still));
+    StillJob job(quiet_session(request, watch), std::move(still));
     std::string bytes;
     if (!job.opens_context()) {
         LazyRenderer unused;
@@ -213,7 +220,7 @@ void Scene::render(const std::string& path, const RenderOptions& options,
         throw InputError(fmt::format(
             "frames {} to {}: not a range of frames; give the first and the last one, from 0",
             options.frames->first, options.frames->second));
-    const std::shared_ptr<const Session> session = contents_->session();
+    const std::shared_ptr<const Session> session = contents_->session(watch);
     if (is_slides_name(path)) {
         if (options.frames)
             throw InputError(fmt::format(
@@ -232,7 +239,7 @@ void Scene::render(const std::string& path, const RenderOptions& options,
 void Scene::slides(const std::string& folder, const ContextOptions& context,
                    const Watch& watch) const {
     if (folder.empty()) throw InputError("the folder of the slides has no name; give one");
-    const std::shared_ptr<const Session> session = contents_->session();
+    const std::shared_ptr<const Session> session = contents_->session(watch);
     // One process: those of --jobs are the command line's.
     const DeckRequest request{contents_->request, folder, 1};
     draw(choice_of(context), watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {

@@ -51,7 +51,10 @@ SlowWorkNotice::~SlowWorkNotice() {
 
 void SlowWorkNotice::expect(double estimate_s) { teller_->estimate_s = estimate_s; }
 
-bool SlowWorkNotice::is_over() const { return teller_->is_over; }
+bool SlowWorkNotice::is_over() const {
+    stop_if_interrupted();
+    return teller_->is_over;
+}
 
 void SlowWorkNotice::Teller::tell(const std::string& what, double limit_s,
                                   const std::function<void(const std::string&)>& say) {

@@ -23,7 +23,8 @@ class SlowWorkNotice {
 
     // How long all of it will take, once that is known.
     void expect(double estimate_s);
-    // Whether the work has taken longer than the limit.
+    // Whether the work has taken longer than the limit. Throws EnvironmentError where a host asks
+    // to stop.
     bool is_over() const;
 
  private:
