@@ -154,16 +154,23 @@ class Scene:
         instants = numbers("times", times)
         if isinstance(columns, str):
             columns = [columns]
-        wanted = list(columns or [])
-        if not all(isinstance(column, str) for column in wanted):
+        try:
+            wanted = [toml.unicode_text("columns", column) for column in columns or []]
+        except (AttributeError, TypeError):
             raise InputError('columns: give names of columns, as ["time", "kinetic_energy"]')
         names, values = self._native.sample(instants.ravel(), wanted)
         return Samples(zip(names, (column.reshape(instants.shape) for column in values)))
 
     def _drawn(
-        self, size: Optional[Size], theme: Optional[str], quality: Optional[str], fps: Any = None
+        self,
+        size: Optional[Size],
+        theme: Optional[str],
+        quality: Optional[str],
+        fps: Any = None,
+        backend: Any = "auto",
+        portable: Any = False,
     ) -> _poinsot.Scene:
-        """The scene with the options that stand for keys."""
+        """The scene with the options that stand for keys; it also looks at those that say where to draw."""
         changes = []
         if size is not None:
             changes.append(f"--size film.size={_size_text(size)}")
@@ -173,6 +180,10 @@ class Scene:
             changes.append(f"--quality film.quality={quality}")
         if theme is not None:
             changes.append(f"--theme theme={theme}")
+        if not isinstance(backend, str):
+            raise InputError(f"backend: choose auto, osmesa, egl or gpu, and this is {backend!r}")
+        if not hasattr(type(portable), "__bool__"):
+            raise InputError(f"portable: is True or False, and this is {portable!r}")
         checked = [toml.unicode_text("options", change) for change in changes]
         return self._native.with_values(checked) if checked else self._native
 
@@ -198,7 +209,7 @@ class Scene:
         """
         instant, clearest = _instant(time_s)
         paper = {"width_mm": width_mm, "height_mm": height_mm, "dpi": dpi, "type_pt": type_pt, "journal": journal}
-        scene = self._drawn(size, theme, quality)
+        scene = self._drawn(size, theme, quality, None, backend, portable)
         return Still(scene.still(instant, clearest, paper, backend, portable, None))
 
     def figure(
@@ -220,7 +231,7 @@ class Scene:
         """The same as vectors, for print. The options are those of `poinsot still -o NAME.pdf`."""
         instant, clearest = _instant(time_s)
         paper = {"width_mm": width_mm, "height_mm": height_mm, "type_pt": type_pt, "journal": journal}
-        scene = self._drawn(size, theme, quality)
+        scene = self._drawn(size, theme, quality, None, backend, portable)
 
         def made(kind: str) -> bytes:
             return scene.figure(kind, instant, clearest, paper, shading, text, backend, portable)
@@ -258,7 +269,7 @@ class Scene:
                     raise ValueError
             except (TypeError, ValueError):
                 raise InputError(f"frames: {frames!r} is not a range of frames; give (first, last), from 0") from None
-        scene = self._drawn(size, theme, quality, fps)
+        scene = self._drawn(size, theme, quality, fps, backend, portable)
         with Progress(progress, scene.name) as shown:
             scene.render(name, frames, backend, portable, shown.say, shown.frames)
         return Film(name, shown.notes)
@@ -277,7 +288,7 @@ class Scene:
     ) -> Dict[str, Any]:
         """Writes a film and stills for each stop, as `poinsot render --slides`; returns slides.json."""
         name = path_text(folder)
-        scene = self._drawn(size, theme, quality, fps)
+        scene = self._drawn(size, theme, quality, fps, backend, portable)
         with Progress(progress, scene.name) as shown:
             scene.slides(name, backend, portable, shown.say, shown.frames)
         with open(os.path.join(name, "slides.json"), encoding="utf-8") as file:
