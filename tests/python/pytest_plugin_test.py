@@ -1,4 +1,5 @@
 """The plugin for pytest, in sessions of pytest that pytester starts."""
+import os
 import re
 
 import numpy as np
@@ -215,6 +216,18 @@ def test_a_report_without_pictures_is_not_written_and_said_so(sessions):
     assert result.ret == 0
     result.stdout.fnmatch_lines(["report: not written, as no test compared a picture"])
     assert not (sessions.folder / "report.html").exists()
+
+
+def test_names_that_are_not_utf_8_fail_with_one_sentence(sessions):
+    sessions.write(TESTS)
+    sessions("--poinsot-renew", "first")
+    report = sessions("--poinsot-report", os.fsdecode(b"\xff.html"))
+    assert report.ret == 1
+    report.assert_outcomes(passed=N_TESTS)
+    report.stdout.fnmatch_lines(["--poinsot-report: *not valid UTF-8; rename the file"])
+    baselines = sessions("--poinsot-baselines", os.fsdecode(b"\xff"))
+    baselines.assert_outcomes(failed=N_TESTS)
+    baselines.stdout.fnmatch_lines(["*not valid UTF-8; rename the file"])
 
 
 def test_a_report_that_cannot_be_written_fails_the_session(sessions):

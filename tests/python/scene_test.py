@@ -365,3 +365,19 @@ def test_a_scene_can_be_sent_to_another_process():
     same = pickle.loads(pickle.dumps(scene))
     assert (same.name, same.text, same.values) == (scene.name, scene.text, scene.values)
     np.testing.assert_array_equal(same.sample(3.0)["omega_body"], scene.sample(3.0)["omega_body"])
+
+
+def test_results_can_be_sent_to_another_process_as_the_documentation_says():
+    scene = poinsot.Scene("sphere")
+    still = scene.still(size=TINY)
+    sampled = scene.sample([0.0, 1.0])
+    copied = pickle.loads(pickle.dumps(sampled))
+    assert type(copied) is poinsot.Samples and list(copied) == list(sampled)
+    np.testing.assert_array_equal(copied["omega_body"], sampled["omega_body"])
+    compared = poinsot.compare(still, 255 - still.pixels)
+    assert pickle.loads(pickle.dumps(compared)) == compared
+    assert pickle.loads(pickle.dumps(poinsot.Film("a.mp4", ["note"]))).notes == ["note"]
+    assert pickle.loads(pickle.dumps(poinsot.Page("text", 1, 1, None))).html == "text"
+    for drawn in (still, scene.figure(size=TINY)):
+        with pytest.raises((TypeError, AttributeError, pickle.PicklingError)):
+            pickle.dumps(drawn)

@@ -106,7 +106,7 @@ class _Session:
     @staticmethod
     def _folder(option: str, given: str, base: Path) -> Path:
         folder = base / given
-        if not given or "\0" in given or (folder.exists() and not folder.is_dir()):
+        if not given or (folder.exists() and not folder.is_dir()):
             raise pytest.UsageError(f"{option}: {given!r} is not a folder; give the name of one")
         return folder
 
@@ -152,6 +152,7 @@ class _Session:
         if self.worker_input or self.report is None or not self.pictures:
             return
         from . import Error, _poinsot
+        from .paths import path_text
 
         pairs = [
             (one["name"], one["expected"], one["actual"], one["limits"].get("profile") or "", one["limits"])
@@ -159,7 +160,7 @@ class _Session:
         ]
         try:
             self.report.parent.mkdir(parents=True, exist_ok=True)
-            _poinsot.report_pairs(pairs, str(self.report), "Pictures of the tests")
+            _poinsot.report_pairs(pairs, path_text(self.report), "Pictures of the tests")
         except (Error, OSError) as error:
             self.report_error = f"--poinsot-report: {error}"
             session.exitstatus = session.exitstatus or pytest.ExitCode.TESTS_FAILED

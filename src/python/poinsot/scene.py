@@ -205,7 +205,7 @@ class Scene:
         """One picture, at `time_s` seconds of the motion; "auto": where the arrows are farthest apart.
 
         The options are those of `poinsot still`. Any thread may draw; a process that was forked
-        after a picture had been drawn may not. Raises InputError, EnvironmentError.
+        after or while its parent drew a picture may not. Raises InputError, EnvironmentError.
         """
         instant, clearest = _instant(time_s)
         paper = {"width_mm": width_mm, "height_mm": height_mm, "dpi": dpi, "type_pt": type_pt, "journal": journal}
