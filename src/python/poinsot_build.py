@@ -46,6 +46,11 @@ def project() -> dict:
         table = text[text.index("[project]"):].split("\n[", 1)[0]
         found: dict = dict(re.findall(r'^([a-z-]+) = "(.*)"$', table, re.MULTILINE))
         found["dependencies"] = re.findall(r'"([^"]+)"', re.search(r"^dependencies = \[(.*)\]", table, re.MULTILINE)[1])
+        extras = text[text.index("[project.optional-dependencies]"):].split("\n[", 1)[0]
+        found["optional-dependencies"] = {
+            name: re.findall(r'"([^"]+)"', packages)
+            for name, packages in re.findall(r"^([a-z-]+) = \[(.*)\]", extras, re.MULTILINE)
+        }
         return found
 
 
@@ -54,6 +59,9 @@ def metadata() -> str:
     lines = ["Metadata-Version: 2.1", f"Name: {about['name']}", f"Version: {about['version']}",
              f"Summary: {about['description']}", f"Requires-Python: {about['requires-python']}", "License-File: LICENSE"]
     lines += [f"Requires-Dist: {one}" for one in about["dependencies"]]
+    for extra, packages in about.get("optional-dependencies", {}).items():
+        lines.append(f"Provides-Extra: {extra}")
+        lines += [f'Requires-Dist: {one}; extra == "{extra}"' for one in packages]
     lines.append("Description-Content-Type: text/markdown")
     return "\n".join(lines) + "\n\n" + (root / "README.md").read_text(encoding="utf-8")
 
@@ -85,12 +93,15 @@ def built(config_settings: dict | None) -> Path:
 
 
 def package_files(build: Path) -> dict:
-    folder = build / "python"
-    return {
-        path.relative_to(folder).as_posix(): path.read_bytes()
-        for path in sorted((folder / "poinsot").rglob("*"))
-        if path.is_file() and "__pycache__" not in path.parts
-    }
+    """The files of the package. Of the build folder only the module of this Python: the rest may be older."""
+    source = root / "src" / "python" / "poinsot"
+    module = build / "python" / "poinsot" / ("_poinsot" + sysconfig.get_config_var("EXT_SUFFIX"))
+    files = [module, *(path for path in source.iterdir() if path.suffix in (".py", ".pyi") or path.name == "py.typed")]
+    found = {f"poinsot/{path.name}": path.read_bytes() for path in files}
+    for path in (root / "scenes").rglob("*"):
+        if path.is_file() and "__pycache__" not in path.parts:
+            found["poinsot/scenes/" + path.relative_to(root / "scenes").as_posix()] = path.read_bytes()
+    return dict(sorted(found.items()))
 
 
 def python_tag() -> str:

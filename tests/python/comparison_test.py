@@ -1,4 +1,6 @@
 """Comparisons of pictures of any renderer."""
+import os
+
 import numpy as np
 import pytest
 
@@ -179,12 +181,39 @@ def test_folders_are_compared_worst_first_with_a_report(tmp_path):
     (object(), "8-bit values or floats"),
     ([[1], [1, 2]], "not a picture"),
     ("none.png", "none.png: no such file"),
+    ("none\0.png", "no file's name contains NUL"),
+    (os.fsdecode(b"\xff.png"), "not valid UTF-8"),
+    (np.ma.array(GREY, mask=GREY == 100), "some values are masked"),
     (__file__, "not a PNG"),
 ])
 def test_what_is_no_picture_is_refused_on_either_side(picture, sentence):
     for pair in ((GREY, picture), (picture, GREY)):
         with pytest.raises(poinsot.InputError, match=sentence):
             poinsot.compare(*pair)
+
+
+def test_names_that_are_not_valid_are_refused_before_anything_is_written(tmp_path):
+    (tmp_path / "a").mkdir()
+    poinsot.pictures.write_file(tmp_path / "a" / "a.png", poinsot.comparison.png_bytes("a", GREY))
+    before = sorted(tmp_path.rglob("*"))
+    a = tmp_path / "a"
+    for wrong, sentence in (
+        (lambda: poinsot.compare_folders(a, a, report=tmp_path / "report.pdf"), "a page ends in .html"),
+        (lambda: poinsot.compare_folders(a, a, report="-"), "a page ends in .html"),
+        (lambda: poinsot.compare_folders(a, a, report=f"{tmp_path}/r\0.html"), "contains NUL"),
+        (lambda: poinsot.compare_folders(a, f"{tmp_path}/b\0"), "contains NUL"),
+        (lambda: poinsot.compare_folders(a, a, title="\ud800"), "title: not valid Unicode"),
+        (lambda: poinsot.approve("a\0", results=a, baselines=tmp_path / "b", why="new"), "contains NUL"),
+        (lambda: poinsot.approve("a", results=a, baselines=f"{tmp_path}/b\0", why="new"), "contains NUL"),
+        (lambda: poinsot.approve("a", results=a, baselines=tmp_path / "b", why="\ud800"), "why: not valid Unicode"),
+    ):
+        with pytest.raises(poinsot.InputError, match=sentence):
+            wrong()
+    assert sorted(tmp_path.rglob("*")) == before
+
+
+def test_no_regions_are_ignored_where_none_are_given():
+    assert not poinsot.compare(GREY, changed(GREY, 101), ignore=None)
 
 
 @pytest.mark.parametrize("limits, sentence", [
@@ -202,6 +231,11 @@ def test_what_is_no_picture_is_refused_on_either_side(picture, sentence):
     ({"ignore": [3]}, "ignore: a region is a text, and this is 3"),
     ({"ignore": "1,2,3"}, "not a rectangle"),
     ({"profile": "exact"}, "profile: is portable or native"),
+    ({"profile": 5}, "profile: is portable or native, and this is 5"),
+    ({"ignore": 5}, "ignore: is a region or a list of regions, and this is 5"),
+    ({"max_flip": b"0.1"}, "max_flip: is a number, and this is b'0.1'"),
+    ({"max_flip": np.array([0.1, 0.2])}, "max_flip: is a number, and this is "),
+    ({"max_flip": 1j}, "max_flip: is a number, and this is 1j"),
 ])
 def test_wrong_limits_are_refused(limits, sentence):
     with pytest.raises(poinsot.InputError, match=sentence):

@@ -1,4 +1,9 @@
 """Motions without a scene, against closed forms, conservation laws and the surfaces themselves."""
+import copy
+import pickle
+import pydoc
+import re
+
 import numpy as np
 import pytest
 
@@ -292,6 +297,67 @@ def test_a_heavy_top_keeps_its_momenta_and_energy():
     assert constants.theta_min_rad - 1e-9 <= theta.min() and theta.max() <= constants.theta_max_rad + 1e-9
     with pytest.raises(poinsot.InputError):
         poinsot.Motion(TRIAXIAL, OMEGA).top_constants
+
+
+@pytest.mark.parametrize("make", [
+    lambda: poinsot.Motion(TRIAXIAL, OMEGA, attitude=[1.0, 0.2, 0.3, 0.4]),
+    lambda: poinsot.Motion([1, 1.5, 5], OMEGA, allow_unphysical=True),
+    lambda: poinsot.Motion(TRIAXIAL, OMEGA, method="rk4", step_s=1e-2, span_s=(-50.0, 1234.5)),
+    lambda: poinsot.Motion.heavy_top(1.0, 0.5, 2.0, theta_rad=0.5, omega3_rad_s=20.0),
+], ids=["attitude", "unphysical", "stepped", "top"])
+def test_a_copy_of_a_motion_has_its_digits(make):
+    motion = make()
+    for same in (pickle.loads(pickle.dumps(motion)), copy.copy(motion), copy.deepcopy(motion)):
+        assert type(same) is poinsot.Motion and same.description == motion.description
+        for one, other in ((same, motion), (pickle.loads(pickle.dumps(same)), motion)):
+            np.testing.assert_array_equal(one.at(TIMES).omega_body, other.at(TIMES).omega_body)
+            np.testing.assert_array_equal(one.at(TIMES).space_from_body, other.at(TIMES).space_from_body)
+
+
+def test_a_copy_of_a_motion_keeps_the_start_that_its_array_had():
+    omega = np.array(OMEGA)
+    motion = poinsot.Motion(TRIAXIAL, omega)
+    omega[:] = 9.0
+    np.testing.assert_array_equal(copy.deepcopy(motion).at(0.0).omega_body, OMEGA)
+
+
+@pytest.mark.parametrize("wrong, sentence", [
+    (lambda m: m.polhode("a"), "tolerance: is a number, and this is 'a'"),
+    (lambda m: m.flips(None, 1), "first_s: is a number, and this is None"),
+    (lambda m: m.flips(0, [1, 2]), r"last_s: is a number, and this is \[1, 2\]"),
+    (lambda m: m.certificate([0.0], "a"), "attitude_error_rad: is a number, and this is 'a'"),
+    (lambda m: m.heavy_top(1.0, "a", 2.0, theta_rad=0.5, omega3_rad_s=20.0), "axial: is a number, and this is 'a'"),
+    (lambda m: m.contact(np.ma.array([0.0, 1.0], mask=[True, False])), "times: some values are masked"),
+    (lambda m: poinsot.Motion(np.ma.array(TRIAXIAL, mask=[0, 0, 1]), OMEGA), "moments: some values are masked"),
+])
+def test_what_is_no_number_is_refused(wrong, sentence):
+    with pytest.raises(poinsot.InputError, match=sentence):
+        wrong(poinsot.Motion(TRIAXIAL, OMEGA))
+
+
+def test_an_array_of_which_nothing_is_masked_counts_as_its_numbers():
+    times = np.ma.array(TIMES, mask=False)
+    motion = poinsot.Motion(TRIAXIAL, OMEGA)
+    np.testing.assert_array_equal(motion.contact(times), motion.contact(TIMES))
+
+
+def test_help_says_the_units_of_each_field():
+    for kind in (poinsot.Constants, poinsot.TopConstants, poinsot.Cones):
+        for name in kind._fields:
+            assert re.search(rf"^ +(\w+, )*{name}(, \w+)*: ", kind.__doc__, re.MULTILINE), name
+    assert "rad/s, body axes" in pydoc.render_doc(poinsot.Motion.at)
+
+
+def test_omega_changes_its_sign_along_the_middle_axis_without_a_flip_if_it_stays_far_from_it():
+    angles = []
+    for omega in ([1.0, 1.0, 0.05], [0.01, 2.0, 0.01]):
+        motion = poinsot.Motion([3.0, 2.0, 1.0], omega)
+        path = motion.at(np.linspace(0.0, motion.period_s, 2001)).omega_body
+        assert path[:, 1].min() < 0 < path[:, 1].max()
+        nearest_rad = np.arccos((path[:, 1] / np.linalg.norm(path, axis=1)).max())
+        angles.append(nearest_rad)
+        assert bool(motion.flips(0.0, motion.period_s)) == (nearest_rad < 0.5)
+    assert min(angles) < 0.5 < max(angles)
 
 
 def test_a_stepping_method_is_near_the_exact_motion_in_its_span():

@@ -1,4 +1,5 @@
 """The plugin for pytest, in sessions of pytest that pytester starts."""
+import os
 import re
 
 import numpy as np
@@ -217,6 +218,18 @@ def test_a_report_without_pictures_is_not_written_and_said_so(sessions):
     assert not (sessions.folder / "report.html").exists()
 
 
+def test_names_that_are_not_utf_8_fail_with_one_sentence(sessions):
+    sessions.write(TESTS)
+    sessions("--poinsot-renew", "first")
+    report = sessions("--poinsot-report", os.fsdecode(b"\xff.html"))
+    assert report.ret == 1
+    report.assert_outcomes(passed=N_TESTS)
+    report.stdout.fnmatch_lines(["--poinsot-report: *not valid UTF-8; rename the file"])
+    baselines = sessions("--poinsot-baselines", os.fsdecode(b"\xff"))
+    baselines.assert_outcomes(failed=N_TESTS)
+    baselines.stdout.fnmatch_lines(["*not valid UTF-8; rename the file"])
+
+
 def test_a_report_that_cannot_be_written_fails_the_session(sessions):
     sessions.write(TESTS)
     sessions("--poinsot-renew", "first")
@@ -308,7 +321,12 @@ def test_wrong_arguments_and_pictures_fail_their_test_with_one_sentence(sessions
         "suffix": ("(baseline='turn.svg')", "return GREY", "baseline: turn.svg: baselines are PNG files; end the name in .png"),
         "outside": ("(baseline='../turn.png')", "return GREY", "baseline: '../turn.png' is not a name in the folder of baselines; give one, as turn.png"),
         "empty": ("(baseline='')", "return GREY", "baseline: '' is not a name in the folder of baselines; give one, as turn.png"),
-        "number": ("(baseline=3)", "return GREY", "baseline: 3 is not a name; give one, as turn.png"),
+        "number": ("(baseline=3)", "return GREY", "baseline: 3 is not the name of a file; give a text or a pathlib.Path"),
+        "NUL": ("('a\\0b.png')", "return GREY", "baseline: 'a\\x00b.png': no file's name contains NUL; remove it"),
+        "two": ("('a.png', 'b.png')", "return GREY", "@pytest.mark.poinsot_image: a test has one baseline, and this names 2"),
+        "twice": ("('a.png', baseline='b.png')", "return GREY", "@pytest.mark.poinsot_image: a test has one baseline, and this names 2"),
+        "region": ("(ignore=[__import__('pathlib').Path('x')])", "return GREY", "ignore: a region is a text, and this is PosixPath('x')"),
+        "profile": ("(profile=5)", "return GREY", "profile: is portable or native, and this is 5"),
         "nothing": ("", "pass", "the test returned no picture; return a file, an array, a Still or a figure with savefig"),
         "file": ("", "return 'none.png'", "none.png: no such picture"),
         "shape": ("", "return GREY[0]", "picture: a picture has the shape *"),
@@ -410,6 +428,71 @@ def test_it(i):
     names = pngs(sessions.folder / "baselines")
     assert len(names) == 4 and all(re.fullmatch(r"[\w.-]{,200}", name, re.ASCII) for name in names), names
     sessions().assert_outcomes(passed=4)
+
+
+def test_a_double_colon_among_the_parameters_is_not_the_one_of_a_class(sessions):
+    sessions.write(HEAD + """
+@pytest.mark.poinsot_image
+@pytest.mark.parametrize("i, x", [(0, "a.b"), (1, "a::b"), (2, "[a::b]"), (3, "[a.b]")], ids=["a.b", "a::b", "[a::b]", "[a.b]"])
+def test_it(i, x):
+    return np.full((2, 2), i, np.uint8)
+""")
+    sessions("--poinsot-renew", "first").assert_outcomes(passed=4)
+    names = pngs(sessions.folder / "baselines")
+    assert len(names) == 4 and "test_turn.test_it-a.b.png" in names, names
+    sessions().assert_outcomes(passed=4)
+
+
+@pytest.mark.parametrize("workers", [(), ("-n", "1")], ids=["one process", "xdist"])
+def test_limits_are_numbers_and_texts_of_any_type(sessions, workers):
+    sessions.write(HEAD + """
+import enum
+from fractions import Fraction
+
+class Level(enum.IntEnum):
+    FEW = 3
+
+class Text(str):
+    pass
+
+@pytest.mark.poinsot_image(max_flip=Fraction(1, 2))
+def test_fraction():
+    return spot(1)
+
+@pytest.mark.poinsot_image(max_differing=np.float32(1), max_over=np.array(0), over_levels=Level.FEW, profile=Text("native"))
+def test_enumeration():
+    return spot(1)
+
+@pytest.mark.poinsot_image(ignore=np.array(["0,0,1,1", "2,2,1,1"]), antialiasing=np.False_)
+def test_array():
+    return spot(1)
+
+@pytest.mark.poinsot_image(ignore=[Text("0,0,1,1")])
+def test_text():
+    return spot(1)
+""")
+    sessions("--poinsot-renew", "first", *workers).assert_outcomes(passed=4)
+    sessions.write((sessions.folder / "test_turn.py").read_text().replace("spot(1)", "spot(2)"))
+    sessions("--poinsot-report", "report.html", *workers).assert_outcomes(passed=4)
+
+
+def test_a_doctest_with_the_marker_runs(sessions):
+    sessions.write("""
+import pytest
+
+def pytest_collection_modifyitems(items):
+    for item in items:
+        item.add_marker(pytest.mark.poinsot_image)
+""", "conftest")
+    sessions.write("""
+def shade():
+    '''
+    >>> shade()
+    3
+    '''
+    return 3
+""")
+    sessions("--doctest-modules").assert_outcomes(passed=1)
 
 
 def test_one_test_may_compare_many_pictures_with_one_baseline(sessions):

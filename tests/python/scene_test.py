@@ -1,6 +1,10 @@
 """Scenes: their numbers and pictures are those of the program, and their errors say where."""
+import enum
+import os
 import pathlib
 import pickle
+import re
+import urllib.parse
 
 import numpy as np
 import pytest
@@ -224,6 +228,27 @@ def test_errors_survive_pickling():
     (lambda s: s.sample(np.array(["2020-01-01"], "M8[D]")), "times: numbers are needed"),
     (lambda s: s.sample([0.0], ["omega_bod"]), "no column is called"),
     (lambda s: s.sample([0.0], [1]), "columns: give names of columns"),
+    (lambda s: s.sample([0.0], 5), "columns: give names of columns"),
+    (lambda s: s.sample([0.0], ["\ud800"]), "columns: not valid Unicode"),
+    (lambda s: s.sample(np.ma.array([0.0, 1.0], mask=[False, True])), "times: some values are masked"),
+    (lambda s: s.still(backend=3), "backend: choose auto, osmesa, egl or gpu, and this is 3"),
+    (lambda s: s.still(portable="yes"), "portable: is True or False, and this is 'yes'"),
+    (lambda s: s.figure(portable="no"), "portable: is True or False, and this is 'no'"),
+    (lambda s: s.render("film.mp4", portable=[1]), r"portable: is True or False, and this is \[1\]"),
+    (lambda s: s.still(theme="\ud800"), "options: not valid Unicode"),
+    (lambda s: s.render("film\0.mp4"), r"'film\\x00.mp4': no file's name contains NUL"),
+    (lambda s: s.render(b"film.mp4"), "b'film.mp4' is not a text"),
+    (lambda s: s.render(os.fsdecode(b"\xff.mp4")), "not valid UTF-8; rename the file"),
+    (lambda s: s.render(3), "3 is not the name of a file"),
+    (lambda s: s.slides("deck\0"), "contains NUL"),
+    (lambda s: s.page("page\0.html"), "contains NUL"),
+    (lambda s: s.page(os.fsdecode(b"\xff.html")), "not valid UTF-8"),
+    (lambda s: s.still(size=TINY).save("still\0.png"), "contains NUL"),
+    (lambda s: s.still(size=TINY).save(os.fsdecode(b"\xff.png")), "not valid UTF-8"),
+    (lambda s: s.figure(size=TINY).save("figure\0.svg"), "contains NUL"),
+    (lambda s: poinsot.Page("", 1, 1, None).save("page.pdf"), "a page ends in .html"),
+    (lambda s: poinsot.Page("", 1, 1, None).save("-"), "a page ends in .html"),
+    (lambda s: poinsot.Page("", 1, 1, None).save("page\0.html"), "contains NUL"),
     (lambda s: s.sample([0.0], ["time"] * 100_000), "given twice"),
     (lambda s: s.still(size=(-1, 10)), "size is \"-1x10\""),
     (lambda s: s.still(size=(0, 0)), "from 1 to 65536 pixels"),
@@ -263,6 +288,12 @@ def test_errors_survive_pickling():
     (lambda s: s.set({"film": {"size": "-1x1"}}), "size"),
     (lambda s: s.set({3: 1}), "not a key"),
     (lambda s: s.set({"title": object()}), "cannot stand in a scene"),
+    (lambda s: s.set({"title": "\ud800"}), "values: not valid Unicode"),
+    (lambda s: s.set({"\ud800": 1}), "values: not valid Unicode"),
+    (lambda s: s.set(None), "values: is a dict of dotted keys and values, and this is of type NoneType"),
+    (lambda s: poinsot.Scene("generic", [("a", 1)]), "values: is a dict of dotted keys and values, and this is of type list"),
+    (lambda s: poinsot.Scene(os.fsdecode(b"\xff.toml")), "not valid UTF-8"),
+    (lambda s: poinsot.Scene("generic\0.toml"), "contains NUL"),
     (lambda s: poinsot.Scene("generik"), 'did you mean "generic"'),
     (lambda s: poinsot.Scene(3), "a file, a text or a dict"),
     (lambda s: poinsot.Scene(b"generic"), "a file, a text or a dict"),
@@ -281,8 +312,72 @@ def test_wrong_input_is_refused_with_one_line(monkeypatch, tmp_path, wrong, sent
     assert list(tmp_path.iterdir()) == []
 
 
+def test_a_file_may_be_called_as_the_standard_output(monkeypatch, tmp_path, capfdbinary):
+    monkeypatch.chdir(tmp_path)
+    poinsot.pictures.write_file("-", b"contents")
+    assert (tmp_path / "-").read_bytes() == b"contents"
+    assert capfdbinary.readouterr().out == b""
+
+
+def test_a_folder_does_not_hide_a_scene_of_the_package(monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
+    (tmp_path / "generic").mkdir()
+    assert poinsot.Scene("generic").text == pathlib.Path(GENERIC).read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("suffix", ["gif", "mp4", "html"])
+def test_a_notebook_links_to_a_file_of_any_name(monkeypatch, tmp_path, suffix):
+    monkeypatch.chdir(tmp_path)
+    name = f"50% #1? \"a\" & ä.{suffix}"
+    (tmp_path / name).write_bytes(b"x")
+    monkeypatch.setattr(poinsot.pictures, "most_inline_bytes", 0)
+    shown = poinsot.Page("", 1, 1, name) if suffix == "html" else poinsot.Film(name, [])
+    address = re.search("href=\"([^\"]*)\"" if suffix == "html" else "src=\"([^\"]*)\"", shown._repr_html_())[1]
+    assert re.fullmatch(r"[\w.%-]+", address, re.ASCII)
+    assert urllib.parse.unquote(address) == name
+
+
+def test_numbers_of_any_kind_are_written_as_the_number():
+    class Number(int):
+        def __repr__(self):
+            return "1\ntitle = 'another'"
+        __str__ = __repr__
+
+    class Real(float):
+        __repr__ = __str__ = Number.__repr__
+
+    class Axis(enum.IntEnum):
+        LAST = 3
+
+    values = {"a": Number(7), "b": Real(0.5), "c": Axis.LAST, "d": [Axis.LAST], "e": {"f": Number(7)}}
+    assert poinsot.toml.assignments(values) == ["a=7", "b=0.5", "c=3", "d=[3]", "e={f = 7}"]
+    assert poinsot.toml.scene_text(values) == "a = 7\nb = 0.5\nc = 3\nd = [3]\n[e]\nf = 7\n"
+
+
+def test_keys_without_a_value_are_left_out_of_every_table():
+    tables = {"a": None, "b": {"c": None, "d": 1}, "e": [{"f": None, "g": 2}], "h": [1, {"i": None, "j": 3}]}
+    assert poinsot.toml.scene_text(tables) == "h = [1, {j = 3}]\n[b]\nd = 1\n[[e]]\ng = 2\n"
+    assert poinsot.toml.assignments({"film": {"size": None, "fps": 30}}) == ["film={fps = 30}"]
+
+
 def test_a_scene_can_be_sent_to_another_process():
     scene = poinsot.Scene("generic").set({"start.omega_rad_s": [0.5, 0.6, 0.7]})
     same = pickle.loads(pickle.dumps(scene))
     assert (same.name, same.text, same.values) == (scene.name, scene.text, scene.values)
     np.testing.assert_array_equal(same.sample(3.0)["omega_body"], scene.sample(3.0)["omega_body"])
+
+
+def test_results_can_be_sent_to_another_process_as_the_documentation_says():
+    scene = poinsot.Scene("sphere")
+    still = scene.still(size=TINY)
+    sampled = scene.sample([0.0, 1.0])
+    copied = pickle.loads(pickle.dumps(sampled))
+    assert type(copied) is poinsot.Samples and list(copied) == list(sampled)
+    np.testing.assert_array_equal(copied["omega_body"], sampled["omega_body"])
+    compared = poinsot.compare(still, 255 - still.pixels)
+    assert pickle.loads(pickle.dumps(compared)) == compared
+    assert pickle.loads(pickle.dumps(poinsot.Film("a.mp4", ["note"]))).notes == ["note"]
+    assert pickle.loads(pickle.dumps(poinsot.Page("text", 1, 1, None))).html == "text"
+    for drawn in (still, scene.figure(size=TINY)):
+        with pytest.raises((TypeError, AttributeError, pickle.PicklingError)):
+            pickle.dumps(drawn)

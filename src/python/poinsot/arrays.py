@@ -18,8 +18,28 @@ Pixels = NDArray[np.uint8]
 _pil_modes_to_convert = {"P", "PA", "LA", "La", "RGBX", "RGBa", "CMYK", "YCbCr", "LAB", "HSV"}
 
 
+_masked: Any = np.ma  # NumPy's types leave it out
+
+
+def _refuse_masked(name: str, values: Any) -> None:
+    # Without its mask, an array has numbers again where the caller has none.
+    if isinstance(values, np.ma.MaskedArray) and _masked.is_masked(values):
+        raise InputError(f"{name}: some values are masked; take them out, or put others in their place: .filled(0)")
+
+
+def number(name: str, value: Any) -> float:
+    """One number. Raises InputError for other types."""
+    if not isinstance(value, (str, bytes, bytearray)):  # float() would read them
+        try:
+            return float(value)
+        except (TypeError, ValueError, OverflowError):
+            pass
+    raise InputError(f"{name}: is a number, and this is {value!r}")
+
+
 def numbers(name: str, values: Any) -> Numbers:
     """The values as an array of float64, of any shape. Raises InputError for other types."""
+    _refuse_masked(name, values)
     try:
         array = np.asarray(values)
     except (ValueError, TypeError) as error:
@@ -35,6 +55,7 @@ def pixels(name: str, values: Any) -> Pixels:
     Takes 8-bit values, or floats from 0 to 1; grey (H×W), RGB (H×W×3) or RGBA (H×W×4); and the
     pictures of PIL.
     """
+    _refuse_masked(name, values)
     if getattr(values, "mode", None) in _pil_modes_to_convert:
         values = values.convert("RGBA")
     try:

@@ -2,17 +2,22 @@
 
 from __future__ import annotations
 
+import numbers
+import operator
 import os
 import tempfile
 from dataclasses import dataclass, field
 from typing import Any, Dict, Iterable, List, Optional, Union
 
+import numpy as np
+
 from numpy.typing import NDArray
 
-from . import _poinsot
+from . import _poinsot, toml
 from .arrays import Pixels, pixels
 from .errors import InputError
-from .pictures import Path, Still
+from .paths import Path, path_text
+from .pictures import Still, page_name
 
 Picture = Union[Path, Still, NDArray[Any], Any]
 
@@ -58,6 +63,47 @@ class Comparison:
         return None if self.difference is None else _poinsot.png_of(self.difference)
 
 
+def plain_limit(name: str, value: Any) -> Union[None, bool, int, float, str, List[str]]:
+    """A limit as Python's own value, whatever kind of number or text it was. Raises InputError."""
+    if isinstance(value, (np.generic, np.ndarray)):
+        value = value.tolist()
+    if name == "ignore":
+        return _regions(value)
+    if value is None or isinstance(value, bool):
+        return value
+    if isinstance(value, str):
+        return str.__str__(value)
+    if name != "profile" and not isinstance(value, (bytes, bytearray)):  # float() reads these as text
+        if isinstance(value, numbers.Integral):
+            return operator.index(value)
+        try:
+            return float(value)
+        except (TypeError, ValueError, OverflowError):
+            pass
+    what = "portable or native" if name == "profile" else "True or False" if name == "antialiasing" else "a number"
+    raise InputError(f"{name}: is {what}, and this is {value!r}")
+
+
+def _regions(given: Any) -> List[str]:
+    if given is None or isinstance(given, str):
+        given = [] if given is None else [given]
+    try:
+        regions = list(given)
+    except TypeError:
+        raise InputError(f"ignore: is a region or a list of regions, and this is {given!r}") from None
+    for region in regions:
+        if not isinstance(region, str):
+            raise InputError(f"ignore: a region is a text, and this is {region!r}")
+    return [str.__str__(region) for region in regions]
+
+
+def _profile(given: Any) -> str:
+    profile = plain_limit("profile", given)
+    if isinstance(profile, bool):
+        raise InputError(f"profile: is portable or native, and this is {profile}")
+    return toml.unicode_text("profile", str(profile or ""))
+
+
 def _limits(
     max_differing: Optional[float],
     max_over: Optional[float],
@@ -67,15 +113,16 @@ def _limits(
     antialiasing: Optional[bool],
     ignore: Iterable[str],
 ) -> Dict[str, Any]:
-    return {
+    given = {
         "max_differing": max_differing,
         "max_over": max_over,
         "over_levels": over_levels,
         "max_flip": max_flip,
         "min_ssim": min_ssim,
         "antialiasing": antialiasing,
-        "ignore": [ignore] if isinstance(ignore, str) else list(ignore),
+        "ignore": ignore,
     }
+    return {name: plain_limit(name, value) for name, value in given.items()}
 
 
 def png_bytes(name: str, picture: Any) -> bytes:
@@ -86,7 +133,7 @@ def png_bytes(name: str, picture: Any) -> bytes:
 def _file(name: str, picture: Picture, folder: str) -> str:
     """The picture as a file: its own, or a temporary one."""
     if isinstance(picture, (str, os.PathLike)):
-        return os.fspath(picture)
+        return path_text(picture)
     path = os.path.join(folder, name + ".png")
     with open(path, "wb") as file:
         file.write(png_bytes(name, picture))
@@ -128,7 +175,7 @@ def compare(
             if not os.path.isfile(file):
                 raise InputError(f"{name}: {file}: no such file", file)
         name = os.path.splitext(os.path.basename(b))[0]
-        return Comparison(**_poinsot.compare_pair(name, a, b, profile or "", limits, measures))
+        return Comparison(**_poinsot.compare_pair(name, a, b, _profile(profile), limits, measures))
 
 
 def compare_folders(
@@ -149,9 +196,10 @@ def compare_folders(
 ) -> List[Comparison]:
     """Compares all pictures of two folders, worst first; `report` names an HTML page to be written."""
     limits = _limits(max_differing, max_over, over_levels, max_flip, min_ssim, antialiasing, ignore)
-    a, b = os.fspath(expected), os.fspath(actual)
-    page = "" if report is None else os.fspath(report)
-    found = _poinsot.compare_all(a, b, profile or "", limits, measures, page, title or f"{b} compared with {a}")
+    a, b = path_text(expected), path_text(actual)
+    page = "" if report is None else page_name(report)
+    heading = toml.unicode_text("title", title or f"{b} compared with {a}")
+    found = _poinsot.compare_all(a, b, _profile(profile), limits, measures, page, heading)
     return [Comparison(**one) for one in found]
 
 
@@ -162,5 +210,6 @@ def approve(
 
     names: without ".png". Returns the outcome of each. Raises InputError, EnvironmentError.
     """
-    given = [names] if isinstance(names, str) else list(names)
-    return dict(_poinsot.approve(os.fspath(results), os.fspath(baselines), given, why, any_renderer))
+    given = [path_text(name) for name in ([names] if isinstance(names, str) else names)]
+    reason = toml.unicode_text("why", why)
+    return dict(_poinsot.approve(path_text(results), path_text(baselines), given, reason, any_renderer))

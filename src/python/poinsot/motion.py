@@ -3,52 +3,60 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, List, NamedTuple, Optional, Tuple
+from typing import Any, List, NamedTuple, Optional, Tuple, Type
 
 from . import _poinsot
-from .arrays import Numbers, numbers
+from .arrays import Numbers, number, numbers
 
 
 class Constants(NamedTuple):
     """The constants of a free motion. A constant that the regime does not have is None.
 
     Source: Landau & Lifshitz, Mechanics §37; Whittaker, Analytical Dynamics §69.
+
+    Attributes:
+        kinetic_energy_J, momentum_kg_m2_s: T in J, and |L| in kg m²/s.
+        momentum_space: L in space axes, kg m²/s, shape (3,).
+        plane_distance: √(2T)/L, the distance of the invariable plane, 1/√(kg m²).
+        half_axes: 1/√I, the half-axes of the ellipsoid, 1/√(kg m²), shape (3,).
+        encircled_axis: the principal axis that the polhode encircles: 1, 2 or 3.
+        modulus: k of the Jacobi functions.
+        polhode_period_s: the time in s after which ω is back in body axes.
+        advance_per_period_rad: the angle in rad by which ω turns about L in that time.
+        precession_rad_s: mean rate of ω about L, rad/s.
+        herpolhode_radii_rad_s: least and greatest |ω perpendicular to L|, rad/s.
     """
 
-    #: T, in J, and |L|, in kg m²/s; L in space axes, shape (3,).
     kinetic_energy_J: float
     momentum_kg_m2_s: float
     momentum_space: Numbers
-    #: √(2T)/L, the distance of the invariable plane, and the half-axes 1/√I of the ellipsoid,
-    #: shape (3,), both in 1/√(kg m²).
     plane_distance: float
     half_axes: Numbers
-    #: The principal axis that the polhode encircles: 1, 2 or 3.
     encircled_axis: int
-    #: k of the Jacobi functions.
     modulus: float
-    #: The time in s after which ω is back in body axes.
     polhode_period_s: Optional[float]
-    #: The angle in rad by which ω turns about L in that time.
     advance_per_period_rad: Optional[float]
-    #: Mean rate of ω about L, rad/s.
     precession_rad_s: float
-    #: Least and greatest |ω perpendicular to L|, rad/s.
     herpolhode_radii_rad_s: Tuple[float, float]
 
 
 class TopConstants(NamedTuple):
-    """The constants of a heavy symmetric top. Source: Goldstein, Classical Mechanics §5.7."""
+    """The constants of a heavy symmetric top. Source: Goldstein, Classical Mechanics §5.7.
 
-    #: L along the vertical and along the symmetry axis, kg m²/s; T + Mgl cos θ, J.
+    Attributes:
+        p_phi_kg_m2_s, p_psi_kg_m2_s: L along the vertical and along the symmetry axis, kg m²/s.
+        energy_J: T + Mgl cos θ, J.
+        theta_min_rad, theta_max_rad: the range of the nutation, rad.
+        nutation_period_s: its period in s; infinite on the separatrix.
+        precession_rad_s: mean φ̇, rad/s.
+    """
+
     p_phi_kg_m2_s: float
     p_psi_kg_m2_s: float
     energy_J: float
-    #: The range of the nutation, rad, and its period in s (infinite on the separatrix).
     theta_min_rad: float
     theta_max_rad: float
     nutation_period_s: float
-    #: Mean φ̇, rad/s.
     precession_rad_s: float
 
 
@@ -56,15 +64,18 @@ class Cones(NamedTuple):
     """The cones of a body with two equal moments; the body cone rolls on the space cone.
 
     Source: Landau & Lifshitz, Mechanics §35.
+
+    Attributes:
+        symmetry_axis: the principal axis of symmetry: 1, 2 or 3.
+        body_half_angle_rad: the angle from ω to the symmetry axis, rad.
+        space_half_angle_rad: the angle from ω to L, rad.
+        body_precession_rad_s: Ω = (I3 − I1) ω3/I1, of ω about the symmetry axis in body axes, rad/s.
+        space_precession_rad_s: L/I1, of the symmetry axis about L, rad/s.
     """
 
-    #: The principal axis of symmetry: 1, 2 or 3.
     symmetry_axis: int
-    #: The angles from ω to the symmetry axis and to L, rad.
     body_half_angle_rad: float
     space_half_angle_rad: float
-    #: Ω = (I3 − I1) ω3/I1, of ω about the symmetry axis in body axes, and L/I1, of the symmetry axis
-    #: about L, rad/s.
     body_precession_rad_s: float
     space_precession_rad_s: float
 
@@ -111,7 +122,16 @@ class Motion:
     (2, 2, 4)
     """
 
-    __slots__ = ("_native", "at")
+    # The texts are those of help(). `at` is the compiled function itself, which a call reaches sooner.
+    __slots__ = {
+        "_native": "the compiled motion",
+        "_made": "how it was made: whether it is a top, and the arguments",
+        "at": """at(times): the states at these instants.
+
+times: in s, of any shape S. Returns an object with `.time_s` (S), `.omega_body` (S + (3,), rad/s, body axes),
+`.space_from_body` (S + (4,), unit quaternion (w, x, y, z)) and `.herpolhode` (S + (3,), ω perpendicular to L,
+rad/s, space axes). All are contiguous arrays of float64. Raises InputError for instants that are not finite.""",
+    }
 
     def __init__(
         self,
@@ -126,26 +146,18 @@ class Motion:
         span_s: Tuple[float, float] = (0.0, 0.0),
         allow_unphysical: bool = False,
     ) -> None:
-        self._hold(
-            _poinsot.Motion(
-                numbers("moments", moments),
-                numbers("omega", omega),
-                numbers("attitude", attitude),
-                method,
-                step_s,
-                tolerance,
-                order,
-                span_s,
-                allow_unphysical,
-            )
-        )
+        # Copies, so that the caller's later changes do not reach a copy of the motion.
+        arrays = (numbers("moments", moments), numbers("omega", omega), numbers("attitude", attitude))
+        copies = tuple(array.copy() for array in arrays)
+        self._make(False, (*copies, method, step_s, tolerance, order, span_s, allow_unphysical))
 
-    def _hold(self, native: _poinsot.Motion) -> None:
-        self._native: _poinsot.Motion = native
-        #: The states at these instants, in s, of any shape S: `.time_s` (S), `.omega_body` (S, 3) in
-        #: rad/s, `.space_from_body` (S, 4) as (w, x, y, z), and `.herpolhode` (S, 3), ω
-        #: perpendicular to L in space axes, rad/s. All are contiguous arrays of float64.
-        self.at = native.at
+    def _make(self, is_top: bool, arguments: Tuple[Any, ...]) -> None:
+        self._native = _poinsot.Motion.heavy_top(*arguments) if is_top else _poinsot.Motion(*arguments)
+        self._made = (is_top, arguments)
+        self.at = self._native.at
+
+    def __reduce__(self) -> Tuple[Any, ...]:
+        return _same_motion, (type(self), *self._made)
 
     @classmethod
     def heavy_top(
@@ -168,11 +180,16 @@ class Motion:
         0.5
         """
         made = object.__new__(cls)
-        made._hold(
-            _poinsot.Motion.heavy_top(
-                transverse, axial, mgl_N_m, theta_rad, theta_dot_rad_s, phi_dot_rad_s, omega3_rad_s
-            )
-        )
+        given = {
+            "transverse": transverse,
+            "axial": axial,
+            "mgl_N_m": mgl_N_m,
+            "theta_rad": theta_rad,
+            "theta_dot_rad_s": theta_dot_rad_s,
+            "phi_dot_rad_s": phi_dot_rad_s,
+            "omega3_rad_s": omega3_rad_s,
+        }
+        made._make(True, tuple(number(name, value) for name, value in given.items()))
         return made
 
     @property
@@ -212,7 +229,7 @@ class Motion:
         1/√(kg m²). The polyline is within `tolerance` of the longest half-axis of the curve; that of
         a closed curve ends where it begins.
         """
-        return self._native.polhode(tolerance)
+        return self._native.polhode(number("tolerance", tolerance))
 
     def herpolhode(self, times: Any) -> Numbers:
         """The contact points ρ on the invariable plane, in space axes: shape S + (3,), 1/√(kg m²).
@@ -226,9 +243,12 @@ class Motion:
         return self._native.contact(numbers("times", times), False)
 
     def flips(self, first_s: float, last_s: float) -> List[float]:
-        """The instants in s between these two at which the body flips over: ω along the middle axis
-        changes its sign. Empty for bodies that do not turn about their middle axis."""
-        return self._native.flips(first_s, last_s)
+        """The instants in s between these two at which the body flips over.
+
+        ω along the middle axis changes its sign in every elliptic motion. These instants count as
+        flips only if ω comes within 0.5 rad of that axis; else the list is empty.
+        """
+        return self._native.flips(number("first_s", first_s), number("last_s", last_s))
 
     def certificate(self, times: Any, attitude_error_rad: float = 1e-6) -> List[Claim]:
         """The residuals of Poinsot's construction at these instants, in s, against their bounds.
@@ -237,7 +257,15 @@ class Motion:
         exact motion.
         """
         given = numbers("times", times).ravel()
-        return [Claim(**claim) for claim in self._native.certificate(given, attitude_error_rad)]
+        error_rad = number("attitude_error_rad", attitude_error_rad)
+        return [Claim(**claim) for claim in self._native.certificate(given, error_rad)]
 
     def __repr__(self) -> str:
         return f"<poinsot.Motion, {self.description}>"
+
+
+def _same_motion(kind: Type[Motion], is_top: bool, arguments: Tuple[Any, ...]) -> Motion:
+    """A motion that was copied or sent to another process."""
+    same = object.__new__(kind)
+    same._make(is_top, arguments)
+    return same

@@ -7,15 +7,15 @@ import html
 import json
 import os
 import re
-from typing import Any, Callable, List, Optional, Union
+import urllib.parse
+from typing import Any, Callable, List, Optional
 
 from numpy.typing import NDArray
 
 from . import _poinsot
 from .arrays import Pixels
 from .errors import InputError
-
-Path = Union[str, "os.PathLike[str]"]
+from .paths import Path, path_text
 
 #: A film up to this size is shown inside the notebook; a larger one is linked from it.
 most_inline_bytes = 8_000_000
@@ -23,8 +23,14 @@ most_inline_bytes = 8_000_000
 
 def write_file(path: Path, contents: bytes) -> None:
     """Writes a file as a whole: it is complete or unchanged."""
-    name = os.fspath(path)
-    _poinsot.write_whole(name, contents)
+    name = path_text(path)
+    # "-" alone would be the standard output, as for the program.
+    _poinsot.write_whole("./-" if name == "-" else name, contents)
+
+
+def _link(path: str) -> str:
+    """The address of a file, from the notebook's folder, as the value of an attribute."""
+    return html.escape(urllib.parse.quote(os.path.relpath(path)))
 
 
 def _data(kind: str, contents: bytes) -> str:
@@ -61,9 +67,10 @@ class Still:
 
     def save(self, path: Path) -> None:
         """Writes the PNG file. Raises InputError for another suffix, and EnvironmentError."""
-        if not os.fspath(path).lower().endswith(".png"):
-            raise InputError(f"{os.fspath(path)}: a still is saved as a PNG; end its name in .png")
-        write_file(path, self.png)
+        name = path_text(path)
+        if not name.lower().endswith(".png"):
+            raise InputError(f"{name}: a still is saved as a PNG; end its name in .png")
+        write_file(name, self.png)
 
     def __array__(self, dtype: Any = None, copy: Optional[bool] = None) -> NDArray[Any]:
         pixels = self.pixels if dtype is None else self.pixels.astype(dtype)
@@ -98,13 +105,13 @@ class Figure:
 
     def save(self, path: Path) -> None:
         """Writes an .svg or a .pdf file. Raises InputError for another suffix, and EnvironmentError."""
-        name = os.fspath(path).lower()
-        if name.endswith(".svg"):
-            write_file(path, self.svg.encode("utf-8"))
-        elif name.endswith(".pdf"):
-            write_file(path, self.pdf)
+        name = path_text(path)
+        if name.lower().endswith(".svg"):
+            write_file(name, self.svg.encode("utf-8"))
+        elif name.lower().endswith(".pdf"):
+            write_file(name, self.pdf)
         else:
-            raise InputError(f"{os.fspath(path)}: a figure is an SVG or a PDF; end its name in .svg or .pdf")
+            raise InputError(f"{name}: a figure is an SVG or a PDF; end its name in .svg or .pdf")
 
     def _repr_svg_(self) -> str:
         return self.svg
@@ -118,7 +125,7 @@ class Film:
 
     Attributes:
         path: its file, or the pattern of its files.
-        notes: what the program said about it: its file, the bound of its errors, remarks.
+        notes: the bound of its errors, and remarks.
     """
 
     def __init__(self, path: str, notes: List[str]) -> None:
@@ -134,13 +141,21 @@ class Film:
             with open(self.path, "rb") as file:
                 source = _data(kind, file.read())
         else:
-            source = html.escape(os.path.relpath(self.path))
+            source = _link(self.path)
         if suffix == ".gif":
             return f'<img src="{source}" style="max-width:100%">'
         return f'<video controls loop muted playsinline src="{source}" style="max-width:100%"></video>'
 
     def __repr__(self) -> str:
         return f"<poinsot.Film, {self.path}>"
+
+
+def page_name(path: Path) -> str:
+    """The name of a page's file. Raises InputError for another suffix than .html."""
+    name = path_text(path)
+    if not name.lower().endswith(".html"):
+        raise InputError(f"{name}: a page ends in .html")
+    return name
 
 
 class Page:
@@ -160,8 +175,8 @@ class Page:
         self._size_px = (width_px, height_px)
 
     def save(self, path: Path) -> None:
-        """Writes the page's .html file."""
-        write_file(path, self.html.encode("utf-8"))
+        """Writes the page's .html file. Raises InputError for another suffix, and EnvironmentError."""
+        write_file(page_name(path), self.html.encode("utf-8"))
 
     def _repr_html_(self) -> str:
         width, height = self._size_px
@@ -175,7 +190,7 @@ class Page:
             start = "frame.srcdoc=JSON.parse(this.querySelector('script').textContent)"
         else:
             # A notebook turns the link into the address of the file.
-            held = f'<a href="{html.escape(os.path.relpath(self.path))}">{poster}</a>'
+            held = f'<a href="{_link(self.path)}">{poster}</a>'
             start = "frame.src=this.querySelector('a').href"
         # An attribute, because some notebooks run scripts elsewhere in the page.
         click = (

@@ -152,6 +152,7 @@ class _Session:
         if self.worker_input or self.report is None or not self.pictures:
             return
         from . import Error, _poinsot
+        from .paths import path_text
 
         pairs = [
             (one["name"], one["expected"], one["actual"], one["limits"].get("profile") or "", one["limits"])
@@ -159,7 +160,7 @@ class _Session:
         ]
         try:
             self.report.parent.mkdir(parents=True, exist_ok=True)
-            _poinsot.report_pairs(pairs, str(self.report), "Pictures of the tests")
+            _poinsot.report_pairs(pairs, path_text(self.report), "Pictures of the tests")
         except (Error, OSError) as error:
             self.report_error = f"--poinsot-report: {error}"
             session.exitstatus = session.exitstatus or pytest.ExitCode.TESTS_FAILED
@@ -180,7 +181,9 @@ class _Session:
 
 def _plain(text: str) -> str:
     """A test's name as the name of a file, and another one for each test."""
-    short = re.sub(r"\[(.*)\]$", r"-\1", text).replace("::", ".")
+    test, bracket, parameters = text.partition("[")
+    short = test.replace("::", ".") + re.sub(r"^\[(.*)\]$", r"-\1", bracket + parameters)
+    # A "::" among the parameters is no plain character, or it would read like a ".".
     name = re.sub(r"[^\w.=+-]", "_", short, flags=re.ASCII)
     if name == short and len(name) <= 150:
         return name
@@ -190,11 +193,12 @@ def _plain(text: str) -> str:
 def _checked_name(given: Any) -> str:
     """The name of a baseline without its suffix."""
     from . import InputError
+    from .paths import path_text
 
     try:
-        name = str(os.fspath(given))
-    except TypeError:
-        raise InputError(f"baseline: {given!r} is not a name; give one, as turn.png") from None
+        name = path_text(given)
+    except InputError as error:
+        raise InputError(f"baseline: {error}") from None
     stem, suffix = os.path.splitext(name)
     if suffix.lower() in (".pdf", ".svg", ".jpg", ".jpeg", ".gif", ".mp4", ".webm", ".mov"):
         raise InputError(f"baseline: {name}: baselines are PNG files; end the name in .png")
@@ -208,23 +212,21 @@ def _checked_name(given: Any) -> str:
 def _checked_limits(where: str, given: Dict[str, Any]) -> Dict[str, Any]:
     """The limits as plain values, which can be sent from a worker of xdist."""
     from . import InputError
+    from .comparison import plain_limit
 
     for name in given:
         if name not in _limits:
             near = difflib.get_close_matches(name, (*_limits, "baseline"), 1)
             hint = f'did you mean "{near[0]}"?' if near else "there are baseline, " + ", ".join(_limits)
             raise InputError(f'{where}: there is no limit "{name}"; {hint}')
-    limits = {name: value.item() if hasattr(value, "item") else value for name, value in given.items()}
-    if "ignore" in limits:
-        regions = limits["ignore"]
-        limits["ignore"] = [regions] if isinstance(regions, str) else list(regions or ())
-    return limits
+    return {name: plain_limit(name, value) for name, value in given.items()}
 
 
 def _write(picture: Any, path: Path) -> None:
     """A picture as a PNG file."""
     from . import InputError
     from .comparison import png_bytes
+    from .paths import path_text
     from .pictures import write_file
 
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -239,7 +241,7 @@ def _write(picture: Any, path: Path) -> None:
             sys.modules["matplotlib.pyplot"].close(picture)
         return
     if isinstance(picture, (str, os.PathLike)):
-        file = Path(picture)
+        file = Path(path_text(picture))
         if not file.is_file():
             raise InputError(f"{file}: no such picture", str(file))
         write_file(path, file.read_bytes())
@@ -283,6 +285,7 @@ class _Test:
         """Compares a picture with its baseline, or makes it the baseline. Raises poinsot's errors."""
         from . import compare
         from .comparison import png_bytes
+        from .paths import path_text
         from .pictures import write_file
 
         limits = _checked_limits(where, limits)
@@ -291,7 +294,8 @@ class _Test:
         if difference.exists():
             difference.unlink()
         name = actual.relative_to(self.session.results / "actual").with_suffix("").as_posix()
-        record = {"name": name, "expected": str(baseline), "actual": str(actual), "limits": limits, "renewed": ""}
+        files = {"expected": path_text(baseline), "actual": path_text(actual)}
+        record = {"name": name, **files, "limits": limits, "renewed": ""}
         if self.session.why is not None:
             record["renewed"] = self.renew(baseline, actual)
             self.pictures.append(record)
@@ -380,7 +384,10 @@ def pytest_pyfunc_call(pyfuncitem: Any) -> Optional[bool]:
 
     __tracebackhide__ = True
     limits = dict(marker.kwargs)
-    baseline = limits.pop("baseline", marker.args[0] if marker.args else None)
+    names = [*marker.args, *(limits.pop(name) for name in ("baseline",) if name in limits)]
+    if len(names) > 1:
+        pytest.fail(f"@pytest.mark.{_mark}: a test has one baseline, and this names {len(names)}", pytrace=False)
+    baseline = names[0] if names else None
     picture = pyfuncitem.obj(**{name: pyfuncitem.funcargs[name] for name in pyfuncitem._fixtureinfo.argnames})
     try:
         fault, _ = _test_of(pyfuncitem).compare(picture, baseline, limits, f"@pytest.mark.{_mark}")
@@ -397,7 +404,8 @@ def pytest_runtest_setup(item: Any) -> None:
     if item.get_closest_marker(_mark) is None:
         return
     # Else its picture would never be compared.
-    if item.cls is not None and issubclass(item.cls, unittest.TestCase):
+    owner = getattr(item, "cls", None)  # a doctest has none
+    if owner is not None and issubclass(owner, unittest.TestCase):
         pytest.fail(
             f"@pytest.mark.{_mark}: a method of unittest.TestCase returns no picture; use a function or a plain class",
             pytrace=False,

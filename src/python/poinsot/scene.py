@@ -12,7 +12,8 @@ from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 from . import _poinsot, toml
 from .arrays import numbers
 from .errors import InputError
-from .pictures import Figure, Film, Page, Path, Still
+from .paths import Path, path_text
+from .pictures import Figure, Film, Page, Still, page_name
 from .progress import Progress
 from .samples import Samples
 
@@ -32,7 +33,7 @@ def scenes() -> List[str]:
 
 def _file_of(given: str) -> str:
     """The file of a scene as a user names it: a file, or the name of a scene of the package."""
-    if os.path.dirname(given) or os.path.splitext(given)[1] or os.path.exists(given):
+    if os.path.dirname(given) or os.path.splitext(given)[1] or os.path.isfile(given):
         return given
     known = scenes()
     if given in known:
@@ -52,14 +53,6 @@ def _size_text(size: Any) -> str:
     except (TypeError, ValueError, OverflowError):
         pass
     raise InputError(f"size: {size!r} is not a size in pixels; give (width, height)")
-
-
-def _unicode(text: str) -> str:
-    try:
-        text.encode("utf-8")
-    except UnicodeEncodeError as error:
-        raise InputError(f"scene.toml: not valid Unicode: {error}; a scene is plain text") from None
-    return text
 
 
 class Scene:
@@ -84,14 +77,16 @@ class Scene:
         *,
         allow_outside: bool = False,
     ) -> None:
-        changes = toml.assignments(values or {})
+        changes = toml.assignments({} if values is None else values)
         if isinstance(source, Mapping):
-            text = _unicode(toml.scene_text(source))
+            text = toml.unicode_text("scene.toml", toml.scene_text(source))
             self._native = _poinsot.Scene.from_text(text, "scene.toml", changes, allow_outside)
         elif isinstance(source, str) and ("\n" in source or "=" in source):
-            self._native = _poinsot.Scene.from_text(_unicode(source), "scene.toml", changes, allow_outside)
+            self._native = _poinsot.Scene.from_text(
+                toml.unicode_text("scene.toml", source), "scene.toml", changes, allow_outside
+            )
         elif isinstance(source, (str, os.PathLike)):
-            self._native = _poinsot.Scene.from_file(_file_of(os.fspath(source)), changes, allow_outside)
+            self._native = _poinsot.Scene.from_file(_file_of(path_text(source)), changes, allow_outside)
         else:
             raise InputError(f"a scene is a file, a text or a dict, not {type(source).__name__}")
 
@@ -159,16 +154,23 @@ class Scene:
         instants = numbers("times", times)
         if isinstance(columns, str):
             columns = [columns]
-        wanted = list(columns or [])
-        if not all(isinstance(column, str) for column in wanted):
+        try:
+            wanted = [toml.unicode_text("columns", column) for column in columns or []]
+        except (AttributeError, TypeError):
             raise InputError('columns: give names of columns, as ["time", "kinetic_energy"]')
         names, values = self._native.sample(instants.ravel(), wanted)
         return Samples(zip(names, (column.reshape(instants.shape) for column in values)))
 
     def _drawn(
-        self, size: Optional[Size], theme: Optional[str], quality: Optional[str], fps: Any = None
+        self,
+        size: Optional[Size],
+        theme: Optional[str],
+        quality: Optional[str],
+        fps: Any = None,
+        backend: Any = "auto",
+        portable: Any = False,
     ) -> _poinsot.Scene:
-        """The scene with the options that stand for keys."""
+        """The scene with the options that stand for keys; it also looks at those that say where to draw."""
         changes = []
         if size is not None:
             changes.append(f"--size film.size={_size_text(size)}")
@@ -178,7 +180,12 @@ class Scene:
             changes.append(f"--quality film.quality={quality}")
         if theme is not None:
             changes.append(f"--theme theme={theme}")
-        return self._native.with_values(changes) if changes else self._native
+        if not isinstance(backend, str):
+            raise InputError(f"backend: choose auto, osmesa, egl or gpu, and this is {backend!r}")
+        if not hasattr(type(portable), "__bool__"):
+            raise InputError(f"portable: is True or False, and this is {portable!r}")
+        checked = [toml.unicode_text("options", change) for change in changes]
+        return self._native.with_values(checked) if checked else self._native
 
     def still(
         self,
@@ -198,11 +205,11 @@ class Scene:
         """One picture, at `time_s` seconds of the motion; "auto": where the arrows are farthest apart.
 
         The options are those of `poinsot still`. Any thread may draw; a process that was forked
-        after a picture had been drawn may not. Raises InputError, EnvironmentError.
+        after or while its parent drew a picture may not. Raises InputError, EnvironmentError.
         """
         instant, clearest = _instant(time_s)
         paper = {"width_mm": width_mm, "height_mm": height_mm, "dpi": dpi, "type_pt": type_pt, "journal": journal}
-        scene = self._drawn(size, theme, quality)
+        scene = self._drawn(size, theme, quality, None, backend, portable)
         return Still(scene.still(instant, clearest, paper, backend, portable, None))
 
     def figure(
@@ -224,7 +231,7 @@ class Scene:
         """The same as vectors, for print. The options are those of `poinsot still -o NAME.pdf`."""
         instant, clearest = _instant(time_s)
         paper = {"width_mm": width_mm, "height_mm": height_mm, "type_pt": type_pt, "journal": journal}
-        scene = self._drawn(size, theme, quality)
+        scene = self._drawn(size, theme, quality, None, backend, portable)
 
         def made(kind: str) -> bytes:
             return scene.figure(kind, instant, clearest, paper, shading, text, backend, portable)
@@ -251,7 +258,7 @@ class Scene:
         that was interrupted, also by Ctrl-C, continues at the next call. `progress` shows a bar.
         Raises InputError, EnvironmentError.
         """
-        name = os.fspath(path)
+        name = path_text(path)
         if name.lower().endswith(".html"):
             raise InputError(f"{name}: .page({name!r}) writes a page")
         if frames is not None:
@@ -262,7 +269,7 @@ class Scene:
                     raise ValueError
             except (TypeError, ValueError):
                 raise InputError(f"frames: {frames!r} is not a range of frames; give (first, last), from 0") from None
-        scene = self._drawn(size, theme, quality, fps)
+        scene = self._drawn(size, theme, quality, fps, backend, portable)
         with Progress(progress, scene.name) as shown:
             scene.render(name, frames, backend, portable, shown.say, shown.frames)
         return Film(name, shown.notes)
@@ -280,8 +287,8 @@ class Scene:
         progress: bool = True,
     ) -> Dict[str, Any]:
         """Writes a film and stills for each stop, as `poinsot render --slides`; returns slides.json."""
-        name = os.fspath(folder)
-        scene = self._drawn(size, theme, quality, fps)
+        name = path_text(folder)
+        scene = self._drawn(size, theme, quality, fps, backend, portable)
         with Progress(progress, scene.name) as shown:
             scene.slides(name, backend, portable, shown.say, shown.frames)
         with open(os.path.join(name, "slides.json"), encoding="utf-8") as file:
@@ -296,9 +303,7 @@ class Scene:
         """
         scene = self._drawn(size, theme, None)
         if path is not None:
-            name = os.fspath(path)
-            if not name.lower().endswith(".html"):
-                raise InputError(f"{name}: a page ends in .html")
+            name = page_name(path)
             scene.render(name, None, "auto", False, None, None)
             with open(name, encoding="utf-8") as file:
                 return Page(file.read(), scene.width_px, scene.height_px, name)

@@ -13,6 +13,15 @@ from .errors import InputError
 _bare_key = re.compile(r"[A-Za-z0-9_-]+")
 
 
+def unicode_text(where: str, text: str) -> str:
+    """The text, if it is one of a file: it may hold no half of a surrogate pair."""
+    try:
+        text.encode("utf-8")
+    except UnicodeEncodeError as error:
+        raise InputError(f"{where}: not valid Unicode: {error}; give plain text") from None
+    return text
+
+
 def value_text(value: Any) -> str:
     """A value as TOML: a boolean, a number, a text, a path, a list or a table.
 
@@ -23,18 +32,20 @@ def value_text(value: Any) -> str:
     if isinstance(value, bool):
         return "true" if value else "false"
     if isinstance(value, int):
-        return str(value)
+        # Not str(): a subclass, such as an enumeration, may print as anything.
+        return int.__repr__(value)
     if isinstance(value, float):
         if math.isnan(value):
             return "nan"
-        return repr(value) if math.isfinite(value) else ("inf" if value > 0 else "-inf")
+        return float.__repr__(value) if math.isfinite(value) else ("inf" if value > 0 else "-inf")
     if isinstance(value, os.PathLike):
         value = os.fspath(value)
     if isinstance(value, str):
         # JSON's escapes are TOML's, but TOML also wants DEL escaped.
         return json.dumps(value, ensure_ascii=False).replace("\x7f", "\\u007f")
     if isinstance(value, Mapping):
-        return "{" + ", ".join(f"{_key(key)} = {value_text(one)}" for key, one in value.items()) + "}"
+        held = [f"{_key(key)} = {value_text(one)}" for key, one in value.items() if one is not None]
+        return "{" + ", ".join(held) + "}"
     if isinstance(value, (list, tuple)):
         return "[" + ", ".join(value_text(one) for one in value) + "]"
     raise InputError(f"a value of type {type(value).__name__} cannot stand in a scene; give a number, a text or a list")
@@ -74,7 +85,9 @@ def scene_text(scene: Mapping[Any, Any]) -> str:
 
 def assignments(values: Mapping[str, Any]) -> List[str]:
     """Values by dotted key, as --set takes them."""
-    return [f"{_dotted(key)}={value_text(value)}" for key, value in values.items()]
+    if not isinstance(values, Mapping):
+        raise InputError(f"values: is a dict of dotted keys and values, and this is of type {type(values).__name__}")
+    return [unicode_text("values", f"{_dotted(key)}={value_text(value)}") for key, value in values.items()]
 
 
 def _dotted(key: Any) -> str:
