@@ -77,5 +77,22 @@ TEST(Polhode, OfASymmetricBodyIsACircle) {
         Polhode(InertiaTensor::from_principal_moments({1.0, 2.0, 3.0}), {0.2, 0.3, 1.0}).circle());
 }
 
+// ω lies almost in the plane of the two equal moments; its square along the third axis underflows.
+TEST(Polhode, OfASymmetricBodyIsACircleHoweverSlowItsAxialSpin) {
+    const auto inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 2.0});
+    for (const double axial : {1e-100, 1e-155, 1e-170, 1e-300}) {
+        const Eigen::Vector3d omega(0.2, 0.1, axial);
+        const Polhode polhode(inertia, omega);
+        const std::vector<Eigen::Vector3d> points = polhode.sampled(1e-4);
+        ASSERT_LT(points.size(), 1000u);
+        // ρ = ω/√(2T), turned about the axis of symmetry.
+        const double radius = std::hypot(omega[0], omega[1]) / std::sqrt(0.05);
+        for (const Eigen::Vector3d& point : points) {
+            EXPECT_NEAR(std::hypot(point[0], point[1]), radius, 1e-14) << axial;
+            EXPECT_NEAR(point[2] / axial, 1.0 / std::sqrt(0.05), 1e-12) << axial;
+        }
+    }
+}
+
 }  // namespace
 }  // namespace poinsot

@@ -50,7 +50,7 @@ class Outputs(unittest.TestCase):
         film = poinsot.Scene("generic", SMALL).render("a film.mp4", frames=(0, 2), progress=False)
         self.assertIn('src="data:video/mp4;base64,', film._repr_html_())
         with unittest.mock.patch.object(pictures, "most_inline_bytes", 100):
-            self.assertIn('src="a film.mp4"', film._repr_html_())
+            self.assertIn('src="a%20film.mp4"', film._repr_html_())
         os.remove("a film.mp4")
         self.assertIsNone(film._repr_html_())
 
@@ -62,7 +62,7 @@ class Outputs(unittest.TestCase):
             self.skipTest(str(error))
         shown = page._repr_html_()
         self.assertLess(len(shown), 100_000)
-        self.assertIn('<a href="a &amp; b.html"><img src="data:image/png;base64,', shown)
+        self.assertIn('<a href="a%20%26%20b.html"><img src="data:image/png;base64,', shown)
         self.assertNotIn("<script", shown)
         self.assertEqual(pathlib.Path("a & b.html").read_text(encoding="utf-8"), page.html)
 
