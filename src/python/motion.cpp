@@ -30,7 +30,9 @@ std::span<const double> span_of(const Doubles& values) {
 class States {
  public:
     States(const Motion& motion, std::span<const double> times_s, std::vector<py::ssize_t> shape)
-        : shape_(std::move(shape)), n_(times_s.size()), values_(11 * n_) {
+        : shape_(std::move(shape)),
+          n_(times_s.size()),
+          values_(std::make_unique_for_overwrite<double[]>(11 * n_)) {
         if (n_ == 1) {
             put(motion.at(times_s.front()), 0);
             return;
@@ -53,7 +55,7 @@ class States {
     }
 
  private:
-    double* block(std::size_t first) { return values_.data() + first * n_; }
+    double* block(std::size_t first) { return values_.get() + first * n_; }
 
     void put(const State& state, std::size_t i) {
         const library::Quaternion& q = state.space_from_body;
@@ -66,7 +68,7 @@ class States {
 
     std::vector<py::ssize_t> shape_;
     std::size_t n_;
-    std::vector<double> values_;
+    std::unique_ptr<double[]> values_;  // written as a whole
 };
 
 Eigen::Vector3d three(const char* name, const Doubles& values) {
