@@ -437,9 +437,16 @@ thread.join()
 
 def test_a_fork_while_the_first_picture_is_drawn_is_told(in_process):
     assert in_process(HEAD + """
-thread = threading.Thread(target=lambda: scene.still(1.0, size=(1920, 1080)))
+begun, forked = threading.Event(), threading.Event()
+
+def wait_for_the_fork(n_done, n_frames):
+    begun.set()
+    forked.wait()
+
+film = poinsot.Scene("generic", {"film.size": [64, 36], "film.duration_s": 60.0})._native
+thread = threading.Thread(target=film.render, args=("film.mp4", None, "auto", False, None, wait_for_the_fork))
 thread.start()
-time.sleep(0.1)
+begun.wait()
 child = os.fork()
 if child == 0:
     try:
@@ -448,6 +455,7 @@ if child == 0:
         os._exit(7)
     os._exit(8)
 print(os.waitstatus_to_exitcode(os.waitpid(child, 0)[1]))
+forked.set()
 thread.join()
 """) == "7\n"
 
