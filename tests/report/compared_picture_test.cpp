@@ -326,12 +326,12 @@ TEST_F(Folders, OfPagesFailWhereAReportCannotBeWritten) {
 // In pieces of a mebibyte.
 TEST_F(Folders, HoldFilesOfAnySize) {
     const std::string bytes(3 << 20, 'x');
-    std::ofstream(folder_ / "ref/page.svg") << bytes;
-    std::ofstream(folder_ / "new/page.svg") << bytes;
-    EXPECT_EQ(compare_files("page", folder_ / "ref/page.svg", folder_ / "new/page.svg", {}).outcome,
+    std::ofstream(folder_ / "ref/page.pdf") << bytes;
+    std::ofstream(folder_ / "new/page.pdf") << bytes;
+    EXPECT_EQ(compare_files("page", folder_ / "ref/page.pdf", folder_ / "new/page.pdf", {}).outcome,
               Outcome::same);
-    std::ofstream(folder_ / "new/page.svg") << bytes.substr(1) << 'y';
-    EXPECT_NE(compare_files("page", folder_ / "ref/page.svg", folder_ / "new/page.svg", {}).outcome,
+    std::ofstream(folder_ / "new/page.pdf") << bytes.substr(1) << 'y';
+    EXPECT_NE(compare_files("page", folder_ / "ref/page.pdf", folder_ / "new/page.pdf", {}).outcome,
               Outcome::same);
 }
 
