@@ -42,10 +42,11 @@ WithoutLock::~WithoutLock() {
 void end_calls() {
     has_ended = true;
     do {
+        const bool waits = n_without_lock > 0;
         {
             const py::gil_scoped_release to_others;
             library::stop_drawing();
-            if (n_without_lock > 0) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+            if (waits) std::this_thread::sleep_for(std::chrono::milliseconds(1));
         }
         if (PyErr_CheckSignals() != 0) throw py::error_already_set();
     } while (n_without_lock > 0);

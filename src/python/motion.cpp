@@ -8,6 +8,8 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -96,26 +98,42 @@ library::MotionOptions options_of(const Doubles& attitude, const std::string& me
     return options;
 }
 
+// Asks the interpreter seldom enough not to slow stepping.
+std::function<bool()> at_times(std::function<bool()> stop) {
+    using Clock = std::chrono::steady_clock;
+    return [stop = std::move(stop), next = Clock::time_point{}]() mutable {
+        if (Clock::now() < next) return false;
+        next = Clock::now() + std::chrono::milliseconds(20);
+        return stop();
+    };
+}
+
 Motion motion_of(const Doubles& moments, const Doubles& omega, const Doubles& attitude,
                  const std::string& method, std::optional<double> step_s,
                  std::optional<double> tolerance, std::optional<int> order,
                  std::pair<double, double> span_s, bool allow_unphysical) {
-    const library::MotionOptions options =
+    library::MotionOptions options =
         options_of(attitude, method, step_s, tolerance, order, span_s, allow_unphysical);
     const Eigen::Vector3d start = three("omega", omega);
+    std::optional<Motion> made;
+    const auto make = [&](const auto& body, auto maker) {
+        Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+            options.stop = at_times(watch.stop);
+            made = maker(body, start, options);
+        });
+        return *made;
+    };
     if (moments.ndim() == 2 && moments.shape(0) == 3 && moments.shape(1) == 3) {
         Eigen::Matrix3d tensor;
         for (int i = 0; i < 3; ++i)
             for (int j = 0; j < 3; ++j) tensor(i, j) = moments.at(i, j);
-        const WithoutLock without_lock;
-        return Motion::with_tensor(tensor, start, options);
+        return make(tensor, &Motion::with_tensor);
     }
     if (moments.ndim() != 1 || moments.shape(0) != 3)
         throw InputError(
             "moments: give the three principal moments, or the inertia tensor (3 × 3)");
-    const Eigen::Vector3d principal = three("moments", moments);
-    const WithoutLock without_lock;
-    return Motion(principal, start, options);
+    return make(three("moments", moments),
+                [](const auto&... arguments) { return Motion(arguments...); });
 }
 
 Motion heavy_top(double transverse, double axial, double mgl_N_m, double theta_rad,

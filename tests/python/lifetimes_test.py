@@ -460,14 +460,15 @@ thread.join()
 """) == "7\n"
 
 
-@pytest.mark.parametrize("call", ["sample([0.0])", "check()", "still(0.5, size=SIZE)", "figure()"])
+@pytest.mark.parametrize("call", ["slow.sample([0.0])", "slow.check()", "slow.still(0.5, size=SIZE)", "slow.figure()",
+                                  "poinsot.Motion([1, 2, 3], [1, 2, 3], method='rk4', step_s=1e-7, span_s=(0, 50))"])
 def test_an_interrupt_stops_the_stepping_of_a_motion(in_process, call):
     """One that takes far longer than the test would."""
     assert in_process(HEAD + f"""
 slow = poinsot.Scene("generic", {{"motion.method": "rk4", "motion.step_s": 1e-7, "film.duration_s": 6.0}})
 threading.Timer(0.5, os.kill, (os.getpid(), signal.SIGINT)).start()
 try:
-    slow.{call}
+    {call}
 except KeyboardInterrupt:
     print("stopped")
 """, timeout_s=60.0) == "stopped\n"

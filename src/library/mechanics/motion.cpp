@@ -52,7 +52,7 @@ poinsot::Motion free_or_driven(const InertiaTensor& inertia, const Eigen::Vector
     problem.start.omega_body = omega_body;
     problem.start.space_from_body = options.start_attitude;
     problem.torque = torque_in(options.torque);
-    return poinsot::Motion(problem);
+    return poinsot::Motion(problem, options.stop);
 }
 
 State state_of(const MotionSample& sample) {
@@ -64,27 +64,10 @@ State state_of(const MotionSample& sample) {
 
 constexpr Quantities state_quantities{.attitude = true, .herpolhode = true};
 
-Regime public_regime(poinsot::Regime regime) {
-    switch (regime) {
-        case poinsot::Regime::at_rest:
-            return Regime::at_rest;
-        case poinsot::Regime::permanent:
-            return Regime::permanent;
-        case poinsot::Regime::symmetric:
-            return Regime::symmetric;
-        case poinsot::Regime::elliptic_about_lowest:
-            return Regime::elliptic_about_lowest;
-        case poinsot::Regime::elliptic_about_highest:
-            return Regime::elliptic_about_highest;
-        case poinsot::Regime::separatrix:
-            return Regime::separatrix;
-        case poinsot::Regime::heavy_top:
-            return Regime::heavy_top;
-        case poinsot::Regime::integrated:
-            return Regime::integrated;
-    }
-    return Regime::at_rest;
-}
+// Both list the same regimes in the same order.
+Regime public_regime(poinsot::Regime regime) { return static_cast<Regime>(regime); }
+static_assert(static_cast<int>(poinsot::Regime::integrated) ==
+              static_cast<int>(Regime::integrated));
 
 }  // namespace
 
@@ -123,7 +106,7 @@ Motion Motion::heavy_top(double moment_transverse_kg_m2, double moment_axial_kg_
     problem.top_start = {start.theta_rad, start.theta_dot_rad_s, start.phi_dot_rad_s,
                          start.omega3_rad_s};
     problem.torque = GravityTorque{.mgl_N_m = mgl_N_m};
-    return MotionAccess::of(poinsot::Motion(problem));
+    return MotionAccess::of(poinsot::Motion(problem, options.stop));
 }
 
 State Motion::at(double time_s) const {
@@ -196,12 +179,7 @@ TopConstants Motion::top_constants() const {
 }
 
 std::string_view name_of(Regime regime) {
-    for (const poinsot::Regime candidate :
-         {poinsot::Regime::at_rest, poinsot::Regime::permanent, poinsot::Regime::symmetric,
-          poinsot::Regime::elliptic_about_lowest, poinsot::Regime::elliptic_about_highest,
-          poinsot::Regime::separatrix, poinsot::Regime::heavy_top, poinsot::Regime::integrated})
-        if (public_regime(candidate) == regime) return poinsot::name_of(candidate);
-    return "";
+    return poinsot::name_of(static_cast<poinsot::Regime>(regime));
 }
 
 }  // namespace poinsot::library

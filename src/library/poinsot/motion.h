@@ -12,6 +12,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <functional>
 #include <memory>
 #include <optional>
 #include <span>
@@ -77,6 +78,8 @@ struct MotionOptions {
     // all times.
     double first_time_s = 0.0;
     double last_time_s = 0.0;
+    // Asked while a stepping method computes the motion: true ends it with an InputError.
+    std::function<bool()> stop = {};
     // Accept moments that violate the triangle inequality, which no real body has.
     bool allow_unphysical = false;
 };
