@@ -28,15 +28,15 @@ namespace fs = std::filesystem;
 
 // Throws InputError for a file that somebody else has made or edited.
 void check_output(const fs::path& output) {
-    if (kind_of_file(output) != FileKind::regular || is_pptx_as_written(output)) return;
+    if (kind_of_file(output) != FileKind::regular || StoredZip::is_unchanged(output)) return;
     throw InputError(
         fmt::format("{}: exists, and was not written by poinsot or has been edited since; name "
                     "another file, or remove this one",
                     printable(output.string())));
 }
 
-// A film's poster is shown until it plays. It is the film's first picture, with which the slide
-// before ends: any other would be seen for a moment, and the last one would give the answer away.
+// A film's poster is shown until it plays. It is the picture with which the slide before ends: any
+// other would be seen for a moment, and the last one would give the answer away.
 struct PosterFrames {
     std::map<std::int64_t, std::string> names;  // of the files, by frame
 

@@ -6,8 +6,6 @@
 #include <cmath>
 #include <string_view>
 
-#include "production/slides/stored_zip.h"
-#include "system/files/file_contents.h"
 #include "text/markup.h"
 
 namespace poinsot {
@@ -231,12 +229,6 @@ void add_slide(PartList& parts, const PptxText& text, std::size_t index) {
 }
 
 }  // namespace
-
-bool is_pptx_as_written(const std::filesystem::path& file) {
-    constexpr std::size_t n_bytes = 1024;
-    return read_beginning(file, n_bytes).find(types_start) != std::string::npos &&
-           StoredZip::is_unchanged(file);
-}
 
 std::vector<PptxPart> pptx_parts(const PptxText& text) {
     PartList parts;

@@ -31,8 +31,4 @@ struct PptxPart {
 // All parts but the media; the first one is the list of types, as readers expect.
 std::vector<PptxPart> pptx_parts(const PptxText& text);
 
-// Whether a file begins as a presentation of these parts does, stored without compression. Other
-// programs compress the parts when they save. Throws as read_beginning does.
-bool is_pptx_as_written(const std::filesystem::path& file);
-
 }  // namespace poinsot

@@ -2,12 +2,12 @@
 
 #include <fmt/format.h>
 
-#include <array>
 #include <fstream>
 #include <limits>
 #include <span>
 
 #include "error/error.h"
+#include "image/crc32.h"
 #include "system/files/file_contents.h"
 #include "text/printable.h"
 
@@ -30,24 +30,8 @@ std::string little_endian(Integer value) {
     return bytes;
 }
 
-// The table of CRC-32 (ISO 3309), whose reversed polynomial is this.
-constexpr std::array<std::uint32_t, 256> crc_table = [] {
-    constexpr std::uint32_t polynomial = 0xedb88320;
-    std::array<std::uint32_t, 256> table{};
-    for (std::uint32_t i = 0; i < table.size(); ++i) {
-        std::uint32_t crc = i;
-        for (int bit = 0; bit < 8; ++bit) crc = (crc >> 1) ^ ((crc & 1) != 0 ? polynomial : 0);
-        table.at(i) = crc;
-    }
-    return table;
-}();
-
-// The CRC of bytes that follow others with this CRC; 0 for none.
 std::uint32_t crc_after(std::uint32_t crc, std::string_view bytes) {
-    crc = ~crc;
-    for (const char byte : bytes)
-        crc = (crc >> 8) ^ crc_table[(crc ^ static_cast<std::uint8_t>(byte)) & 0xff];
-    return ~crc;
+    return crc32_after(crc, {reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
 // The archive's comment: a checksum of its directory.
@@ -133,11 +117,14 @@ bool StoredZip::is_unchanged(const std::filesystem::path& file) {
     std::ifstream stream(file, std::ios::binary);
     std::string end(end_bytes + comment_bytes, '\0');
     stream.seekg(-static_cast<std::streamoff>(end.size()), std::ios::end);
+    const std::uint64_t n_before_end = static_cast<std::uint64_t>(stream.tellg());
     stream.read(end.data(), static_cast<std::streamsize>(end.size()));
     if (!stream || !end.starts_with(little_endian(end_mark))) return false;
     constexpr std::size_t size_at = 12, place_at = 16;
-    std::string directory(number_at(end, size_at), '\0');
-    stream.seekg(number_at(end, place_at));
+    const std::uint64_t n_bytes = number_at(end, size_at), place = number_at(end, place_at);
+    if (place + n_bytes != n_before_end) return false;
+    std::string directory(n_bytes, '\0');
+    stream.seekg(static_cast<std::streamoff>(place));
     stream.read(directory.data(), static_cast<std::streamsize>(directory.size()));
     return stream && end.substr(end_bytes) == comment_of(directory);
 }

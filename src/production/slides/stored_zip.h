@@ -12,8 +12,8 @@
 namespace poinsot {
 
 // Writes the entries in the order in which they are added; the same entries give the same bytes.
-// Source: PKWARE, APPNOTE.TXT 6.3.10, without ZIP64. add() and finish() throw InputError for more
-// than 4 GB or 65535 entries, and EnvironmentError.
+// Source: PKWARE, APPNOTE.TXT 6.3.10, without ZIP64. add() and add_file() throw InputError for
+// more than 4 GB or 65535 entries; all throw EnvironmentError.
 class StoredZip {
  public:
     explicit StoredZip(AtomicFile& file) : file_(&file) {}
