@@ -190,6 +190,11 @@ void check_stops(const SceneDraft& draft) {
             refuse(scene, item + ".at_s",
                    fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; put it earlier", item,
                                stop.at_s, length_s));
+        if (stop.loop_s.value_or(frame_s) < frame_s * (1.0 - rounding))
+            refuse(
+                scene, item + ".loop_s",
+                fmt::format("{}.loop_s is {}, less than a frame ({:.3g} s); make the loop longer",
+                            item, *stop.loop_s, frame_s));
         if (stop.loop_s.value_or(0.0) > apart_s * (1.0 + rounding))
             refuse(scene, item + ".loop_s",
                    fmt::format("{}.loop_s is {}, but {} {:.6g} s lie before that stop; make the "

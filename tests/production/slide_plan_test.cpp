@@ -78,9 +78,10 @@ TEST(SlidePlan, ChaptersServeWithoutStops) {
     const std::vector<Slide> slides = slides_with(chapters);
     ASSERT_EQ(slides.size(), 2u);
     EXPECT_EQ(slides[0].title, "A");
-    EXPECT_EQ(slides[0].last_frame, 14);  // frame 15 is that of the next chapter
-    EXPECT_EQ(slides[1].first_frame, 14);
-    EXPECT_EQ(slides[1].last_frame, 29);
+    // Texts fade out in the last third of a second of the chapter, which ends with frame 14.
+    EXPECT_EQ(slides[0].last_frame, 10);
+    EXPECT_EQ(slides[1].first_frame, 10);
+    EXPECT_EQ(slides[1].last_frame, 25);
     EXPECT_EQ(slides_with(chapters + "[[stops]]\nat_s = 1.0\n").size(), 2u);
     EXPECT_EQ(slides_with(chapters + "[[stops]]\nat_s = 1.0\n")[0].title, "");
 }
@@ -107,6 +108,9 @@ TEST(SlidePlan, RefusesStopsOutOfOrderTooCloseBeyondTheEndAndLoopsTooLong) {
     EXPECT_NE(stops("1.0", "1.05").find("a.toml:11:1: stops[1] is 0.05 s after stops[0]"),
               std::string::npos);
     EXPECT_NE(stops("1.0", "3.5").find("a.toml:11:1: stops[1].at_s is 3.5, but the film ends"),
+              std::string::npos);
+    EXPECT_NE(stops("1.0", "2.0\nloop_s = 0.05")
+                  .find("a.toml:12:1: stops[1].loop_s is 0.05, less than a frame (0.1 s)"),
               std::string::npos);
     EXPECT_NE(stops("1.0", "2.0\nloop_s = 1.5").find("a.toml:12:1: stops[1].loop_s is 1.5"),
               std::string::npos);

@@ -206,9 +206,9 @@ Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo
 struct TimedText {
     double begin_s = 0.0, end_s = 0.0;
 
-    // Opacity: fades in and out within a third of a second, or of the caption's duration.
+    // Opacity.
     double presence(double film_s) const {
-        const double ramp_s = std::min(0.33, (end_s - begin_s) / 3.0);
+        const double ramp_s = text_fade_s(begin_s, end_s);
         const double in = (film_s - begin_s) / ramp_s;
         const double out = (end_s - film_s) / ramp_s;
         return smooth_step(std::min(in, out));
@@ -324,6 +324,9 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store, const W
 }
 
 }  // namespace
+
+// A third of a second, or of the text's duration.
+double text_fade_s(double begin_s, double end_s) { return std::min(0.33, (end_s - begin_s) / 3.0); }
 
 std::vector<Drawer> make_overlays(const StageContext& stage, StageStore& store,
                                   const std::deque<Panel>& panels) {

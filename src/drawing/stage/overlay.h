@@ -35,6 +35,9 @@ std::vector<std::string> caption_notes(const Scene& scene);
 // Distance between the overlays and the picture's sides.
 double overlay_margin_px(const StageContext& stage);
 
+// The seconds in which a text that is shown in this part of a film fades in, and out.
+double text_fade_s(double begin_s, double end_s);
+
 // Names of the overlays in `show` and in fades.
 struct OverlayName {
     std::string_view name;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "drawing/stage/overlay.h"
 #include "production/sidecars/chapters.h"
 #include "scene/scene_error.h"
 
@@ -39,7 +40,12 @@ std::vector<Slide> from_chapters(const Scene& scene, const FilmPlan& film) {
     for (const FilmChapter& chapter : chapters_of(scene, film, 0, film.n_frames - 1)) {
         Slide slide{.title = chapter.title};
         slide.first_frame = slides.empty() ? 0 : slides.back().last_frame;
-        slide.last_frame = chapter.end_frame - 1;
+        // Before the chapter's title and captions fade out.
+        const double fps = film.rate.per_second();
+        const auto n_fading = static_cast<std::int64_t>(
+            std::ceil(fps * text_fade_s(static_cast<double>(chapter.first_frame) / fps,
+                                        static_cast<double>(chapter.end_frame) / fps)));
+        slide.last_frame = std::max(chapter.end_frame - 1 - n_fading, chapter.first_frame);
         slides.push_back(std::move(slide));
     }
     return slides;
@@ -59,7 +65,7 @@ std::vector<Slide> stops_of(const Scene& scene, const FilmPlan& film, std::strin
 std::vector<Slide> slides_of(const Scene& scene, const FilmPlan& film, std::string_view option) {
     std::vector<Slide> slides = stops_of(scene, film, option);
     const std::int64_t last = slides.back().last_frame;
-    if (last < film.n_frames - 1)
+    if (!scene.stops.empty() && last < film.n_frames - 1)
         slides.push_back({.first_frame = last, .last_frame = film.n_frames - 1, .is_stop = false});
     return slides;
 }

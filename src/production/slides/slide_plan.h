@@ -23,9 +23,9 @@ struct Slide {
     std::int64_t first_loop_frame() const { return last_frame + 1 - n_loop_frames; }
 };
 
-// A slide for each of [[stops]]; without stops, for each chapter, which stops before the next
-// chapter begins. `option` is the option that asks for slides, for messages. Throws SceneError for
-// two stops on one frame, and for a scene with neither stops nor chapters.
+// A slide for each of [[stops]]; without stops, for each chapter, which stops before its title and
+// captions fade out. `option` is the option that asks for slides, for messages. Throws SceneError
+// for two stops on one frame, and for a scene with neither stops nor chapters.
 std::vector<Slide> slides_of(const Scene& scene, const FilmPlan& film, std::string_view option);
 
 // The same without the frames after the last stop.
