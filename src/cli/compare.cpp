@@ -57,14 +57,8 @@ auto value_of(std::string_view option, Read read) {
     }
 }
 
-// Within a portable profile no pixel may differ; the default limits of a native one separate a
-// processor's rounding from a defect.
 std::optional<CompareLimits> profile_limits(const CompareChoices& choices) {
-    if (choices.profile.empty()) return std::nullopt;
-    if (choices.profile == "portable") return CompareLimits::exact();
-    if (choices.profile == "native") return CompareLimits{};
-    throw InputError(fmt::format("--profile {}: unknown; choose portable or native",
-                                 printable(choices.profile)));
+    return value_of("--profile", [&] { return limits_of_profile(choices.profile); });
 }
 
 // The limits of the command line; none if it sets none.

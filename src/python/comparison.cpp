@@ -28,42 +28,44 @@ py::array array_of_image(const Image& image) {
                     {py::ssize_t{image.height()}, py::ssize_t{image.width()}, py::ssize_t{4}});
 }
 
+// The value of a limit that is read by one of the functions of report/gates.h.
+template <typename Read>
+auto named(const char* name, Read read) {
+    try {
+        return read();
+    } catch (const InputError& error) {
+        throw InputError(std::string(name) + ": " + error.what());
+    }
+}
+
 // The limits, under the names of the options of `poinsot compare`.
 Gates gates_of(const py::dict& options) {
     Gates gates;
-    const auto share = [](const char* name, const std::optional<double>& value) {
-        if (value && !(*value >= 0.0 && *value <= 1.0))
-            throw InputError(std::string(name) + ": a share of the pixels is from 0 to 1");
+    const auto read = [&options](const char* name, auto& value, auto checked) {
+        using Value = typename std::decay_t<decltype(value)>::value_type;
+        if (const auto given = option<Value>(options, name))
+            value = named(name, [&] { return checked(*given); });
     };
-    gates.max_differing = option<double>(options, "max_differing");
-    gates.max_over = option<double>(options, "max_over");
-    gates.over_levels = option<int>(options, "over_levels");
-    gates.max_flip = option<double>(options, "max_flip");
-    gates.min_ssim = option<double>(options, "min_ssim");
+    read("max_differing", gates.max_differing, checked_share);
+    read("max_over", gates.max_over, checked_share);
+    read("over_levels", gates.over_levels, checked_level);
+    read("max_flip", gates.max_flip, checked_flip);
+    read("min_ssim", gates.min_ssim, checked_ssim);
     gates.antialiasing = option<bool>(options, "antialiasing");
-    share("max_differing", gates.max_differing);
-    share("max_over", gates.max_over);
-    if (gates.over_levels) gates.over_levels = checked_level(*gates.over_levels);
-    if (gates.max_flip) gates.max_flip = checked_flip(*gates.max_flip);
-    if (gates.min_ssim) gates.min_ssim = checked_ssim(*gates.min_ssim);
     if (options.contains("ignore"))
         for (const py::handle region : options["ignore"]) {
             if (!py::isinstance<py::str>(region))
                 throw InputError("ignore: a region is a text, and this is " +
                                  py::repr(region).cast<std::string>());
-            gates.ignore.push_back(parse_region(region.cast<std::string>()));
+            gates.ignore.push_back(
+                named("ignore", [&] { return parse_region(region.cast<std::string>()); }));
         }
     return gates;
 }
 
 CompareRequest request_of(const std::string& profile, const py::dict& limits, bool measures) {
     CompareRequest request{.gates = gates_of(limits)};
-    if (profile == "portable")
-        request.limits = CompareLimits::exact();
-    else if (profile == "native")
-        request.limits = CompareLimits{};
-    else if (!profile.empty())
-        throw InputError("profile: is portable or native; choose one of these, or leave it out");
+    request.limits = named("profile", [&] { return limits_of_profile(profile); });
     request.ssim = request.flip = measures;
     return request;
 }
@@ -173,15 +175,6 @@ py::bytes png_of_pixels(const Pixels& pixels) {
     return py::bytes(reinterpret_cast<const char*>(png.data()), png.size());
 }
 
-py::array pixels_in(const std::string& file) {
-    Image image;
-    {
-        const WithoutLock without_lock;
-        image = read_stored_png(file).image;
-    }
-    return array_of_image(image);
-}
-
 std::vector<std::pair<std::string, std::string>> approve_pictures(
     const std::string& results, const std::string& baselines, const std::vector<std::string>& names,
     const std::string& why, bool any_renderer) {
@@ -220,7 +213,6 @@ void add_comparison(py::module_& module) {
             });
         },
         "file"_a, "contents"_a);
-    module.def("pixels_in", pixels_in, "file"_a);
     module.def("approve", approve_pictures, "results"_a, "baselines"_a, "names"_a, "why"_a,
                "any_renderer"_a);
 }

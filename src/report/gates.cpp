@@ -85,6 +85,12 @@ double parse_share(std::string_view text) {
     return share;
 }
 
+double checked_share(double value) {
+    if (value >= 0 && value <= 1) return value;
+    throw InputError(
+        fmt::format("{:g}: not a share of the pixels; give a share from 0 to 1", value));
+}
+
 double checked_flip(double value) {
     if (value >= 0 && value <= 1) return value;
     throw InputError(
@@ -134,6 +140,13 @@ CompareLimits limits_of(const Gates& gates, const std::optional<CompareLimits>& 
     limits.least_ssim = gates.min_ssim;
     limits.antialiasing = gates.antialiasing.value_or(false);
     return limits;
+}
+
+std::optional<CompareLimits> limits_of_profile(std::string_view name) {
+    if (name.empty()) return std::nullopt;
+    if (name == "portable") return CompareLimits::exact();
+    if (name == "native") return CompareLimits{};
+    throw InputError(fmt::format("{}: unknown; choose portable or native", printable(name)));
 }
 
 }  // namespace poinsot

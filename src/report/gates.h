@@ -35,9 +35,15 @@ IgnoredRegion parse_region(std::string_view text);
 double parse_share(std::string_view text);
 
 // The smallest and greatest values of the limits. Throw InputError without a place.
+double checked_share(double value);
 double checked_flip(double value);
 double checked_ssim(double value);
 int checked_level(double value);
+
+// The limits of a profile; none without a name. Within a portable one no pixel may differ; the
+// default limits of a native one separate a processor's rounding from a defect. Throws InputError
+// without a place.
+std::optional<CompareLimits> limits_of_profile(std::string_view name);
 
 // Limits as somebody gives them; empty: not given.
 struct Gates {

@@ -315,7 +315,7 @@ def test_wrong_options_end_the_session_with_one_sentence(sessions):
 def test_wrong_arguments_and_pictures_fail_their_test_with_one_sentence(sessions, workers):
     cases = {
         "limit": ("(max_flop=0.1)", "return GREY", '@pytest.mark.poinsot_image: there is no limit "max_flop"; did you mean "max_flip"?'),
-        "value": ("(max_flip=3)", "return GREY", "3: not a FLIP value; give 0 (equal) to 1, such as 0.01"),
+        "value": ("(max_flip=3)", "return GREY", "max_flip: 3: not a FLIP value; give 0 (equal) to 1, such as 0.01"),
         "type": ("(max_flip='3')", "return GREY", "max_flip: is a number, and this is '3'"),
         "ignored": ("(ignore=[3])", "return GREY", "ignore: a region is a text, and this is 3"),
         "suffix": ("(baseline='turn.svg')", "return GREY", "baseline: turn.svg: baselines are PNG files; end the name in .png"),
