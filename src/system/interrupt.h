@@ -17,8 +17,8 @@ void stop_if_interrupted();
 // watch_for_interrupts() leaves signals alone.
 void leave_signals_to_host();
 
-// While an object of this class exists, stop_if_interrupted() also throws on its thread if `stop`,
-// which it asks at most every 20 ms, says so.
+// While an object of this class exists, stop_if_interrupted() also throws on its thread if `stop`
+// returns true; it calls `stop` at most every 20 ms. An inner object hides an outer one.
 class StopsWhen {
  public:
     explicit StopsWhen(std::function<bool()> stop);

@@ -13,7 +13,8 @@
 namespace poinsot::library {
 
 struct Construction::Inside {
-    poinsot::Motion motion;
+    Motion shared;
+    const poinsot::Motion& motion;  // of `shared`
     PoinsotConstruction geometry;
     poinsot::Polhode polhode;
 };
@@ -38,7 +39,7 @@ Construction::Construction(const Motion& motion) {
     const MotionProblem& problem = free.problem();
     PoinsotConstruction geometry(problem.inertia, problem.start);
     inside_ = std::make_shared<const Inside>(
-        Inside{free, std::move(geometry),
+        Inside{motion, free, std::move(geometry),
                poinsot::Polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix)});
 }
 

@@ -16,10 +16,9 @@
 
 namespace poinsot::library {
 
-// What long work tells its caller, on the caller's thread, about every 20 ms; it also stops the
-// computation of stepping methods. Unset functions do
-// nothing. Work that is asked to stop ends with an EnvironmentError; a film continues at the next
-// call.
+// Callbacks of long work. They are called on the caller's thread, about every 20 ms; unset ones do
+// nothing. If `stop` returns true, drawing, sampling and stepping methods end with an
+// EnvironmentError; a film continues at the next call.
 struct Watch {
     std::function<void(const std::string& line)> say{};  // notes, and the bound of the errors
     std::function<void(std::int64_t n_done, std::int64_t n_frames)> frames{};
@@ -140,7 +139,7 @@ class Scene {
     void slides(const std::string& folder, const ContextOptions& context = {},
                 const Watch& watch = {}) const;
 
-    // Copies only, likewise.
+    // Copies only: a scene that was moved from would be empty.
     Scene(const Scene&) = default;
     Scene& operator=(const Scene&) = default;
     ~Scene() = default;

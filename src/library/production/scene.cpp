@@ -66,29 +66,29 @@ struct Scene::Contents {
     poinsot::Scene scene;
     // Opened at the first use, by several threads if they need it at the same time, of which the
     // first to finish keeps its own. A lock might be held by another thread when a process forks.
-    mutable std::atomic<std::shared_ptr<const Session>> opened{};
+    mutable std::atomic<const Session*> opened = nullptr;
 
-    std::shared_ptr<const Session> session(const Watch& watch) const {
-        std::shared_ptr<const Session> there = opened.load();
-        if (there) return there;
-        auto made = std::make_shared<const Session>(quiet_session(request, watch));
-        return opened.compare_exchange_strong(there, made) ? made : there;
+    Contents() = default;
+    ~Contents() { delete opened.load(); }
+    Contents(const Contents&) = delete;
+    Contents& operator=(const Contents&) = delete;
+
+    const Session& session(const Watch& watch) const {
+        const Session* there = opened.load();
+        if (there != nullptr) return *there;
+        auto made = std::make_unique<const Session>(quiet_session(request, watch));
+        return opened.compare_exchange_strong(there, made.get()) ? *made.release() : *there;
+    }
+
+    // For these instants, too: outside of the film, a stepped motion is computed again.
+    Session session_at(std::vector<double> times_s, const Watch& watch) const {
+        const Session& of_film = session(watch);
+        if (!is_stepped(of_film.motion.problem().method) || times_s.empty()) return of_film;
+        SceneRequest longer = request;
+        longer.times_s = std::move(times_s);
+        return quiet_session(longer, watch);
     }
 };
-
-namespace {
-
-std::shared_ptr<const Session> session_at(const SceneRequest& request,
-                                          std::shared_ptr<const Session> session,
-                                          std::vector<double> times_s, const Watch& watch) {
-    // A stepped motion is computed again for instants outside of the film.
-    if (!is_stepped(session->motion.problem().method) || times_s.empty()) return session;
-    SceneRequest longer = request;
-    longer.times_s = std::move(times_s);
-    return std::make_shared<const Session>(quiet_session(longer, watch));
-}
-
-}  // namespace
 
 Scene Scene::from_file(const std::string& file, const std::vector<std::string>& values,
                        bool allow_outside) {
@@ -125,7 +125,7 @@ int Scene::height_px() const { return contents_->scene.film.height_px; }
 std::string Scene::language() const { return contents_->scene.language; }
 
 std::string Scene::check_json(const Watch& watch) const {
-    const SceneSummary summary = summarise(*contents_->session(watch), false);
+    const SceneSummary summary = summarise(contents_->session(watch), false);
     JsonObject answer;
     for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
     return answer.lines();
@@ -133,12 +133,11 @@ std::string Scene::check_json(const Watch& watch) const {
 
 Table Scene::sample(std::span<const double> times_s, const std::vector<std::string>& columns,
                     const Watch& watch) const {
-    const auto session = session_at(contents_->request, contents_->session(watch),
-                                    {times_s.begin(), times_s.end()}, watch);
-    const std::vector<ChosenColumn> chosen = columns.empty()
-                                                 ? default_columns(session->motion)
-                                                 : columns_named(session->motion, columns);
-    SampleTable sampled = sample_columns(session->motion, chosen, times_s, "times");
+    const Session session = contents_->session_at({times_s.begin(), times_s.end()}, watch);
+    const std::vector<ChosenColumn> chosen =
+        columns.empty() ? default_columns(session.motion) : columns_named(session.motion, columns);
+    const StopsWhen stops(watch.stop);
+    SampleTable sampled = sample_columns(session.motion, chosen, times_s, "times");
     Table table;
     table.names = std::move(sampled.headings);
     table.n_rows = times_s.size();
@@ -156,11 +155,9 @@ Still Scene::still(const StillOptions& options, const Watch& watch) const {
     if (!options.paper.journal.empty()) follow_journal(false, request, {});
     still.print = request.print;
     // Without a size on paper, the session of the scene serves.
-    const bool has_own = options.paper.width_mm || options.paper.height_mm || options.paper.dpi ||
-                         options.paper.type_pt || !options.paper.journal.empty();
-    Session session = has_own ? quiet_session(request, watch)
-                              : Session(*session_at(contents_->request, contents_->session(watch),
-                                                    request.times_s, watch));
+    const bool is_for_paper = print_size_of(request.print, width_px(), height_px()).has_value();
+    Session session = is_for_paper ? quiet_session(request, watch)
+                                   : contents_->session_at(request.times_s, watch);
     StillJob job(std::move(session), std::move(still));
     auto made = std::make_shared<Still::Contents>();
     draw(choice_of(options.context), watch,
@@ -220,30 +217,30 @@ void Scene::render(const std::string& path, const RenderOptions& options,
         throw InputError(fmt::format(
             "frames {} to {}: not a range of frames; give the first and the last one, from 0",
             options.frames->first, options.frames->second));
-    const std::shared_ptr<const Session> session = contents_->session(watch);
+    const Session& session = contents_->session(watch);
     if (is_slides_name(path)) {
         if (options.frames)
             throw InputError(fmt::format(
                 "{}: a presentation has a film for each stop; leave frames out", printable(path)));
         draw(choice, watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-            write_pptx(*session, {path, 1}, renderer, progress);
+            write_pptx(session, {path, 1}, renderer, progress);
         });
         return;
     }
     const FilmRequest request{path, options.frames};
     draw(choice, watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-        make_in_jobs(*session, request, 1, renderer, progress);
+        make_in_jobs(session, request, 1, renderer, progress);
     });
 }
 
 void Scene::slides(const std::string& folder, const ContextOptions& context,
                    const Watch& watch) const {
     if (folder.empty()) throw InputError("the folder of the slides has no name; give one");
-    const std::shared_ptr<const Session> session = contents_->session(watch);
+    const Session& session = contents_->session(watch);
     // One process: those of --jobs are the command line's.
     const DeckRequest request{contents_->request, folder, 1};
     draw(choice_of(context), watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-        write_deck(*session, request, renderer, progress);
+        write_deck(session, request, renderer, progress);
     });
 }
 

@@ -12,6 +12,7 @@
 
 #include "error/error.h"
 #include "production/sampling/sampled_motion.h"
+#include "system/interrupt.h"
 #include "system/suffix.h"
 #include "text/printable.h"
 
@@ -203,7 +204,9 @@ void each_row(const Motion& motion, std::span<const ChosenColumn> columns,
     });
     if (certifies) sampled.construction.emplace(motion.problem().inertia, motion.problem().start);
     std::vector<double> row;
+    constexpr std::size_t rows_between_looks = 4096;
     for (std::size_t k = 0; k < times_s.size(); ++k) {
+        if (k % rows_between_looks == 0) stop_if_interrupted();
         row.clear();
         try {
             append_row(sampled, motion.sample(times_s[k], wanted), runs, row);
