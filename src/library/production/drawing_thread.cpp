@@ -13,6 +13,8 @@
 #include <exception>
 #include <mutex>
 #include <optional>
+#include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 #include <vector>
@@ -52,6 +54,7 @@ class Queue {
     void end();
 
  private:
+    void start();
     void draw_jobs();
     void draw_one(Job& job, std::optional<LazyRenderer>& renderer, ContextChoice& open);
     ProgressSink sink_of(Job& job);
@@ -165,17 +168,26 @@ void Queue::tell(std::unique_lock<std::mutex>& lock, Job& job, const Watch& watc
     lock.lock();
 }
 
+void Queue::start() {
+    try {
+        thread_ = std::thread([this] { draw_jobs(); });
+    } catch (const std::system_error& error) {
+        throw EnvironmentError(std::string("cannot start the thread that draws: ") + error.what());
+    }
+}
+
 void Queue::run(Job& job, const Watch& watch) {
     std::exception_ptr fault;
     std::unique_lock lock(mutex_);
     changed_.wait(lock, [this] { return !ends_; });
-    if (!thread_.joinable()) thread_ = std::thread([this] { draw_jobs(); });
+    if (!thread_.joinable()) start();
     waiting_.push_back(&job);
     changed_.notify_all();
     while (!job.is_done) {
         // Short work needs no look at the caller's functions.
         changed_.wait_for(lock, std::chrono::milliseconds(20));
         if (job.is_done) break;
+        if (fault) continue;  // the work was asked to stop
         bool stop = false;
         try {
             tell(lock, job, watch);
