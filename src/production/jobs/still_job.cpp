@@ -167,15 +167,21 @@ Record StillJob::vector_record() const {
 }
 
 VectorStill StillJob::vectors(LazyRenderer& renderer) const {
+    return vectors_of(drawing(), renderer);
+}
+
+VectorStill StillJob::vectors_of(const Drawing& drawing, LazyRenderer& renderer) const {
     Record record = vector_record();
     vector::DrawPixels draw_pixels;
     if (has_pixels(request_.vectors)) {
         record_context(renderer.context().info(), renderer.is_portable(), record);
-        draw_pixels = [&renderer](const Drawing& drawing) { return pixels_of(drawing, renderer); };
+        draw_pixels = [&renderer](const Drawing& surfaces) {
+            return pixels_of(surfaces, renderer);
+        };
     } else {
         record_without_context(record);
     }
-    return vector_still(request_.output, title(), drawing(), request_.vectors, std::move(record),
+    return vector_still(request_.output, title(), drawing, request_.vectors, std::move(record),
                         draw_pixels);
 }
 
@@ -216,7 +222,8 @@ PixelStill StillJob::drawn(PictureMaker& pictures, bool is_portable) const {
 
 void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
                             const ProgressSink& progress) {
-    const VectorStill still = vectors(renderer);
+    const Drawing drawing = this->drawing();
+    const VectorStill still = vectors_of(drawing, renderer);
     write_whole(place.path(), still.bytes);
     std::string files = printable(place.path().string());
     if (!still.latex.empty()) {
@@ -227,7 +234,7 @@ void StillJob::draw_vectors(OutputPlace place, LazyRenderer& renderer,
     }
     progress.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, still.off_um));
     if (!request_.print.journal.empty())
-        tell_figure(session_, drawing(), request_.print.dpi.value_or(default_dpi), progress);
+        tell_figure(session_, drawing, request_.print.dpi.value_or(default_dpi), progress);
 }
 
 Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {

@@ -80,6 +80,7 @@ class StillJob {
     // Also sets the density of a file that has a size on paper.
     Record pixel_record(const PictureMaker& pictures, bool is_portable, PngOptions& png) const;
     PixelStill drawn(PictureMaker& pictures, bool is_portable) const;
+    VectorStill vectors_of(const Drawing& drawing, LazyRenderer& renderer) const;
     void draw_vectors(OutputPlace place, LazyRenderer& renderer, const ProgressSink& progress);
 
     Session session_;
