@@ -22,7 +22,7 @@ function(poinsot_archives_of target found)
     set(${found} ${${found}} PARENT_SCOPE)
 endfunction()
 
-# Each component has what the ones before it do not have.
+# Each archive leaves out the objects of the archives before it.
 set(archive_folder ${PROJECT_BINARY_DIR}/library)
 set(earlier "")
 set(archives "")
@@ -75,7 +75,7 @@ add_custom_target(library DEPENDS ${archives})
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME library)
-# Whoever builds the program alone can install it alone.
+# Skips the installation if this target was not built.
 install(CODE "if(NOT EXISTS \"${archive_folder}/libpoinsot_mechanics.a\")
     message(STATUS \"The C++ library is not installed: build the target library first\")
     return()
