@@ -104,24 +104,24 @@ class FrameEntries;  // see output/frame_log.h
 
 // A row of the table of formats.
 struct OutputFormat {
-    std::string_view name;        // "mp4"
-    std::string_view suffix;      // ".mp4"; empty for those chosen by name only
-    std::string_view summary;     // for `poinsot list formats`
-    bool film;                    // several frames in one file
-    bool alpha;                   // keeps transparency
-    std::int64_t n_chunk_frames;  // frames of a film that are encoded independently of others
+    std::string_view name;            // "mp4"
+    std::string_view suffix;          // ".mp4"; empty for those chosen by name only
+    std::string_view summary;         // for `poinsot list formats`
+    bool film = false;                // several frames in one file
+    bool alpha = false;               // keeps transparency
+    std::int64_t n_chunk_frames = 1;  // frames of a film that are encoded independently of others
     // Opens a sink. Throws InputError for a plan that the format cannot hold (odd sizes, rate 0),
     // EnvironmentError for failures of the machine. Precondition: check_rate().
-    std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan);
+    std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan) = nullptr;
     // Like recover_film; null if an unfinished run leaves nothing, or only complete files.
-    std::int64_t (*recover)(const std::filesystem::path& path, const Tell& tell);
+    std::int64_t (*recover)(const std::filesystem::path& path, const Tell& tell) = nullptr;
     // Assembles a film from the entries of its parts, under the plan's name. Null if the frames of
     // a part are complete files, or if the format has no parts.
-    void (*join)(FrameEntries& entries, const OutputPlan& plan);
-    bool has_parts;
+    void (*join)(FrameEntries& entries, const OutputPlan& plan) = nullptr;
+    bool has_parts = false;
     // Cores that the encoder of one process keeps busy, to limit the number of processes; 0: a
     // single process is faster, because only one process encodes.
-    int n_cores_a_job;
+    int n_cores_a_job = 0;
     double most_fps = 0.0;  // 0: any rate
     // It holds the scene itself in place of frames; production/pages/ writes it, and `open` is
     // null.
