@@ -65,11 +65,10 @@ std::string check_json(const Scene& scene) {
 }
 
 library::Still still(const Scene& scene, std::optional<double> time_s, bool clearest,
-                     const py::dict& paper, const std::string& backend, bool portable,
-                     const py::object& say) {
+                     const py::dict& paper, const std::string& backend, bool portable) {
     const library::StillOptions options{time_s, clearest, paper_of(paper), {backend, portable}};
     std::optional<library::Still> made;
-    Running(say, py::none()).run([&](const library::Watch& watch) {
+    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
         made = scene.still(options, watch);
     });
     return *made;
@@ -126,11 +125,9 @@ void add_scene(py::module_& module) {
         .def_property_readonly("allow_outside", &Scene::allows_outside)
         .def_property_readonly("width_px", &Scene::width_px)
         .def_property_readonly("height_px", &Scene::height_px)
-        .def_property_readonly("language", &Scene::language)
         .def("check_json", check_json)
         .def("sample", sample, "times_s"_a, "columns"_a)
-        .def("still", still, "time_s"_a, "clearest"_a, "paper"_a, "backend"_a, "portable"_a,
-             "say"_a)
+        .def("still", still, "time_s"_a, "clearest"_a, "paper"_a, "backend"_a, "portable"_a)
         .def("figure", figure, "format"_a, "time_s"_a, "clearest"_a, "paper"_a, "shading"_a,
              "text"_a, "backend"_a, "portable"_a)
         .def("render", render, "path"_a, "frames"_a, "backend"_a, "portable"_a, "say"_a,

@@ -210,7 +210,7 @@ class Scene:
         instant, clearest = _instant(time_s)
         paper = {"width_mm": width_mm, "height_mm": height_mm, "dpi": dpi, "type_pt": type_pt, "journal": journal}
         scene = self._drawn(size, theme, quality, None, backend, portable)
-        return Still(scene.still(instant, clearest, paper, backend, portable, None))
+        return Still(scene.still(instant, clearest, paper, backend, portable))
 
     def figure(
         self,
@@ -302,16 +302,11 @@ class Scene:
         Raises EnvironmentError where the package was built without the module for browsers.
         """
         scene = self._drawn(size, theme, None)
-        if path is not None:
-            name = page_name(path)
-            scene.render(name, None, "auto", False, None, None)
-            with open(name, encoding="utf-8") as file:
-                return Page(file.read(), scene.width_px, scene.height_px, name)
         with tempfile.TemporaryDirectory() as folder:
-            name = os.path.join(folder, scene.name + ".html")
+            name = os.path.join(folder, scene.name + ".html") if path is None else page_name(path)
             scene.render(name, None, "auto", False, None, None)
             with open(name, encoding="utf-8") as file:
-                return Page(file.read(), scene.width_px, scene.height_px, None)
+                return Page(file.read(), scene.width_px, scene.height_px, None if path is None else name)
 
     def _repr_png_(self) -> bytes:
         # As wide as a notebook's cell, or smaller: outputs are stored in the notebook.
