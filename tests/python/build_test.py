@@ -33,7 +33,7 @@ def test_the_metadata_names_what_the_extra_for_notebooks_needs(build, monkeypatc
     assert "Requires-Dist: numpy" in head
     assert head.count("Provides-Extra: notebooks") == 1
     assert [line for line in head if "extra ==" in line] == [
-        f'Requires-Dist: {name}; extra == "notebooks"' for name in ("pandas", "matplotlib", "tqdm")]
+        f'Requires-Dist: {name}; extra == "notebooks"' for name in ("matplotlib", "pandas", "scipy", "tqdm")]
 
 
 def test_files_that_are_left_in_the_build_folder_do_not_get_into_a_wheel(build, tmp_path):
