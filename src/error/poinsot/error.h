@@ -31,8 +31,8 @@ class InputError : public Error {
     InputError(InputPlace place, const std::string& message)
         : Error(message), place_(std::move(place)) {}
 
-    // The place of the mistake in a file; none if the input is not from a file, or the place is not
-    // known.
+    // The place of the mistake: in a file, or the option that gave the value (line and column 0);
+    // none if it is not known.
     const std::optional<InputPlace>& place() const { return place_; }
 
  private:
