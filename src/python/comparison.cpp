@@ -70,17 +70,25 @@ CompareRequest request_of(const std::string& profile, const py::dict& limits, bo
     return request;
 }
 
+// The name of a file as Python holds it, whatever its bytes (PEP 383).
+py::str name_text(const std::string& name) {
+    PyObject* text =
+        PyUnicode_DecodeUTF8(name.data(), static_cast<py::ssize_t>(name.size()), "surrogateescape");
+    if (text == nullptr) throw py::error_already_set();
+    return py::reinterpret_steal<py::str>(text);
+}
+
 py::dict dict_of(const ComparedPicture& compared) {
     using namespace py::literals;
     const Comparison& measured = compared.measured;
-    return py::dict("name"_a = compared.name, "outcome"_a = std::string(name_of(compared.outcome)),
-                    "passes"_a = compared.passes(), "reason"_a = compared.reason,
-                    "changes"_a = compared.changes, "n_pixels"_a = measured.n_pixels,
-                    "n_differing"_a = measured.n_differing,
-                    "n_over_level"_a = measured.n_over_level, "n_ignored"_a = measured.n_ignored,
-                    "largest_difference"_a = measured.largest_difference,
-                    "mean_difference"_a = measured.mean_difference, "ssim"_a = measured.ssim,
-                    "flip"_a = measured.flip);
+    return py::dict(
+        "name"_a = name_text(compared.name), "outcome"_a = std::string(name_of(compared.outcome)),
+        "passes"_a = compared.passes(), "reason"_a = compared.reason,
+        "changes"_a = compared.changes, "n_pixels"_a = measured.n_pixels,
+        "n_differing"_a = measured.n_differing, "n_over_level"_a = measured.n_over_level,
+        "n_ignored"_a = measured.n_ignored, "largest_difference"_a = measured.largest_difference,
+        "mean_difference"_a = measured.mean_difference, "ssim"_a = measured.ssim,
+        "flip"_a = measured.flip);
 }
 
 // The manifest and the compare.toml beside the expected picture hold.

@@ -164,6 +164,18 @@ def test_folders_are_compared_worst_first_with_a_report(tmp_path):
     assert {one.name: one.passes for one in limited} == {"gone": False, "much": False, "little": True, "new": False, "same": True}
 
 
+def test_names_of_pictures_hold_any_bytes(tmp_path):
+    """Those that are not UTF-8 come as os.fsdecode gives them."""
+    name = os.fsdecode(b"\xff")
+    for folder in ("a", "b"):
+        (tmp_path / folder).mkdir()
+        with open(os.path.join(tmp_path, folder, name + ".png"), "wb") as file:
+            file.write(poinsot.comparison.png_bytes("grey", GREY))
+    found = poinsot.compare_folders(tmp_path / "a", tmp_path / "b", report=tmp_path / "report.html")
+    assert [(one.name, one.outcome) for one in found] == [(name, "same")]
+    assert "\\xff" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
 @pytest.mark.parametrize("picture, sentence", [
     (np.zeros((4, 4, 2), np.uint8), "a picture has the shape"),
     (np.zeros((4, 4, 5), np.uint8), "a picture has the shape"),

@@ -1,5 +1,6 @@
 """Motions without a scene, against closed forms, conservation laws and the surfaces themselves."""
 import copy
+import math
 import pickle
 import pydoc
 import re
@@ -57,6 +58,16 @@ def test_a_spin_about_a_principal_axis_is_uniform(axis):
     assert np.abs(states.herpolhode).max() < 1e-14
     assert motion.polhode().shape == (1, 3)
     assert motion.constants.plane_distance == pytest.approx(1 / np.sqrt(TRIAXIAL[axis]), rel=1e-15)
+
+
+def test_a_spin_of_any_size_has_its_states():
+    """The motion scales with time, and constants beyond the range of a float are infinite."""
+    fast = poinsot.Motion([1, 2, 3], [1e160, 1e157, 2e160])
+    slow = poinsot.Motion([1, 2, 3], [1, 1e-3, 2])
+    assert fast.constants.kinetic_energy_J == math.inf and math.isfinite(slow.constants.kinetic_energy_J)
+    times = np.linspace(0.0, 20.0, 40)
+    assert np.allclose(fast.at(times * 1e-160).omega_body * 1e-160, slow.at(times).omega_body, rtol=0, atol=1e-12)
+    assert np.allclose(fast.at(times * 1e-160).space_from_body, slow.at(times).space_from_body, rtol=0, atol=1e-12)
 
 
 def test_energy_and_momentum_are_conserved_and_euler_equations_hold():

@@ -103,7 +103,8 @@ enum class Regime {
     integrated,              // computed by a stepping method
 };
 
-// The constants of a torque-free motion. A value that the regime does not have is empty.
+// The constants of a torque-free motion. A value that the regime does not have is empty; one beyond
+// the range of double is infinite or 0, as T is for |ω| = 1e160 rad/s. The states stay exact there.
 struct Constants {
     double kinetic_energy_J = 0.0;                             // T
     double momentum_kg_m2_s = 0.0;                             // |L|

@@ -12,6 +12,8 @@ from .arrays import Numbers, number, numbers
 class Constants(NamedTuple):
     """The constants of a free motion. A constant that the regime does not have is None.
 
+    One beyond the range of a float is infinite or 0, as T is for |ω| = 1e160 rad/s. The states stay exact there.
+
     Source: Landau & Lifshitz, Mechanics §37; Whittaker, Analytical Dynamics §69.
 
     Attributes:
