@@ -173,7 +173,7 @@ def test_names_of_pictures_hold_any_bytes(tmp_path):
             file.write(poinsot.comparison.png_bytes("grey", GREY))
     found = poinsot.compare_folders(tmp_path / "a", tmp_path / "b", report=tmp_path / "report.html")
     assert [(one.name, one.outcome) for one in found] == [(name, "same")]
-    assert "\\xff" in (tmp_path / "report.html").read_text(encoding="utf-8")
+    assert "\N{REPLACEMENT CHARACTER}" in (tmp_path / "report.html").read_text(encoding="utf-8")
 
 
 @pytest.mark.parametrize("picture, sentence", [

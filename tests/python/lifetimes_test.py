@@ -7,6 +7,8 @@ import sys
 
 import pytest
 
+UNDER_SANITIZER = "libasan" in os.environ.get("LD_PRELOAD", "")
+
 # A process draws its first picture in about 0.3 s; all waits below are at least 10 times what they take.
 HEAD = """
 import gc, os, signal, sys, threading, time
@@ -172,6 +174,7 @@ print("parent")
 """) == "child\nparent\n"
 
 
+@pytest.mark.skipif(UNDER_SANITIZER, reason="a fork may find the sanitizer's own locks held")
 def test_a_fork_while_another_thread_draws_does_not_hang(in_process):
     assert in_process(HEAD + """
 stop = threading.Event()
@@ -367,6 +370,7 @@ print(resident_bytes() - before)
     assert grown < 20e6, f"{grown / 1e6:.1f} MB more after {n} stills"
 
 
+@pytest.mark.skipif(UNDER_SANITIZER, reason="the sanitizer ends a process that asks for too much memory")
 def test_enormous_input_raises_and_does_not_crash(in_process):
     # With less memory than the arrays need.
     assert in_process(HEAD + """
