@@ -25,6 +25,7 @@ class Film {
 
   /** Takes another film and stays where it is. @param {FilmPlan} plan */
   change(plan) {
+    if (plan.loops !== this.plan.loops) this.repeat = plan.loops;
     this.plan = plan;
     if (this.waiting >= plan.stops.length) {
       this.waiting = -1;

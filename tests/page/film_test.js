@@ -49,6 +49,18 @@ test('repeats a loop without a jump, in both directions', () => {
   assert.equal(film.playing, true);
 });
 
+test('repeats if the scene that is read is a loop, and then as the viewer wants', () => {
+  const film = film_with();
+  film.change({...film.plan, loops: true});
+  assert.equal(film.repeat, true);
+  film.repeat = false;
+  film.change({...film.plan, length_s: 20});
+  assert.equal(film.repeat, false);
+  film.change({...film.plan, loops: false});
+  film.change({...film.plan, loops: true});
+  assert.equal(film.repeat, true);
+});
+
 test('waits at a stop, and goes on from it', () => {
   const film = film_with({stops: [stop(3), stop(8)]});
   film.play();
