@@ -2,6 +2,7 @@
 // them the names that people use.
 #include <dlfcn.h>
 #include <pthread.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <filesystem>
@@ -36,7 +37,13 @@ WithoutLock::WithoutLock() {
 WithoutLock::~WithoutLock() {
     if (thread_ == nullptr) return;
     PyEval_RestoreThread(thread_);
-    if (generation_ == generation) --n_without_lock;
+    if (generation_ != generation) return;
+    --n_without_lock;
+    if (!has_ended) return;
+    // All but daemon threads have ended. Python would stop this one anyway, but perhaps in the
+    // middle of the report of an exception, which holds stderr's lock (Python 3.14 aborts then).
+    PyEval_SaveThread();
+    while (true) pause();
 }
 
 void end_calls() {

@@ -1,6 +1,7 @@
 """The plugin for pytest, in sessions of pytest that pytester starts."""
 import os
 import re
+import sys
 
 import numpy as np
 import pytest
@@ -55,8 +56,11 @@ BASELINES = ["named.png", "several/front.png", "several/side.png", "test_turn.Te
 
 
 @pytest.fixture
-def sessions(pytester):
+def sessions(pytester, monkeypatch):
     """Starts pytest with the plugin in the folder of the test; with workers, in a process of its own."""
+    # A file that changes twice in a second, with the same size, would be the compiled one of before.
+    monkeypatch.setattr(sys, "dont_write_bytecode", True)
+    monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
 
     def run(*arguments, own_process=False):
         start = pytester.runpytest_subprocess if own_process or "-n" in arguments else pytester.runpytest_inprocess
