@@ -92,7 +92,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/src/cmake/poinsotConfig.cmak
 # Before 1.0, each minor version may change the library.
 write_basic_package_version_file(${archive_folder}/poinsotConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${archive_folder}/poinsotConfig.cmake ${archive_folder}/poinsotConfigVersion.cmake DESTINATION ${config_folder})
-# Required by Debian of both packages; src/cmake/poinsot_install.cmake installs the changelog, too.
+# Required by Debian of each package; src/cmake/poinsot_install.cmake and src/python/CMakeLists.txt install the changelog, too.
 file(WRITE ${PROJECT_BINARY_DIR}/changelog "poinsot (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md.\n\n"
     " -- the poinsot authors <poinsot@example.org>  Sun, 22 Nov 2026 00:00:00 +0000\n")
 execute_process(COMMAND gzip -9nc ${PROJECT_BINARY_DIR}/changelog OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)
