@@ -56,6 +56,8 @@ class Figure {
     this.is_resized = false;
     /** Whether the module has started anew and not drawn yet. */
     this.is_revived = false;
+    /** Whether it is starting anew: a picture that is asked for meanwhile crashes, too. */
+    this.is_reviving = false;
     /** Called before the next frame, at most once. @type {(() => void)|null} */
     this.before_next = null;
     new ResizeObserver(() => {
@@ -190,12 +192,14 @@ class Figure {
   /** After a crash the module starts anew, with the scene that it had. @param {unknown} error */
   #revive(error) {
     if (!(error instanceof ProgramError) || error.kind !== 'crash') return;
+    if (this.is_reviving) return;
+    this.is_reviving = true;
     const program = /** @type {Program} */ (this.program);
     program.restart().then(() => {
       program.setViews(this.views);
       this.is_revived = true;
       this.invalidate();
-    }, () => this.#give_up(error));
+    }, () => this.#give_up(error)).finally(() => { this.is_reviving = false; });
   }
 
   /** @param {unknown} error */

@@ -323,6 +323,38 @@ check('a drawing that crashes again ends, and a click starts it', async (browser
   await tab.close();
 });
 
+check('a figure that is asked for a picture while it starts anew does so once', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  const n_starts = await tab.evaluate(async () => {
+    const {figure} = the_page;
+    const {program} = figure;
+    const next_frame = () => new Promise((resolve) => { requestAnimationFrame(() => requestAnimationFrame(resolve)); });
+    const restart = program.restart.bind(program);
+    const draw = program.draw.bind(program);
+    let n_starts = 0;
+    let release;
+    const held = new Promise((resolve) => { release = resolve; });
+    program.restart = async () => {
+      ++n_starts;
+      await held;
+      await restart();
+      program.draw = draw;
+    };
+    program.draw = () => { throw new ProgramError({kind: 'crash', message: 'unreachable'}); };
+    for (let i = 0; i < 3; ++i) {
+      figure.invalidate();
+      await next_frame();
+    }
+    release();
+    return n_starts;
+  });
+  assert.equal(n_starts, 1);
+  await until(tab, '!the_page.figure.is_reviving && the_page.figure.frame === 0 && !the_page.figure.is_revived');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('a link opened in the loop of a stop goes to its instant', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);
