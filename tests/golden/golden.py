@@ -13,6 +13,7 @@ Usage: golden.py check POINSOT NAME FOLDER | golden.py together POINSOT | golden
 import pathlib
 import random
 import re
+import shutil
 import subprocess
 import sys
 import tempfile
@@ -81,7 +82,7 @@ def rerendered(program):
             folder.mkdir()
             for beside in SCENES.iterdir():
                 if beside.suffix not in (".toml", ".json"):
-                    (folder / beside.name).symlink_to(beside)
+                    shutil.copy(beside, folder)
             picture = draw(program, name, folder)
             again = folder / "again.png"
             verified = subprocess.run([program, "explain", "--verify", picture], cwd=folder, capture_output=True, text=True)
