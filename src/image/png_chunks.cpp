@@ -1,13 +1,13 @@
 #include "image/png_chunks.h"
 
 #include <fmt/format.h>
-#include <libdeflate.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 
 #include "error/error.h"
+#include "image/crc32.h"
 #include "text/printable.h"
 
 namespace poinsot::png {
@@ -60,7 +60,7 @@ void append_chunk(Bytes& out, std::string_view type, std::span<const std::uint8_
     const std::size_t start = out.size();
     out.insert(out.end(), type.begin(), type.end());
     out.insert(out.end(), contents.begin(), contents.end());
-    append_u32(out, libdeflate_crc32(0, out.data() + start, out.size() - start));
+    append_u32(out, crc32_after(0, std::span(out).subspan(start)));
 }
 
 Bytes description(const PngOptions& options) {

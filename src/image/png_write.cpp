@@ -9,6 +9,7 @@
 
 #include "error/error.h"
 #include "image/alpha.h"
+#include "image/crc32.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
 
@@ -108,7 +109,7 @@ std::span<const std::uint8_t> PngEncoder::encode(const Image& image) {
     std::copy_n("IDAT", 4, idat + 4);
     const std::size_t n_deflated = impl_->deflate(raw, {idat + 8, bound});
     png::put_u32(idat, static_cast<std::uint32_t>(n_deflated));
-    png::put_u32(idat + 8 + n_deflated, libdeflate_crc32(0, idat + 4, n_deflated + 4));
+    png::put_u32(idat + 8 + n_deflated, crc32_after(0, {idat + 4, n_deflated + 4}));
     std::uint8_t* const end = std::copy(back.begin(), back.end(), idat + 12 + n_deflated);
     return {start, end};
 }
