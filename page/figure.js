@@ -56,7 +56,7 @@ class Figure {
     this.is_resized = false;
     /** Whether the module has started anew and not drawn yet. */
     this.is_revived = false;
-    /** Whether it is starting anew: a picture that is asked for meanwhile crashes, too. */
+    /** Whether the module is starting anew; drawing fails until it has started. */
     this.is_reviving = false;
     /** Called before the next frame, at most once. @type {(() => void)|null} */
     this.before_next = null;

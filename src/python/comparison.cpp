@@ -28,7 +28,7 @@ py::array array_of_image(const Image& image) {
                     {py::ssize_t{image.height()}, py::ssize_t{image.width()}, py::ssize_t{4}});
 }
 
-// The value of a limit that is read by one of the functions of report/gates.h.
+// Reads a limit by a function of report/gates.h; an error names the limit.
 template <typename Read>
 auto named(const char* name, Read read) {
     try {

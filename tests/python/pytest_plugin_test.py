@@ -58,7 +58,7 @@ BASELINES = ["named.png", "several/front.png", "several/side.png", "test_turn.Te
 @pytest.fixture
 def sessions(pytester, monkeypatch):
     """Starts pytest with the plugin in the folder of the test; with workers, in a process of its own."""
-    # A file that changes twice in a second, with the same size, would be the compiled one of before.
+    # Python would load the compiled form of a file that changes twice within a second and keeps its size.
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
 
