@@ -281,12 +281,14 @@ int run(const CompareChoices& choices) {
 
     std::optional<ReportPictures> shown;
     if (!choices.report.empty()) shown.emplace(choices.report, choices.single_file);
-    request.seen = [&](ComparedPicture& picture, const PicturePair& pair) {
-        if (shown) shown->add(picture, pair);
-        if (choices.diff.empty()) return;
-        write_png(choices.diff, pair.strip.empty() ? difference_picture(pair.expected, pair.actual)
-                                                   : film_strip(pair.strip, any_strip_width));
-    };
+    if (shown || !choices.diff.empty())
+        request.seen = [&](ComparedPicture& picture, const PicturePair& pair) {
+            if (shown) shown->add(picture, pair);
+            if (choices.diff.empty()) return;
+            write_png(choices.diff, pair.strip.empty()
+                                        ? difference_picture(pair.expected, pair.actual)
+                                        : film_strip(pair.strip, any_strip_width));
+        };
 
     std::vector<ComparedPicture> pictures;
     if (folders) {

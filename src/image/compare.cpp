@@ -103,6 +103,17 @@ Channel product(const Channel& a, const Channel& b) {
 
 }  // namespace
 
+Comparison size_difference(int expected_width, int expected_height, int actual_width,
+                           int actual_height) {
+    Comparison result;
+    result.verdict = Verdict::size_differs;
+    result.expected_width = expected_width, result.expected_height = expected_height;
+    result.actual_width = actual_width, result.actual_height = actual_height;
+    result.reason = fmt::format("expected {}×{} pixels, found {}×{}", expected_width,
+                                expected_height, actual_width, actual_height);
+    return result;
+}
+
 namespace {
 
 // A picture whose ignored pixels are those of the expected picture.
@@ -129,15 +140,12 @@ void measure(const Image& expected, const Image& actual, const CompareLimits& li
 Comparison compare_samples(const Image& expected, const Image& actual,
                            const DeepImage* deep_expected, const DeepImage* deep_actual,
                            const CompareLimits& limits, const CompareExtras& extras) {
+    if (!same_size(expected, actual))
+        return size_difference(expected.width(), expected.height(), actual.width(),
+                               actual.height());
     Comparison result;
-    result.expected_width = expected.width(), result.expected_height = expected.height();
-    result.actual_width = actual.width(), result.actual_height = actual.height();
-    if (!same_size(expected, actual)) {
-        result.verdict = Verdict::size_differs;
-        result.reason = fmt::format("expected {}×{} pixels, found {}×{}", expected.width(),
-                                    expected.height(), actual.width(), actual.height());
-        return result;
-    }
+    result.expected_width = result.actual_width = expected.width();
+    result.expected_height = result.actual_height = expected.height();
     const PixelMask ignored(expected.width(), expected.height(), extras.ignored);
     result.n_ignored = ignored.count();
     result.n_pixels = std::int64_t{expected.width()} * expected.height() - result.n_ignored;

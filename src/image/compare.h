@@ -74,6 +74,10 @@ struct Comparison {
     bool passes() const { return verdict == Verdict::same || verdict == Verdict::within_limits; }
 };
 
+// Of two pictures that have different sizes.
+Comparison size_difference(int expected_width, int expected_height, int actual_width,
+                           int actual_height);
+
 Comparison compare(const Image& expected, const Image& actual, const CompareLimits& limits = {},
                    const CompareExtras& extras = {});
 

@@ -230,6 +230,35 @@ void begin(std::span<const std::uint8_t> file, const std::string& name, bool wit
     begin_checked(file, name, source);
 }
 
+bool read_indices(Source& source, png_bytepp rows) {
+    if (setjmp(png_jmpbuf(source.png))) return false;
+    png_set_check_for_invalid_index(source.png, 1);
+    png_set_interlace_handling(source.png);
+    png_read_update_info(source.png, source.info);
+    png_read_image(source.png, rows);
+    return true;
+}
+
+// Refuses a picture in which a pixel's index is beyond the palette: libpng would show black.
+void check_indices(const Source& source, const std::string& name) {
+    png_colorp colours = nullptr;
+    int n_colours = 0;
+    if (png_get_color_type(source.png, source.info) != PNG_COLOR_TYPE_PALETTE) return;
+    png_get_PLTE(source.png, source.info, &colours, &n_colours);
+    if (n_colours == 1 << png_get_bit_depth(source.png, source.info)) return;
+    Source again;
+    begin_checked(source.file, name, again);
+    const std::size_t row_size = png_get_rowbytes(again.png, again.info);
+    std::vector<png_byte> indices(row_size * png_get_image_height(again.png, again.info));
+    std::vector<png_bytep> rows;
+    for (std::size_t at = 0; at < indices.size(); at += row_size) rows.push_back(&indices[at]);
+    if (!read_indices(again, rows.data())) refuse(again, name);
+    if (const int largest = png_get_palette_max(again.png, again.info); largest >= n_colours)
+        throw InputError(fmt::format(
+            "{} is a broken PNG picture: a pixel has the colour {}, and the palette has {} colours",
+            name, largest + 1, n_colours));
+}
+
 // Reads the pixels into rows of 8-bit or 16-bit samples.
 template <typename Picture, typename Sample>
 Picture read_samples(Source& source, const std::string& name,
@@ -240,6 +269,7 @@ Picture read_samples(Source& source, const std::string& name,
     if (png_get_rowbytes(source.png, source.info) * height / largest_deflate_ratio >
         source.file.size())
         throw InputError(fmt::format("{} is cut short", name));
+    check_indices(source, name);
     if (!choose_rgba(source, deep)) refuse(source, name);
     Picture picture(static_cast<int>(png_get_image_width(source.png, source.info)),
                     static_cast<int>(height));

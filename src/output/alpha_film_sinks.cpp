@@ -13,6 +13,7 @@
 
 #include "error/error.h"
 #include "image/alpha.h"
+#include "output/film_file_hash.h"
 #include "output/film_packets.h"
 #include "output/film_texts.h"
 #include "output/formats.h"
@@ -177,24 +178,25 @@ void describe_stream(AVStream& stream, const AlphaFormat& format, const OutputPl
         av_dict_set(&stream.metadata, "alpha_mode", "1", 0);
 }
 
-std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
+Contents contents_of_film(FrameEntries& log, std::int64_t n_frames) {
     PacketHash hash(frames_a_chunk);
     for (std::int64_t k = 0; k < n_frames; ++k) {
         const auto entry = entry_of(log, k);
         const std::size_t n_side_bytes = n_beside_of(entry);
         hash.add(entry.subspan(entry_head + n_side_bytes), entry.subspan(entry_head, n_side_bytes));
     }
-    return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
+    return {.n_frames = n_frames, .packets = hash.of_film()};
 }
 
 // Assembles the film from the first entries of the log.
 void write_film(const AlphaFormat& format, FrameEntries& log, const OutputPlan& plan,
                 std::int64_t n_frames) {
-    const std::string text = text_of_film(log, plan, n_frames);
+    const Contents contents = contents_of_film(log, n_frames);
+    const std::string record = record_before_hash(plan, contents);
     AtomicFile file(plan.path);
     libav::Muxer muxer(format.container, file.descriptor(), plan.path, file.aside());
     describe_stream(*muxer.stream(), format, plan, has_alpha(format, log));
-    av_dict_set(&muxer.context()->metadata, "poinsot", text.c_str(), 0);
+    av_dict_set(&muxer.context()->metadata, "poinsot", record.c_str(), 0);
     add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
     SubtitleTrack subtitles(muxer, format.subtitles, plan, n_frames);
     libav::Options options;
@@ -209,6 +211,7 @@ void write_film(const AlphaFormat& format, FrameEntries& log, const OutputPlan& 
         muxer.write(packet.get(), av_inv_q(as_rational(plan.rate)));
     }
     muxer.write_trailer();
+    put_file_hash(file, plan, contents);
     file.commit();
 }
 

@@ -41,6 +41,7 @@ constexpr std::int64_t milliseconds_of(std::int64_t n, const FrameRate& rate) {
 struct Contents {
     std::int64_t n_frames = 0;               // of a film
     std::string packets = {};                // of a film: see output/film_packets.h
+    std::string file = {};                   // of a film: see output/film_file_hash.h
     std::optional<std::int64_t> frame = {};  // of a numbered picture
     std::string pixels = {};                 // of a picture: see image/pixels_xxh64.h
 };

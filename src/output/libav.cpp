@@ -71,6 +71,11 @@ DemuxContext open_film(const std::filesystem::path& film) {
     AVFormatContext* context = nullptr;
     check(avformat_open_input(&context, ("file:" + film.string()).c_str(), nullptr, nullptr));
     DemuxContext demuxer(context);
+    // FFmpeg opens pictures as films of one frame.
+    const std::string_view container = context->iformat->name;
+    if (container.ends_with("_pipe") || container == "image2")
+        throw InputError(fmt::format("{} is a picture, not a film; {}", film.string(),
+                                     container == "png_pipe" ? "name it .png" : "give a film"));
     check(avformat_find_stream_info(context, nullptr));
     return demuxer;
 }

@@ -99,6 +99,7 @@ POINSOT_CALL(avcodec, avcodec_send_packet)
 // libavformat: containers.
 POINSOT_CALL(avformat, av_find_best_stream)
 POINSOT_CALL(avformat, av_guess_frame_rate)
+POINSOT_CALL(avformat, av_guess_sample_aspect_ratio)
 POINSOT_CALL(avformat, av_interleaved_write_frame)
 POINSOT_CALL(avformat, av_read_frame)
 POINSOT_CALL(avformat, av_seek_frame)

@@ -13,6 +13,7 @@
 
 #include "error/error.h"
 #include "image/alpha.h"
+#include "output/film_file_hash.h"
 #include "output/film_packets.h"
 #include "output/film_texts.h"
 #include "output/formats.h"
@@ -193,19 +194,20 @@ void describe_stream(AVStream& stream, const OutputPlan& plan, const Bytes& head
     stream.avg_frame_rate = as_rational(plan.rate);
 }
 
-std::string text_of_film(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
+Contents contents_of_mp4(FrameEntries& log, std::int64_t n_frames) {
     PacketHash hash(frames_a_chunk);
     for (std::int64_t k = 0; k < n_frames; ++k) hash.add(entry_of(log, k).subspan(entry_head));
-    return text_of(plan, {.n_frames = n_frames, .packets = hash.of_film()});
+    return {.n_frames = n_frames, .packets = hash.of_film()};
 }
 
 // Assembles the film from the first entries of the log, with its index at the front.
 void write_mp4(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames) {
-    const std::string text = text_of_film(log, plan, n_frames);
+    const Contents contents = contents_of_mp4(log, n_frames);
+    const std::string record = record_before_hash(plan, contents);
     AtomicFile file(plan.path);
     libav::Muxer muxer("mp4", file.descriptor(), plan.path, file.aside());
     describe_stream(*muxer.stream(), plan, header_of(log.settings()));
-    av_dict_set(&muxer.context()->metadata, "poinsot", text.c_str(), 0);
+    av_dict_set(&muxer.context()->metadata, "poinsot", record.c_str(), 0);
     add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
     SubtitleTrack subtitles(muxer, AV_CODEC_ID_MOV_TEXT, plan, n_frames);
     libav::Options options;
@@ -218,6 +220,7 @@ void write_mp4(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames)
         muxer.write(packet.get(), av_inv_q(as_rational(plan.rate)));
     }
     muxer.write_trailer();
+    put_file_hash(file, plan, contents);
     file.commit();
 }
 

@@ -21,6 +21,10 @@ struct FreeScaler {
 
 std::string text_of(const char* text) { return text ? text : ""; }
 
+double seconds_of(const AVRational& time_base) {
+    return static_cast<double>(time_base.num) / static_cast<double>(time_base.den);
+}
+
 }  // namespace
 
 struct VideoReader::Impl {
@@ -93,6 +97,23 @@ bool is_known(const Name& stored, int n_names) {
     return 0 <= number && number < n_names;
 }
 
+// Where FFmpeg keeps what belongs to a stream.
+DisplayMatrix display_of(const AVStream& stream) {
+#if LIBAVCODEC_VERSION_INT >= AV_VERSION_INT(60, 31, 102)
+    const std::span<const AVPacketSideData> all(
+        stream.codecpar->coded_side_data,
+        static_cast<std::size_t>(stream.codecpar->nb_coded_side_data));
+#else
+    const std::span<const AVPacketSideData> all(stream.side_data,
+                                                static_cast<std::size_t>(stream.nb_side_data));
+#endif
+    DisplayMatrix matrix = upright;
+    for (const AVPacketSideData& data : all)
+        if (data.type == AV_PKT_DATA_DISPLAYMATRIX && data.size >= sizeof matrix)
+            std::memcpy(matrix.data(), data.data, sizeof matrix);
+    return matrix;
+}
+
 void VideoReader::Impl::describe() {
     const AVCodecParameters& parameters = *stream->codecpar;
     info.width_px = parameters.width;
@@ -100,7 +121,14 @@ void VideoReader::Impl::describe() {
     const AVRational rate = av_guess_frame_rate(demuxer.get(), stream, nullptr);
     info.rate = {rate.num, rate.den};
     info.n_frames = stream->nb_frames > 0 ? stream->nb_frames : count_packets();
-    info.duration_s = static_cast<double>(demuxer->duration) / AV_TIME_BASE;
+    info.display = display_of(*stream);
+    const AVRational aspect = av_guess_sample_aspect_ratio(demuxer.get(), stream, nullptr);
+    if (aspect.num > 0 && aspect.den > 0)
+        info.pixel_width = aspect.num, info.pixel_height = aspect.den;
+    // Matroska has a duration for the whole file only.
+    info.duration_s = stream->duration != AV_NOPTS_VALUE
+                          ? static_cast<double>(stream->duration) * seconds_of(stream->time_base)
+                          : static_cast<double>(demuxer->duration) / AV_TIME_BASE;
     info.container = demuxer->iformat->name;
     info.codec = avcodec_get_name(parameters.codec_id);
     info.pixel_format = text_of(av_get_pix_fmt_name(decoder->pix_fmt));
@@ -205,6 +233,12 @@ VideoReader::VideoReader(VideoReader&&) noexcept = default;
 VideoReader& VideoReader::operator=(VideoReader&&) noexcept = default;
 
 const VideoInfo& VideoReader::info() const { return impl_->info; }
+
+std::optional<double> VideoReader::time_s() const {
+    const std::int64_t pts = impl_->decoded->pts;
+    if (pts == AV_NOPTS_VALUE) return std::nullopt;
+    return static_cast<double>(pts) * seconds_of(impl_->stream->time_base);
+}
 
 bool VideoReader::read(Image& frame) {
     if (!impl_->decode()) return false;

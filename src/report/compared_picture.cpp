@@ -21,6 +21,7 @@
 #include "production/provenance/record.h"
 #include "production/provenance/record_difference.h"
 #include "report/rendered_page.h"
+#include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/in_parallel.h"
 #include "text/printable.h"
@@ -234,10 +235,10 @@ void compare_pictures(const StoredPicture& expected, const StoredPicture& actual
         request.seen(result, {expected, actual, result.limits, extras.ignored, {}});
 }
 
-// A record in the metadata of a picture that was read.
-std::optional<Record> record_in(const StoredPicture& picture, const fs::path& file) {
-    const auto text = picture.info.texts.find(metadata_name);
-    if (text == picture.info.texts.end()) return std::nullopt;
+// A record in the metadata of a picture.
+std::optional<Record> record_in(const PngInfo& info, const fs::path& file) {
+    const auto text = info.texts.find(metadata_name);
+    if (text == info.texts.end()) return std::nullopt;
     try {
         return parse_record(text->second, file.string());
     } catch (const InputError&) {
@@ -253,6 +254,26 @@ void tell_changes(const Records& records, ComparedPicture& result) {
     } catch (const InputError&) {
         // The scene of an old record is no TOML for this program.
     }
+}
+
+// The header's width and height (PNG specification §11.2.2); empty for what is no regular file.
+std::string stated_size_of(const fs::path& png) {
+    constexpr std::size_t at = 16, n_bytes = 8;
+    if (kind_of_file(png) != FileKind::regular) return "";
+    const std::string beginning = read_beginning(png, at + n_bytes);
+    return beginning.size() < at + n_bytes ? "" : beginning.substr(at);
+}
+
+// Whether two pictures have different sizes, which their headers say.
+bool sizes_differ(ComparedPicture& result) {
+    if (stated_size_of(result.expected) == stated_size_of(result.actual)) return false;
+    const PngInfo a = read_png_info(result.expected), b = read_png_info(result.actual);
+    if (a.width_px == b.width_px && a.height_px == b.height_px) return false;
+    result.measured = size_difference(a.width_px, a.height_px, b.width_px, b.height_px);
+    result.outcome = Outcome::size;
+    result.reason = result.measured.reason;
+    tell_changes({record_in(a, result.expected), record_in(b, result.actual)}, result);
+    return true;
 }
 
 void compare_pages(const CompareRequest& request, const Gates& gates, MachineShare& share,
@@ -279,6 +300,75 @@ bool rates_agree(const FrameStream& a, const FrameStream& b) {
     return std::abs(rate_a->per_second() / rate_b->per_second() - 1.0) * n_frames < 0.5;
 }
 
+// How a player turns or mirrors the pictures, in words.
+std::string in_words(const DisplayMatrix& display) {
+    constexpr std::int32_t one = upright[0];
+    struct Way {
+        std::array<std::int32_t, 4> turn;
+        std::string_view words;
+    };
+    constexpr std::array ways{Way{{one, 0, 0, one}, "upright"},
+                              Way{{0, one, -one, 0}, "turned by 90° clockwise"},
+                              Way{{-one, 0, 0, -one}, "turned by 180°"},
+                              Way{{0, -one, one, 0}, "turned by 90° counter-clockwise"},
+                              Way{{-one, 0, 0, one}, "mirrored left to right"},
+                              Way{{one, 0, 0, -one}, "mirrored top to bottom"}};
+    for (const Way& way : ways)
+        if (std::array{display[0], display[1], display[3], display[4]} == way.turn)
+            return std::string(way.words);
+    return "turned, mirrored or stretched in another way";
+}
+
+// Where players put the pictures is theirs to choose.
+DisplayMatrix without_place(DisplayMatrix display) {
+    display[6] = display[7] = 0;
+    return display;
+}
+
+// What two films say of colours, where both say something.
+bool name_different_colours(const std::string& a, const std::string& b) {
+    constexpr std::string_view unknown = "unknown";
+    const auto says_none = [](const std::string& name) { return name.empty() || name == unknown; };
+    return !says_none(a) && !says_none(b) && a != b;
+}
+
+// What a player shows differently whatever the frames are; a sequence is shown as it is stored.
+void compare_what_films_say(const FrameStream& expected, const FrameStream& actual,
+                            ComparedPicture& result) {
+    const VideoInfo as_stored;
+    const VideoInfo& a = expected.info() ? *expected.info() : as_stored;
+    const VideoInfo& b = actual.info() ? *actual.info() : as_stored;
+    const auto say = [&result](Outcome outcome, std::string reason) {
+        result.outcome = outcome;
+        result.reason = std::move(reason);
+    };
+    if (without_place(a.display) != without_place(b.display))
+        return say(Outcome::size, fmt::format("expected pictures that are shown {}, found {}",
+                                              in_words(a.display), in_words(b.display)));
+    if (a.pixel_width * b.pixel_height != b.pixel_width * a.pixel_height)
+        return say(Outcome::size,
+                   fmt::format("expected pixels of {}:{}, found {}:{}", a.pixel_width,
+                               a.pixel_height, b.pixel_width, b.pixel_height));
+    if (name_different_colours(a.primaries, b.primaries) ||
+        name_different_colours(a.transfer, b.transfer))
+        return say(Outcome::colours,
+                   fmt::format("expected the primaries {} and the transfer {}, found {} and {}",
+                               a.primaries, a.transfer, b.primaries, b.transfer));
+    if (!rates_agree(expected, actual))
+        return say(Outcome::rate,
+                   fmt::format("expected {:.6g} frames a second, found {:.6g}",
+                               expected.rate()->per_second(), actual.rate()->per_second()));
+}
+
+// Whether two films of the same frames are over at different instants.
+std::string end_apart(const FrameStream& expected, const FrameStream& actual,
+                      const FilmDifferences& film) {
+    const VideoInfo *const a = expected.info(), *const b = actual.info();
+    if (a == nullptr || b == nullptr || !are_apart(a->duration_s, b->duration_s, film.rate))
+        return "";
+    return fmt::format("expected {:.4g} s, found {:.4g} s", a->duration_s, b->duration_s);
+}
+
 // Of a film, the record of the first frame, whether it is a film or a sequence.
 void name_first_frame(std::optional<Record>& record) {
     if (record && record->frames && !record->frame) record->frame = record->frames->first;
@@ -291,10 +381,8 @@ void compare_two_films(const CompareRequest& request, const Gates& gates, Machin
     Records records{record_of(expected.file()), record_of(actual.file())};
     name_first_frame(records.expected);
     name_first_frame(records.actual);
-    if (!rates_agree(expected, actual)) {
-        result.outcome = Outcome::rate;
-        result.reason = fmt::format("expected {:.6g} frames a second, found {:.6g}",
-                                    expected.rate()->per_second(), actual.rate()->per_second());
+    compare_what_films_say(expected, actual, result);
+    if (result.outcome != Outcome::same) {
         tell_changes(records, result);
         return;
     }
@@ -323,10 +411,22 @@ void compare_two_films(const CompareRequest& request, const Gates& gates, Machin
         if (film.worst > 0)
             result.reason = fmt::format("{}: {}", film.in_words(film.worst), result.reason);
     } else {
-        if (film.n_expected != film.n_actual) result.outcome = Outcome::length;
         result.reason = in_words(film);
         if (!film.measured.reason.empty())
             result.reason += fmt::format("; there {}", film.measured.reason);
+        std::string times;
+        if (film.n_expected != film.n_actual) {
+            result.outcome = Outcome::length;
+        } else if (film.apart) {
+            times = fmt::format("frame {} is shown at {:.4g} s instead of {:.4g} s",
+                                film.apart->frame, film.apart->actual_s, film.apart->expected_s);
+        } else {
+            times = end_apart(expected, actual, film);
+        }
+        if (!times.empty()) {
+            result.outcome = Outcome::rate;
+            result.reason = times + (result.reason.empty() ? "" : "; " + result.reason);
+        }
         tell_ignored(result);
     }
     if (film.measured.n_ignored > 0 && film.measured.n_pixels == 0) {
@@ -457,6 +557,9 @@ ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
             compare_two_films(request, gates, share, result);
             return result;
         }
+        // With a manifest, the pixels of the baseline are checked whatever the sizes.
+        const bool has_manifest = baselines != nullptr && baselines->has_manifest();
+        if (!request.seen && !has_manifest && sizes_differ(result)) return result;
         share.need(expected);
         share.need(actual);
         // Of two files of the same bytes one is read, to see that it is a whole PNG.
@@ -465,11 +568,11 @@ ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
             result.measured = compare(picture, picture, CompareLimits::exact());
         } else {
             const StoredPicture other = request.read(actual);
-            const Records records{record_in(picture, expected), record_in(other, actual)};
+            const Records records{record_in(picture.info, expected), record_in(other.info, actual)};
             compare_pictures(picture, other, records, request, gates, result);
             tell_changes(records, result);
         }
-        if (baselines == nullptr || !baselines->has_manifest()) return result;
+        if (!has_manifest) return result;
         if (std::string fault = baselines->fault(baseline_name, pixels_sha256(picture));
             !fault.empty()) {
             result.outcome = Outcome::baseline;

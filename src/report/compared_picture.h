@@ -28,8 +28,8 @@ enum class Outcome {
     missing,     // expected, but does not exist
     baseline,    // the baseline is not the approved picture
     renderer,    // rendered by another kind of renderer than the baseline
-    size,        // exists, in another size
-    rate,        // a film with another number of frames per second
+    size,        // exists, in another size, or a film that is shown turned or stretched
+    rate,        // a film with frames at other times
     length,      // a film with another number of frames
     depth,       // with another number of bits per component
     colours,     // with samples in another colour space

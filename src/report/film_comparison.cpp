@@ -56,12 +56,16 @@ bool are_equal(const StoredPicture& a, const StoredPicture& b) {
 // Frames of one film in a row.
 struct Batch {
     std::vector<StoredPicture> frames{1};
+    std::vector<std::optional<double>> times_s{1};
     std::size_t n = 0;  // of these frames that were read
 
+    void resize(std::size_t n_frames) {
+        frames.resize(n_frames);
+        times_s.resize(n_frames);
+    }
     // Fills all frames, or as many as the film still has.
     void read(FrameStream& film) {
-        n = 0;
-        while (n < frames.size() && film.read(frames[n])) ++n;
+        for (n = 0; n < frames.size() && film.read(frames[n]); ++n) times_s[n] = film.time_s();
     }
 };
 
@@ -76,6 +80,13 @@ std::size_t pairs_at_a_time(const Image& frame, int n_threads) {
 }
 
 }  // namespace
+
+bool are_apart(double expected_s, double actual_s, const std::optional<FrameRate>& rate) {
+    // Matroska counts milliseconds, a GIF hundredths.
+    constexpr double least_s = 1e-3;
+    const double half_a_frame_s = rate ? 0.5 / rate->per_second() : 0.0;
+    return std::abs(expected_s - actual_s) > std::max(least_s, half_a_frame_s);
+}
 
 std::string FilmDifferences::in_words(std::int64_t frame) const {
     if (!rate) return fmt::format("frame {}", frame);
@@ -126,7 +137,7 @@ FilmDifferences compare_films(FrameStream& expected, FrameStream& actual,
     std::vector<Comparison> measured;
     while (is_whole() && next[0].n > 0 && next[1].n > 0) {
         std::swap(now, next);
-        for (Batch& batch : next) batch.frames.resize(n_pairs);
+        for (Batch& batch : next) batch.resize(n_pairs);
         const std::size_t n = std::min(now[0].n, now[1].n);
         measured.assign(n, {});
         // While these pairs are compared, the next ones are decoded.
@@ -136,8 +147,13 @@ FilmDifferences compare_films(FrameStream& expected, FrameStream& actual,
             else
                 measured[i - 2] = measure(i - 2);
         });
-        for (std::size_t k = 0; k < n && is_whole(); ++k, ++film.n_compared)
+        for (std::size_t k = 0; k < n && is_whole(); ++k, ++film.n_compared) {
+            const auto expected_s = now[0].times_s[k], actual_s = now[1].times_s[k];
+            if (!film.apart && expected_s && actual_s &&
+                are_apart(*expected_s, *actual_s, film.rate))
+                film.apart = {film.n_compared, *expected_s, *actual_s};
             take(measured[k], now[0].frames[k], now[1].frames[k]);
+        }
         if (now[0].n != now[1].n) break;
     }
     film.n_expected = film.n_actual = film.n_compared;

@@ -29,6 +29,12 @@ struct FilmDifferences {
     std::int64_t first = 0;        // the first of these, or else the first that differs
     std::int64_t worst = 0;        // the one that differs most
     Comparison measured;           // of the worst
+    // The first frame that the films show at instants more than half a frame apart.
+    struct Instants {
+        std::int64_t frame = 0;
+        double expected_s = 0, actual_s = 0;
+    };
+    std::optional<Instants> apart;
     // Up to five of the worst frames, one of each half second, in their order; the worst is among
     // them.
     std::vector<KeptFrames> strip;
@@ -36,6 +42,10 @@ struct FilmDifferences {
     // "frame 12 (0.4 s)"; without a rate "frame 12".
     std::string in_words(std::int64_t frame) const;
 };
+
+// Whether two instants of films of this rate are more than half a frame apart: containers round
+// their times.
+bool are_apart(double expected_s, double actual_s, const std::optional<FrameRate>& rate);
 
 // Extras for a frame whose pixels differ: what to ignore there. Called by one thread at a time, for
 // frames in any order.

@@ -50,6 +50,10 @@ bool FrameStream::read(StoredPicture& frame) {
     return true;
 }
 
+std::optional<double> FrameStream::time_s() const { return film_ ? film_->time_s() : std::nullopt; }
+
+const VideoInfo* FrameStream::info() const { return film_ ? &film_->info() : nullptr; }
+
 std::optional<FrameRate> FrameStream::rate() const {
     if (!film_) return std::nullopt;
     const FrameRate rate = film_->info().rate;

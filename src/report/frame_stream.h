@@ -31,8 +31,13 @@ class FrameStream {
     // broken.
     bool read(StoredPicture& frame);
 
+    // When the frame that was read last is shown; none for a sequence, which has no times.
+    std::optional<double> time_s() const;
+
     // None for a sequence, and for a film that does not say it.
     std::optional<FrameRate> rate() const;
+    // How the film says it is shown; none for a sequence.
+    const VideoInfo* info() const;
     // As the film says, or as there are pictures; a broken film may have fewer.
     std::int64_t n_frames() const;
     // Of one frame of a film, in pixels; 0 for a sequence, whose frames say it themselves.

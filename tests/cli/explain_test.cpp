@@ -125,6 +125,35 @@ TEST_F(ExplainedPictures, VerifyTheirPixels) {
     EXPECT_EQ(run("explain a.mp4").code, 1);
 }
 
+// The film stands on its head: the matrix of its track is -1, 0, 0, -1.
+TEST_F(ExplainedPictures, OfFilmsThatAreTurnedSayThatThePicturesAreUnchanged) {
+    ASSERT_EQ(run("render scene.toml -q -o a.mp4").code, 0);
+    std::string film = text_of(folder_.path() / "a.mp4");
+    constexpr std::size_t matrix_at = 44;
+    for (const std::size_t place : {0, 16})
+        film.replace(film.find("tkhd") + matrix_at + place, 4, std::string("\xff\xff\0\0", 4));
+    folder_.write("a.mp4", film);
+    const ProgramRun verified = run("explain --verify a.mp4");
+    EXPECT_EQ(verified.code, 1);
+    EXPECT_TRUE(is_one_line(verified.err) &&
+                contains(verified.err, "its coded pictures are unchanged") &&
+                contains(verified.err, "it is shown turned or mirrored"))
+        << verified.err;
+}
+
+// Files that hold films or scenes are not called broken films.
+TEST_F(ExplainedPictures, AreNotPresentationsAndPages) {
+    folder_.write("a.pptx", "PK");
+    folder_.write("a.html", "<!doctype html>");
+    for (const auto& [file, words] : {std::pair{"a.pptx", "each of its films has a record"},
+                                      std::pair{"a.html", "is a page for browsers"}})
+        for (const std::string command : {"explain ", "rerender -o b.mp4 "}) {
+            const ProgramRun refused = run(command + file);
+            EXPECT_EQ(refused.code, 2) << command << file;
+            EXPECT_TRUE(is_one_line(refused.err) && contains(refused.err, words)) << refused.err;
+        }
+}
+
 // Data that players, browsers and demuxers ignore is detected.
 TEST_F(ExplainedPictures, WithBytesAppendedAreNotVerified) {
     for (const std::string name :

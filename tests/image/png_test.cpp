@@ -159,6 +159,23 @@ TEST(PngReading, GreyAndPaletteBecomeRgba) {
     EXPECT_EQ(palette.at(1, 0), (Rgba8{250, 251, 252, 255}));
 }
 
+// libpng shows black where an index is beyond the palette.
+TEST(PngReading, RefusesColoursThatThePaletteDoesNotHave) {
+    const Bytes three{1, 2, 3, 250, 251, 252, 9, 9, 9};
+    for (const int width : {3, 40}) {
+        Bytes indices(static_cast<std::size_t>(width), 0);
+        indices.back() = 2;
+        EXPECT_EQ(
+            decode_png(written_by_libpng(PNG_FORMAT_RGB_COLORMAP, width, 1, indices, three), "x")
+                .at(width - 1, 0),
+            (Rgba8{9, 9, 9, 255}));
+        indices.back() = 3;
+        const Bytes beyond = written_by_libpng(PNG_FORMAT_RGB_COLORMAP, width, 1, indices, three);
+        EXPECT_THROW(decode_png(beyond, "x"), InputError) << width;
+        EXPECT_THROW(decode_stored_png(beyond, "x"), InputError) << width;
+    }
+}
+
 // Inserts a chunk after the header.
 Bytes with_chunk(const Bytes& file, const std::string& type, const Bytes& contents) {
     constexpr std::size_t header_end = 33;

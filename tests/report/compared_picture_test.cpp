@@ -133,6 +133,8 @@ TEST_F(Folders, MeasureNoMoreThanIsAskedFor) {
     EXPECT_EQ(names_read("same", true), 1u);
     EXPECT_EQ(names_read("a_lot", false), 2u);
     EXPECT_EQ(names_read("a_lot", true), 2u);
+    // The headers say that sizes differ.
+    EXPECT_EQ(names_read("sub/wide", false), 0u);
     // The same pixels in files of other bytes are decoded, and not measured either.
     write_png(folder_ / "new/same.png", synthetic_frame(64, 36, 0), {.texts = {{"a", "b"}}});
     EXPECT_EQ(names_read("same", true), 2u);

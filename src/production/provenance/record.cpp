@@ -170,6 +170,7 @@ std::string told(const std::string& metadata, const Contents& contents) {
     record.frame = contents.frame;
     record.pixels = contents.pixels;
     record.packets = contents.packets;
+    record.file = contents.file;
     return sealed_text(record);
 }
 
@@ -246,7 +247,26 @@ Record parse_record(std::string_view text, const std::string& name) {
     return record;
 }
 
+namespace {
+
+// Presentations and pages, which are made of films or of a scene, have no record of their own.
+void refuse_what_holds_others(const std::filesystem::path& file) {
+    if (kind_of_file(file) != FileKind::regular) return;
+    if (is_slides_name(file))
+        throw InputError(fmt::format(
+            "{}: is a presentation; each of its films has a record: unpack it, as a ZIP archive, "
+            "and give a film of its folder ppt/media",
+            printable(file.string())));
+    if (is_page_name(file))
+        throw InputError(fmt::format(
+            "{}: is a page for browsers, which has no record; give a picture, a film or a figure",
+            printable(file.string())));
+}
+
+}  // namespace
+
 Record read_record(const std::filesystem::path& file) {
+    refuse_what_holds_others(file);
     std::string text;
     if (is_vector_name(file)) {
         text = read_vector_text(file).text;

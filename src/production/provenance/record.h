@@ -44,6 +44,7 @@ struct Record {
     std::optional<std::int64_t> film_frames;
     std::string pixels;     // of a picture, hash; see image/pixels_xxh64.h
     std::string packets;    // of a film, hash; see output/film_packets.h
+    std::string file;       // of a film, hash; see output/film_file_hash.h; a GIF needs none
     std::string page;       // of vectors, hash; see production/vectors/vector_still.h
     std::string shading;    // likewise: style of surfaces
     std::string lettering;  // likewise: representation of text; empty: fonts

@@ -134,6 +134,7 @@ constexpr RecordField field_table[] = {
     text_field<&Record::as_read>("scene-as-read"),
     text_field<&Record::pixels>("pixels-xxh64"),
     text_field<&Record::packets>("packets-sha256"),
+    text_field<&Record::file>("file-sha256"),
     text_field<&Record::page>("page-sha256"),
 };
 

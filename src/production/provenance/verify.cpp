@@ -5,10 +5,14 @@
 #include <optional>
 #include <system_error>
 
+#include "error/error.h"
 #include "image/files/png_files.h"
 #include "output/film_end.h"
+#include "output/film_file_hash.h"
 #include "output/film_packets.h"
+#include "output/video_reader.h"
 #include "production/provenance/page_text.h"
+#include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 
 namespace poinsot {
@@ -23,6 +27,58 @@ std::string bytes_behind(std::uintmax_t n_bytes) {
                        n_bytes == 1 ? "s" : "");
 }
 
+// What a film has besides its pictures' packets: times, order, rotation, shape, colours, index and
+// captions. A GIF has its own in its packets.
+enum class Rest { unchanged, changed, unknown };
+
+Rest rest_of(const std::filesystem::path& film, const Record& record) {
+    if (record.file.empty()) return begins_with(film, "GIF") ? Rest::unchanged : Rest::unknown;
+    return file_hash_of(film, record.text) == record.file ? Rest::unchanged : Rest::changed;
+}
+
+// What a player is known to show otherwise than was recorded, in words.
+std::string shown_otherwise(const std::filesystem::path& film, const Record& record) {
+    try {
+        const VideoInfo info = VideoReader(film).info();
+        if (info.display != upright) return ": it is shown turned or mirrored";
+        if (info.width_px != record.width_px || info.height_px != record.height_px)
+            return fmt::format(": it has {}×{} pixels", info.width_px, info.height_px);
+        if (info.pixel_width != info.pixel_height) return ": it is shown stretched";
+    } catch (const Error&) {
+        return ": it cannot be played";
+    }
+    return ", such as times, colours or captions";
+}
+
+Verification verify_film(const std::filesystem::path& film, const Record& record) {
+    const auto changed = [](std::string_view what) {
+        return Verification{Verified::no,
+                            fmt::format("{}; the file was changed after it was written", what)};
+    };
+    if (packet_hash_of(film) != record.packets)
+        return changed("its pictures do not match its record");
+    const auto end = end_of_film(film);
+    const std::uintmax_t n_bytes = std::filesystem::file_size(film);
+    if (end && *end > n_bytes) return changed("its end is missing");
+    if (end && *end < n_bytes) return changed(bytes_behind(n_bytes - *end));
+    switch (rest_of(film, record)) {
+        case Rest::unchanged:
+            return {Verified::yes, "unchanged, record and pictures"};
+        case Rest::changed:
+            return {Verified::no,
+                    fmt::format("its record and its coded pictures are unchanged, but other data "
+                                "are not{}; the file was changed after it was written, or another "
+                                "program wrote it again",
+                                shown_otherwise(film, record))};
+        case Rest::unknown:
+            break;
+    }
+    return {Verified::cannot_be,
+            "its record and its coded pictures are unchanged, but whether its times, rotation, "
+            "colours and captions are cannot be verified: its record has no hash of them (older "
+            "versions wrote none)"};
+}
+
 }  // namespace
 
 Verification verify(const std::filesystem::path& file, const Record& record) {
@@ -32,36 +88,25 @@ Verification verify(const std::filesystem::path& file, const Record& record) {
     if (!record.sealed || then.empty())
         return {Verified::cannot_be,
                 "its record has no hash (older versions wrote none), so it cannot be verified"};
+    if (!is_page && !is_picture) return verify_film(file, record);
     bool same = false;
     std::string behind;
     if (is_page) {
         const VectorText page = read_vector_text(file);
         same = page.page_hash == then;
         if (!page.is_last) behind = "something was appended to its end";
-    } else if (is_picture) {
+    } else {
         const PngInfo info = read_png_info(file);
         same = info.width_px == record.width_px && info.height_px == record.height_px &&
                pixels_xxh64_of(file) == then;
         behind = bytes_behind(info.n_bytes_behind);
-    } else {
-        same = packet_hash_of(file) == then;
-        const auto end = same ? end_of_film(file) : std::nullopt;
-        if (same && !end)
-            return {Verified::cannot_be,
-                    "its pictures match its record, but its container does not tell where the file "
-                    "ends, so it cannot be verified"};
-        const std::uintmax_t n_bytes = std::filesystem::file_size(file);
-        if (same && *end > n_bytes) behind = "its end is missing";
-        if (same && *end < n_bytes) behind = bytes_behind(n_bytes - *end);
     }
     if (same && !behind.empty())
         return {Verified::no, fmt::format("{}; the file was changed after it was written", behind)};
     if (same) return {Verified::yes, "unchanged, record and pictures"};
     return {Verified::no,
             fmt::format("its {} its record; the file was changed after it was written",
-                        is_page      ? "page does not match"
-                        : is_picture ? "pixels do not match"
-                                     : "pictures do not match")};
+                        is_page ? "page does not match" : "pixels do not match")};
 }
 
 bool is_quickly_verified(const std::filesystem::path& file, const Record& record) {
