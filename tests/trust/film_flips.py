@@ -3,7 +3,8 @@
 
 Half of the bits lie anywhere in the file, half outside of the coded pictures: in headers, tables of times, index, texts and record. A film
 that `explain --verify` calls unchanged must have the same frames, times, matrix, sizes, colours and durations as before, by ffprobe and by
-ffmpeg's decoders. Of the flips that change what ffprobe says of the frames, `compare` must call none "same".
+ffmpeg's decoders. `compare` must call no film "same" whose pictures, by ffprobe, are different, turned or stretched, or
+are shown more than half a frame earlier or later.
 Usage: film_flips.py POINSOT [--seed N] [--flips N] [--compared N] [--only FORMAT]
 Exits with 77 if ffprobe or ffmpeg is not installed.
 """
@@ -40,6 +41,8 @@ at_s = 0.1
 over_s = 0.4
 text = "Here"
 """
+FPS = 15
+UPRIGHT = ["65536", "0", "0", "0", "65536", "0", "1073741824"]
 FORMATS = ["mp4", "mov", "webm", "gif"]
 # What a player shows of a frame, of a stream and of the film.
 OF_FRAME = ["media_type", "pts_time", "best_effort_timestamp_time", "duration_time", "pkt_duration_time", "width", "height",
@@ -88,11 +91,32 @@ def shown(film):
             "pictures": pictures_of(film)}
 
 
+def matrices_of(said):
+    """The matrices that turn pictures, without where they put them, which players choose."""
+    matrices = []
+    for data in said["side_data_list"]:
+        numbers = [line.split(":")[1].split() for line in data.get("displaymatrix", "").splitlines() if ":" in line]
+        matrices.append([*numbers[0], *numbers[1], numbers[2][2]])
+    return [matrix for matrix in matrices if matrix != UPRIGHT]
+
+
 def shown_pictures(film):
-    """Pictures, and when and in what shape they are shown."""
+    """Pictures, when and in what shape they are shown."""
     said = probe(film, "-select_streams", "v:0", "-show_frames", "-show_streams")
-    return ([said_of(frame, OF_PICTURE) for frame in said.get("frames", [])],
-            [said_of(stream, OF_SHAPE) for stream in said.get("streams", [])], pictures_of(film))
+    frames = [said_of(frame, OF_PICTURE) for frame in said.get("frames", [])]
+    streams = [said_of(stream, OF_SHAPE) for stream in said.get("streams", [])]
+    times = [float(frame.pop("pts_time") or "nan") for frame in frames]
+    for item in frames + streams:
+        item["side_data_list"] = matrices_of(item)
+        if item["sample_aspect_ratio"] in (None, "0:1"):
+            item["sample_aspect_ratio"] = "1:1"  # what players assume
+    return times, (frames, streams, pictures_of(film))
+
+
+def are_shown_alike(one, other):
+    """Whether two films show the same pictures, each within half a frame of the same instant."""
+    return (one[1] == other[1] and len(one[0]) == len(other[0]) and
+            all(abs(a - b) <= 0.5 / FPS for a, b in zip(one[0], other[0])))
 
 
 def places_of_pictures(film):
@@ -126,7 +150,7 @@ def try_flip(poinsot, folder, film, bytes_of_film, before, flip, number, compare
             return "explain --verify calls it unchanged, and ffprobe sees a change", is_seen, True
         if not compares:
             return None, is_seen, None
-        is_shown = shown_pictures(file) != before["pictures"]
+        is_shown = not are_shown_alike(shown_pictures(file), before["pictures"])
         done = run([poinsot, "compare", str(film), str(file)])
         if done.returncode not in (0, 1, 2):
             return f"exit code {done.returncode} of compare", is_seen, is_shown
