@@ -232,7 +232,7 @@ void begin(std::span<const std::uint8_t> file, const std::string& name, bool wit
 
 bool read_indices(Source& source, png_bytepp rows) {
     if (setjmp(png_jmpbuf(source.png))) return false;
-    png_set_check_for_invalid_index(source.png, 1);
+    png_set_packing(source.png);  // a byte each
     png_set_interlace_handling(source.png);
     png_read_update_info(source.png, source.info);
     png_read_image(source.png, rows);
@@ -248,12 +248,12 @@ void check_indices(const Source& source, const std::string& name) {
     if (n_colours == 1 << png_get_bit_depth(source.png, source.info)) return;
     Source again;
     begin_checked(source.file, name, again);
-    const std::size_t row_size = png_get_rowbytes(again.png, again.info);
-    std::vector<png_byte> indices(row_size * png_get_image_height(again.png, again.info));
+    const std::size_t width = png_get_image_width(again.png, again.info);
+    std::vector<png_byte> indices(width * png_get_image_height(again.png, again.info));
     std::vector<png_bytep> rows;
-    for (std::size_t at = 0; at < indices.size(); at += row_size) rows.push_back(&indices[at]);
+    for (std::size_t at = 0; at < indices.size(); at += width) rows.push_back(&indices[at]);
     if (!read_indices(again, rows.data())) refuse(again, name);
-    if (const int largest = png_get_palette_max(again.png, again.info); largest >= n_colours)
+    if (const int largest = *std::max_element(indices.begin(), indices.end()); largest >= n_colours)
         throw InputError(fmt::format(
             "{} is a broken PNG picture: a pixel has the colour {}, and the palette has {} colours",
             name, largest + 1, n_colours));

@@ -45,16 +45,6 @@ std::optional<Surroundings> surroundings_of(const std::filesystem::path& file,
     return Surroundings{*at, hash.finish()};
 }
 
-void write_at(AtomicFile& file, std::int64_t at, std::string_view text) {
-    while (!text.empty()) {
-        const ssize_t n = ::pwrite(file.descriptor(), text.data(), text.size(), at);
-        if (n < 0 && errno == EINTR) continue;
-        if (n <= 0) throw_write_error(file.path(), n < 0 ? errno : EIO);
-        text.remove_prefix(static_cast<std::size_t>(n));
-        at += n;
-    }
-}
-
 }  // namespace
 
 std::optional<std::string> file_hash_of(const std::filesystem::path& film,
@@ -79,7 +69,9 @@ void put_file_hash(AtomicFile& film, const OutputPlan& plan, Contents contents) 
     if (after.size() != before.size())
         throw EnvironmentError(
             fmt::format("cannot write {}: its record changes its length", film.path().string()));
-    if (after != before) write_at(film, surroundings->at, after);
+    if (::lseek(film.descriptor(), surroundings->at, SEEK_SET) < 0)
+        throw_write_error(film.path(), errno);
+    film.write({reinterpret_cast<const std::uint8_t*>(after.data()), after.size()});
 }
 
 }  // namespace poinsot
