@@ -54,7 +54,7 @@ TEST_F(ShownFilms, ThatAreTurnedOrMirroredAreNotTheSame) {
 TEST_F(ShownFilms, WhosePixelsAreStretchedAreNotTheSame) {
     const ComparedPicture low = with("tkhd", height_at, std::string("\0\x18\0\0", 4));
     EXPECT_EQ(low.outcome, Outcome::size);
-    EXPECT_EQ(low.reason, "expected pixels of 1:1, found 2:1");
+    EXPECT_EQ(low.reason, "expected a pixel aspect of 1:1, found 2:1");
     EXPECT_EQ(with("tkhd", width_at, std::string("\0\x20\0\0", 4)).outcome, Outcome::size);
 }
 
