@@ -97,6 +97,26 @@ TEST(LabelPicture, EqualsASeparatelyDrawnPicture) {
     }
 }
 
+// While a camera comes near, halos widen by less than a hundredth of a pixel a frame: each frame
+// has its own, not that of a frame before.
+TEST(LabelPicture, HasItsOwnHaloHoweverNearAnEarlierOne) {
+    const GlyphMask mask = block(10'200, 9, 7);
+    const auto drawing_of = [&mask](int k) {
+        Drawing drawing = flat_drawing(40, 40, 40.0);
+        Label label;
+        label.mask = &mask;
+        label.top_left_px = {14.0, 15.0};
+        label.halo_px = 4.0 + 0.003 * k;
+        drawing.views[0].labels = {label};
+        return drawing;
+    };
+    Renderer film(context()), alone(context());
+    for (int k = 0; k < 6; ++k) film.render(drawing_of(k));
+    const Image later = film.render(drawing_of(6));
+    EXPECT_EQ(n_different(alone.render(drawing_of(6)), later), 0u);
+    EXPECT_GT(n_different(alone.render(drawing_of(0)), later), 0u);
+}
+
 TEST(LabelPicture, DrawsACaptionOf12000PixelsToItsEnd) {
     // A caption of a poster; its last seven columns are ink.
     constexpr int width = 12000;

@@ -55,27 +55,29 @@ TEST(Renderer, IsReproducible) {
     EXPECT_EQ(renderer().render(lecture()), first);
 }
 
-// What a browser's canvas shows: the same bytes, encoded by a shader, from the lowest row up.
-TEST(Renderer, ShowsTheBytesThatItReturns) {
-    const Drawing drawing = lecture();
-    const Image image = renderer().render(drawing);
+// The bytes that a browser's canvas shows of a drawing, from the uppermost row down.
+std::vector<std::uint8_t> shown_bytes(Renderer& renderer, const Drawing& drawing) {
     const GlRenderbuffer colours = GlRenderbuffer::make();
     const GlFramebuffer framebuffer = GlFramebuffer::make();
     glBindRenderbuffer(GL_RENDERBUFFER, colours.id());
     glRenderbufferStorage(GL_RENDERBUFFER, GL_RGBA8, drawing.width_px, drawing.height_px);
     glBindFramebuffer(GL_FRAMEBUFFER, framebuffer.id());
     glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, colours.id());
-    renderer().render_to(drawing, framebuffer.id(), ScreenAlpha::opaque);
-    std::vector<std::uint8_t> shown(image.bytes().size());
+    renderer.render_to(drawing, framebuffer.id(), ScreenAlpha::opaque);
+    const auto row = 4 * static_cast<std::ptrdiff_t>(drawing.width_px);
+    std::vector<std::uint8_t> bytes(static_cast<std::size_t>(row * drawing.height_px));
     glReadPixels(0, 0, drawing.width_px, drawing.height_px, GL_RGBA, GL_UNSIGNED_BYTE,
-                 shown.data());
-    const auto row = 4 * static_cast<std::size_t>(drawing.width_px);
-    const auto n_rows = static_cast<std::size_t>(drawing.height_px);
-    for (std::size_t y = 0; y < n_rows; ++y)
-        EXPECT_TRUE(std::equal(shown.begin() + static_cast<std::ptrdiff_t>((n_rows - 1 - y) * row),
-                               shown.begin() + static_cast<std::ptrdiff_t>((n_rows - y) * row),
-                               image.bytes().begin() + static_cast<std::ptrdiff_t>(y * row)))
-            << y;
+                 bytes.data());
+    for (auto top = bytes.begin(), end = bytes.end(); top < end - row; top += row, end -= row)
+        std::swap_ranges(top, top + row, end - row);
+    return bytes;
+}
+
+// Encoded by a shader.
+TEST(Renderer, ShowsTheBytesThatItReturns) {
+    const Drawing drawing = lecture();
+    const Image image = renderer().render(drawing);
+    EXPECT_TRUE(std::ranges::equal(shown_bytes(renderer(), drawing), image.bytes()));
     // The next picture is not disturbed.
     EXPECT_EQ(renderer().render(drawing), image);
 }
@@ -119,6 +121,39 @@ TEST(Renderer, FramesWrittenIntoAnyImageEqualSeparatePictures) {
         if (k == 10) third = image;
         Renderer alone(context());
         EXPECT_TRUE(alone.render(frame(k)) == image) << k;
+    }
+}
+
+// As a page does whose viewer moves the cursor of the film.
+TEST(Renderer, ShowsAFrameAlikeAfterAnyOthers) {
+    GlyphMask mask;
+    mask.id = 9204;
+    mask.width = 60;
+    mask.height = 11;
+    for (int k = 0; k < mask.width * mask.height; ++k)
+        mask.coverage.push_back(static_cast<std::uint8_t>(k * k % 251));
+    const auto frame = [&mask](int k) {
+        Drawing drawing = lecture(160, 90);
+        View& view = drawing.views[0];
+        view.ellipsoids[0].centre.x() = 0.1 * (k % 3);
+        view.curves[1].last = 7.0 * k + 1.0;
+        view.curves[1].geometry = &plane_path();
+        view.curves[1].lasting = true;
+        if (k > 6) view.camera.eye.x() += 0.1;
+        Label label;
+        label.mask = &mask;
+        label.top_left_px = {12.3, 9.0};
+        label.halo_px = 3.0 + 0.002 * k;
+        view.labels = {label};
+        return drawing;
+    };
+    Renderer jumping(context());
+    std::vector<std::vector<std::uint8_t>> shown(12);
+    for (const std::size_t k : {0u, 1u, 2u, 3u, 11u, 4u, 10u, 5u, 9u, 6u, 8u, 7u})
+        shown[k] = shown_bytes(jumping, frame(static_cast<int>(k)));
+    for (const std::size_t k : {2u, 4u, 5u, 7u, 8u, 10u}) {
+        Renderer alone(context());
+        EXPECT_TRUE(shown_bytes(alone, frame(static_cast<int>(k))) == shown[k]) << k;
     }
 }
 

@@ -104,9 +104,7 @@ std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int 
 
 LabelPass::LabelPass() : program_("label.frag", 4) {}
 
-LabelPass::Key LabelPass::key_of(const Label& label) {
-    return {label.mask->id, static_cast<int>(std::lround(64.0 * halo_reach(label)))};
-}
+LabelPass::Key LabelPass::key_of(const Label& label) { return {label.mask->id, halo_reach(label)}; }
 
 void LabelPass::empty_texture(int width_px, int height_px) {
     slots_.clear();

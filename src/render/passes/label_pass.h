@@ -45,15 +45,16 @@ class LabelPass {
         int x = 0, y = 0, width = 0, height = 0;
         int margin = 0;
     };
+    // All of which the texels depend on: another halo, however near, has its own slot.
     struct Key {
         std::uint64_t mask;
-        int halo_64ths;
+        double halo_reach;
         bool operator==(const Key&) const = default;
     };
     struct KeyHash {
         std::size_t operator()(const Key& key) const {
             return static_cast<std::size_t>(key.mask * 0x9E3779B97F4A7C15u) ^
-                   static_cast<std::size_t>(key.halo_64ths);
+                   std::hash<double>()(key.halo_reach);
         }
     };
     static Key key_of(const Label& label);
