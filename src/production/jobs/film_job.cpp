@@ -230,9 +230,8 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
         plan.n_frames = std::min(plan.n_frames, (request_.n_shown + chunk - 1) / chunk * chunk);
         plan.n_shown = request_.n_shown;
     }
-    const PictureSpan to_last{.first_time_s = film_.time_of(0),
-                              .last_time_s = film_.time_of(last_)};
-    PictureMaker pictures(*session_, renderer, request_.is_slide ? whole_film(film_) : to_last);
+    // Whichever frames are drawn: each is the same in every run.
+    PictureMaker pictures(*session_, renderer, whole_film(film_));
     tell_stage_notes(pictures.stage(), progress);
     Record record = record_of(*session_, pictures, renderer.is_portable());
     record.frames = {first_, last_};

@@ -22,9 +22,8 @@ struct FilmRequest {
     std::int64_t n_shown = 0;
     // Part K of N of those frames, both from 1; empty: all of them.
     std::optional<std::pair<std::int64_t, std::int64_t>> part{};
-    // The film is one slide: its frames are drawn as frames of the whole film, and the first and
-    // last are encoded independently of the others, so that films that share such a frame decode to
-    // the same pixels there.
+    // The film is one slide: its first and last frames are encoded independently of the others, so
+    // that films that share such a frame decode to the same pixels there.
     bool is_slide = false;
 };
 

@@ -161,18 +161,14 @@ struct PictureRegions::Contents {
 
     explicit Contents(const Record& record)
         : session(session_of_picture(record)), film(film_plan(session)) {
-        PictureSpan span{.first_time_s = film.time_of(0)};
+        PictureSpan span = whole_film(film);
         if (record.time_s)
             moment = record.frame ? film.moment_of(*record.frame)
                                   : still_moment(session, record.time_s, StillTime::of_scene);
-        if (record.film_frames) {
-            span = whole_film(film);
-        } else if (record.time_s) {
+        if (record.time_s && !record.film_frames) {
             span.first_time_s = std::min(film.start_s, *record.time_s);
             span.last_time_s = *record.time_s;
             span.first_shown_s = record.time_s;
-        } else {
-            span.last_time_s = film.time_of(record.frames->second);
         }
         const PrintChoices print = print_of(record);
         if (record.page.empty())

@@ -60,19 +60,13 @@ std::int64_t frame_of_picture(const std::filesystem::path& file, const Record& r
     return *frame;
 }
 
-// The span of the histories in a film's frames.
-PictureSpan span_of(const FilmPlan& film, const Record& record) {
-    if (record.film_frames) return whole_film(film);
-    return {.first_time_s = film.time_of(0), .last_time_s = film.time_of(record.frames->second)};
-}
-
 // Redraws one frame of a sequence; its record is that of the whole sequence, since it shows its
 // history.
 void redraw_frame(const RedrawRequest& request, const Record& record, const Session& session,
                   LazyRenderer& renderer) {
     const std::int64_t frame = frame_of_picture(request.file, record);
     const FilmPlan film = film_plan(session);
-    PictureMaker pictures(session, renderer, span_of(film, record));
+    PictureMaker pictures(session, renderer, whole_film(film));
     Image image;
     pictures.draw(film.moment_of(frame), image);
     Record again = record_of(session, pictures, renderer.is_portable());
@@ -151,7 +145,7 @@ Record record_to_come(const RedrawRequest& request, const Record& record,
     } else {
         if (suffix_of(request.file) == ".png") frame_of_picture(request.file, record);
         const FilmJob film(session, {.frames = record.run ? record.run : record.frames});
-        const PreparedPicture staging(session, span_of(film.film(), record), PrintChoices{});
+        const PreparedPicture staging(session, whole_film(film.film()), PrintChoices{});
         now = record_of(session, staging.stage, "");
     }
     if (is_vector_name(request.file) && !has_pixels(still.vectors)) {

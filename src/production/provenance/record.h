@@ -34,13 +34,11 @@ struct Record {
     std::optional<double> dpi, type_pt;                           // of one for print
     int bit_depth = 8;                                            // of a still
     std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // of a film, inclusive
-    // Of a recovered film: the frames of the interrupted run, whose histories its pictures show and
-    // whose packets it contains.
+    // Of a recovered film: the frames of the interrupted run, whose packets it contains.
     std::optional<std::pair<std::int64_t, std::int64_t>> run;
     std::optional<std::int64_t> frame;  // of a picture of a sequence; `frames` are the sequence's
-    // Of slides: the number of frames of the whole film; curves and traces extend over it. `frame`
-    // is the number of a still's frame. The first and last frames of a slide's film are encoded
-    // independently of the others.
+    // Of slides: the number of frames of the whole film. `frame` is the number of a still's frame.
+    // The first and last frames of a slide's film are encoded independently of the others.
     std::optional<std::int64_t> film_frames;
     std::string pixels;     // of a picture, hash; see image/pixels_xxh64.h
     std::string packets;    // of a film, hash; see output/film_packets.h
