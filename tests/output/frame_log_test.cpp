@@ -163,12 +163,14 @@ TEST_P(InterruptedFilm, IsRecoveredUpToTheInterruption) {
     }
 }
 
+// A GIF has none.
 TEST_P(InterruptedFilm, RecoveredKeepsItsChapters) {
-    if (plan_.path.extension() == ".gif") GTEST_SKIP() << "a GIF has no chapters";
     write_unfinished(plan_, 200);
     const std::int64_t n_frames = recover_film(plan_.path);
     const VideoInfo info = VideoReader(plan_.path).info();
-    ASSERT_EQ(info.chapters.size(), 2u);
+    const bool is_gif = plan_.path.extension() == ".gif";
+    ASSERT_EQ(info.chapters.size(), is_gif ? 0u : 2u);
+    if (is_gif) return;
     for (std::size_t i = 0; i < 2; ++i) {
         EXPECT_EQ(info.chapters[i].title, plan_.chapters[i].title);
         EXPECT_EQ(info.chapters[i].first_frame, plan_.chapters[i].first_frame);

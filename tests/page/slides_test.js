@@ -7,13 +7,12 @@ const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
 const {opened_file, run_checks, until, wait} = require('./browsers.js');
-const {needed} = require('./skip.js');
 
 const [program, examples, pictures] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-slides-'));
 process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
 
-const reveal = path.dirname(path.dirname(needed('reveal.js')));
+const reveal = path.dirname(path.dirname(require.resolve('reveal.js')));
 fs.cpSync(path.join(examples, 'reveal'), folder, {recursive: true});
 fs.cpSync(reveal, path.join(folder, 'reveal.js'), {recursive: true});
 // Small and quick; the same stops and files as the guide's.

@@ -2,8 +2,7 @@
 'use strict';
 const {spawnSync} = require('node:child_process');
 const path = require('node:path');
-const {needed} = require('./skip.js');
 
-const tsc = needed('typescript/bin/tsc');
+const tsc = require.resolve('typescript/bin/tsc');
 const outcome = spawnSync(process.execPath, [tsc, '-p', path.join(__dirname, 'tsconfig.json')], {stdio: 'inherit'});
 process.exit(outcome.status ?? 1);

@@ -16,6 +16,7 @@
 #include <cstdlib>
 #include <exception>
 #include <filesystem>
+#include <fstream>
 #include <functional>
 #include <string>
 #include <system_error>
@@ -107,7 +108,15 @@ inline void drop_privileges() {
 // Only in a child: mounts a file system of this size on the folder. Returns false if this machine
 // does not permit that.
 inline bool mount_small(const std::filesystem::path& folder, const std::string& size) {
-    if (unshare(CLONE_NEWNS) != 0) return false;
+    // Others than root mount in a namespace of users of their own.
+    const uid_t user = geteuid();
+    const gid_t group = getegid();
+    if (unshare(user == 0 ? CLONE_NEWNS : CLONE_NEWUSER | CLONE_NEWNS) != 0) return false;
+    if (user != 0) {
+        std::ofstream("/proc/self/uid_map") << "0 " << user << " 1";
+        std::ofstream("/proc/self/setgroups") << "deny";
+        std::ofstream("/proc/self/gid_map") << "0 " << group << " 1";
+    }
     mount(nullptr, "/", nullptr, MS_REC | MS_PRIVATE, nullptr);
     return mount("tmpfs", folder.c_str(), "tmpfs", 0, ("size=" + size).c_str()) == 0;
 }
