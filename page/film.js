@@ -107,6 +107,12 @@ class Film {
     this.#stand_at(before[before.length - 1] ?? 0);
   }
 
+  /** Goes to a stop. @param {number} number from 1 */
+  to_stop(number) {
+    const stop = this.plan.stops[number - 1];
+    if (stop) this.#stand_at(stop.at_s);
+  }
+
   /** Goes to a stop, where it loops if the stop has a loop. @param {number} at_s */
   #stand_at(at_s) {
     this.seek(at_s);

@@ -574,7 +574,7 @@ check('forty figures on one page start in sight and rest out of it', async (brow
   await tab.close();
 });
 
-check('offers scripts what commands.md lists', async (browser) => {
+check('offers scripts what the guide lists', async (browser) => {
   const {tab, faults} = await opened(browser);
   const types = await tab.evaluate(async () => {
     const p = window.poinsot;
@@ -599,6 +599,28 @@ check('offers scripts what commands.md lists', async (browser) => {
   await tab.evaluate(() => window.poinsot.play());
   await until(tab, 'window.poinsot.time_s > 0.1');
   await tab.evaluate(() => window.poinsot.pause());
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('counts seconds of the film and of the motion', async (browser) => {
+  const slow = fs.readFileSync(lecture, 'utf8').replace('length_s = 10', 'length_s = 10\nstart_s = 3\nspeed = 0.5');
+  const {tab, faults} = await opened_file(browser, page_of(program, scene_file('slow', slow), path.join(folder, 'slow.html')));
+  await ready(tab);
+  const after = (code) => tab.evaluate(`${code}; [poinsot.film_s, poinsot.time_s, poinsot.stop]`);
+  assert.deepEqual(await after('poinsot.seek_film(4)'), [4, 5, 0]);
+  assert.deepEqual(await after('poinsot.seek(5.5)'), [5, 5.5, 0]);
+  assert.deepEqual(await after('poinsot.seek_film(1e6)'), [10, 8, 0]);
+  assert.deepEqual(await after('poinsot.seek_stop(1)'), [2, 4, 1]);
+  assert.deepEqual(await after('poinsot.seek_stop(2); poinsot.pause()'), [6, 6, 2]);
+  // The last frame is a twentieth of a second of film before the end.
+  assert.deepEqual(await tab.evaluate('[poinsot.time_at(4), poinsot.film_at(5), poinsot.film_length_s, poinsot.first_time_s, poinsot.last_time_s]'), [5, 4, 10, 3, 7.975]);
+  assert.deepEqual((await tab.evaluate('poinsot.stops')).map((stop) => [stop.film_s, stop.time_s, stop.title, stop.loop_s]),
+    [[2, 4, 'Which axis is unstable?', null], [6, 6, 'Look at the herpolhode', 1]]);
+  const refusal = (code) => tab.evaluate(`(() => { try { ${code}; return ''; } catch (error) { return error.message; } })()`);
+  assert.equal(await refusal('poinsot.seek_stop(3)'), 'poinsot.seek_stop(3): give a number from 1 to 2');
+  assert.equal(await refusal('poinsot.seek_film()'), 'poinsot.seek_film(undefined): give a second of the film as a number');
+  assert.equal(await refusal('poinsot.seek("2")'), 'poinsot.seek(2): give a second of the motion as a number');
   assert.deepEqual(faults, []);
   await tab.close();
 });
