@@ -2,6 +2,7 @@
 
 const longest_step_s = 0.25; // between two frames: a hidden page does not jump
 const most_pixels = 3840 * 2400;
+const most_side_px = 16384; // of a picture as a file
 
 /**
  * The factor on the size of all type with which a picture of this size, in CSS pixels, is easy to read: captions of 12 pixels or more, and
@@ -281,6 +282,8 @@ class Figure {
   async png(width, height, type = 'image/png') {
     const {program} = this;
     if (!program) throw new Error('the figure has not started');
+    if (![width, height].every((side) => Number.isInteger(side) && side >= 1 && side <= most_side_px))
+      throw new RangeError(`a picture of ${width} × ${height} pixels: give two whole numbers from 1 to ${most_side_px}`);
     const pixels = program.pixels(this.time_s, width, height, this.film.at_s);
     const canvas = document.createElement('canvas');
     canvas.width = width;

@@ -596,6 +596,9 @@ check('offers scripts what the guide lists', async (browser) => {
     return [blob.type, bytes.getUint32(16), bytes.getUint32(20)];
   });
   assert.deepEqual(png, ['image/png', 321, 123]);
+  const refused = await tab.evaluate(() => Promise.all([[-5, 5], [0, 90], [1.5, 90], [16385, 16], ['wide', 90]].map((size) =>
+    window.poinsot.png(...size).then(() => 'a picture', (error) => error.message))));
+  for (const message of refused) assert.match(message, /^a picture of .* pixels: give two whole numbers from 1 to 16384$/);
   await tab.evaluate(() => window.poinsot.play());
   await until(tab, 'window.poinsot.time_s > 0.1');
   await tab.evaluate(() => window.poinsot.pause());
