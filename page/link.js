@@ -34,9 +34,12 @@ function fragment_of(state) {
   return fields.toString();
 }
 
+const longest_fragment = 20000; // characters; a page writes some hundred
+
 /** Reads a fragment; leaves out what it does not understand. @param {string} fragment */
 function state_of(fragment) {
   const state = empty_state();
+  if (fragment.length > longest_fragment) return state;
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   /** @param {string|null} text */
   const number_of = (text) => (text !== null && text.trim() !== '' && Number.isFinite(Number(text)) ? Number(text) : null);

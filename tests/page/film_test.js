@@ -216,6 +216,7 @@ test('every word has six languages', () => {
 test('a link gives back the state', () => {
   const state = {...empty_state(), at_s: 3.25, speed: -0.5, theme: 'dark', names: false, shown: ['plane', 'omega'],
     views: [{panel: 2, azimuth_deg: -12.5, zoom: 2}], values: new Map([['start.omega_rad_s', '[1.0, 2.0, 0.5]']])};
+  assert.equal(state_of(`#at=2&show=${'omega,'.repeat(4000)}`).at_s, null, 'a fragment that no page writes');
   const again = state_of('#' + fragment_of(state));
   assert.deepEqual(JSON.parse(JSON.stringify({...again, values: [...again.values]})),
     JSON.parse(JSON.stringify({...state, values: [...state.values]})));
