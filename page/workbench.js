@@ -15,6 +15,7 @@ const workbench_words = {
   save_scene: ['Save scene', 'Szene speichern', 'Enregistrer la scène', 'Guardar la escena', 'Salva la scena', 'シーンを保存'],
   export_page: ['Page', 'Seite', 'Page', 'Página', 'Pagina', 'ページ'],
   export_csv: ['Data (CSV)', 'Daten (CSV)', 'Données (CSV)', 'Datos (CSV)', 'Dati (CSV)', 'データ (CSV)'],
+  reading: ['Reading', 'Liest', 'Lecture de', 'Leyendo', 'Lettura di', '読み込み中:'],
   text: ['Text of the scene', 'Text der Szene', 'Texte de la scène', 'Texto de la escena', 'Testo della scena', 'シーンのテキスト'],
 };
 Object.assign(all_words, workbench_words);
@@ -122,13 +123,24 @@ class Workbench {
 
   /** Opens scenes, and keeps the files that scenes name. @param {File[]} files */
   async #take(files) {
+    if (files.length === 0) return;
     const scene = files.find((file) => file.name.toLowerCase().endsWith('.toml'));
     /** @type {Record<string, string>} */
     const taken = {};
     for (const file of files) if (file !== scene) taken[file.name] = base64_of_bytes(new Uint8Array(await file.arrayBuffer()));
     this.files = {...this.files, ...taken};
+    await this.#show_reading(files);
     if (scene) this.open(scene.name.replace(/\.toml$/i, ''), await scene.text(), {});
     else this.#write(this.page.data.name);
+  }
+
+  /** Says which files the program reads, and waits until that is painted: a large mesh takes seconds. @param {File[]} files */
+  async #show_reading(files) {
+    const row = document.createElement('p');
+    row.textContent = `${this.words.of('reading')} ${files.map((file) => file.name).join(', ')} …`;
+    part('findings').replaceChildren(row);
+    // A frame's callbacks run before it is painted, and the next task after it.
+    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
   }
 
   #soon() {

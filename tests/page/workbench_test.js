@@ -125,12 +125,19 @@ check('reads files that are dropped', async (browser) => {
   const tetrahedron = 'v 0 0 0\nv 2 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n';
   const scene = '[body]\nmesh = "solid.obj"\ndensity_kg_m3 = 1000\n[start]\nomega_rad_s = [0.1, 2, 0.1]\n';
   await tab.evaluate((files) => {
+    const {figure} = the_page;
+    const reload = figure.reload;
+    figure.reload = (...given) => {
+      window.said_before ??= document.getElementById('findings').textContent;
+      reload.apply(figure, given);
+    };
     const transfer = new DataTransfer();
     for (const [name, text] of files) transfer.items.add(new File([text], name));
     document.dispatchEvent(new DragEvent('drop', {dataTransfer: transfer, cancelable: true}));
   }, [['solid.obj', tetrahedron], ['mine.toml', scene]]);
   await until(tab, `document.getElementById("text").value.includes("solid.obj")`);
   await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  assert.equal(await tab.evaluate('window.said_before'), 'Reading solid.obj, mine.toml …', 'the work is announced');
   assert.equal(await tab.$('#findings button'), null);
   // The file is kept for other scenes.
   await tab.evaluate(() => document.querySelectorAll('#scenes button')[1].click());
