@@ -93,6 +93,7 @@ async function press(tab, key) {
 
 /** Runs checks, a list of [name, function of the browser], and ends the process. @param {string[]} only words of names */
 async function run_checks(checks, only) {
+  for (const word of only) assert.ok(checks.some(([name]) => name.includes(word)), `no check is named "${word}"`);
   const browser = await launched();
   let n_failed = 0;
   for (const [name, run] of checks) {
