@@ -50,7 +50,7 @@ function(poinsot_tests name)
     if(NOT sources)
         return()
     endif()
-    add_executable(test_${name} ${sources} ${PROJECT_SOURCE_DIR}/tests/places.cpp)
+    add_executable(test_${name} ${sources} ${PROJECT_SOURCE_DIR}/tests/places.cpp ${PROJECT_SOURCE_DIR}/tests/left_behind.cpp)
     target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
     # Only this file contains the repository's path, so that a compiler cache serves every checkout.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/places.cpp PROPERTIES

@@ -12,6 +12,7 @@
 
 #include "image/files/png_files.h"
 #include "system/files/atomic_file.h"
+#include "temporary_folder.h"
 
 namespace {
 
@@ -75,10 +76,10 @@ TEST(LibraryScene, ErrorsKnowTheirPlace) {
 TEST(LibraryScene, ThePngHoldsThePixelsAndTheRecord) {
     const Still still = Scene::from_text(text).still();
     ASSERT_EQ(still.rgba().size(), 4u * 64 * 36);
-    const fs::path file = fs::temp_directory_path() / "poinsot_library_still.png";
+    const poinsot::TemporaryFolder folder;
+    const fs::path file = folder / "still.png";
     poinsot::write_whole(file, still.png());
     const poinsot::StoredPicture read = poinsot::read_stored_png(file);
-    fs::remove(file);
     EXPECT_TRUE(std::ranges::equal(read.image.bytes(), still.rgba()));
     EXPECT_FALSE(read.info.texts.empty());
     EXPECT_NE(still.bound().find("px of the truth"), std::string::npos);
@@ -96,9 +97,7 @@ TEST(LibraryScene, SeveralThreadsDrawTheSamePicture) {
 }
 
 TEST(LibraryScene, AFilmStopsWhereTheWatchSaysSo) {
-    const fs::path folder = fs::temp_directory_path() / "poinsot_library_film";
-    fs::remove_all(folder);
-    fs::create_directory(folder);
+    const poinsot::TemporaryFolder folder;
     const Scene scene =
         Scene::from_text(text).with({"film.size=640x360", "film.duration_s=40", "film.fps=60"});
     const std::string film = (folder / "film.mp4").string();
@@ -110,7 +109,6 @@ TEST(LibraryScene, AFilmStopsWhereTheWatchSaysSo) {
     EXPECT_FALSE(fs::exists(film));
     // Later work is not stopped.
     EXPECT_EQ(scene.with({"film.size=64x36"}).still().width_px(), 64);
-    fs::remove_all(folder);
 }
 
 TEST(LibraryScene, DrawsAgainAfterTheDrawingThreadHasEnded) {
@@ -124,7 +122,9 @@ TEST(LibraryScene, WhatAWatchThrowsReachesTheCaller) {
     struct Mine {};
     Watch watch;
     watch.frames = [](std::int64_t, std::int64_t) { throw Mine(); };
-    const fs::path film = fs::temp_directory_path() / "poinsot_library_thrown.gif";
+    // The folder also takes the finished frames, with which the next call would continue.
+    const poinsot::TemporaryFolder folder;
+    const fs::path film = folder / "film.gif";
     const Scene scene = Scene::from_text(text).with({"film.size=640x360", "film.duration_s=40"});
     EXPECT_THROW(scene.render(film.string(), {}, watch), Mine);
     EXPECT_FALSE(fs::exists(film));

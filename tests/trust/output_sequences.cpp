@@ -31,6 +31,7 @@
 #include "image/synthetic.h"
 #include "output/frame_sink.h"
 #include "report/baselines.h"
+#include "temporary_folder.h"
 #include "trust/failing_disk.h"
 
 namespace poinsot::testing {
@@ -391,11 +392,8 @@ int try_kind(const Kind& kind, const Choices& choices, const fs::path& place) {
 }
 
 int try_all(const Choices& choices) {
-    const fs::path memory = "/dev/shm";
-    std::string name =
-        ((fs::exists(memory) ? memory : fs::temp_directory_path()) / "poinsot_XXXXXX").string();
-    if (mkdtemp(name.data()) == nullptr) return 3;
-    const fs::path place = name;
+    const TemporaryFolder folder;
+    const fs::path& place = folder.path();
     fs::create_directory(place / "source");
     std::vector<Kind> kinds;
     for (const char* file : {"a.png", "a_#.png", "a.mp4", "a.webm", "a.mov", "a.gif", "a.md5"})
@@ -405,7 +403,6 @@ int try_all(const Choices& choices) {
     for (const Kind& kind : kinds)
         if (choices.kind.empty() || choices.kind == kind.name)
             n_wrong += try_kind(kind, choices, place);
-    fs::remove_all(place);
     return n_wrong == 0 ? 0 : 1;
 }
 

@@ -1,0 +1,73 @@
+"""Finds what a run of the tests leaves behind: in its own temporary folder anything, in shared folders what is named like ours.
+
+Usage: left_behind.py before | after   (ctest calls both: tests/CTestCustom.cmake.in)
+"""
+import json
+import os
+import pathlib
+import shutil
+import sys
+import time
+
+# What lies here before the run; hidden, and removed with the folder.
+LIST = ".before"
+# Chromium may remove its last files after the test that started it.
+PATIENCE_S = 5.0
+
+
+def shared_folders():
+    """The folders that everybody writes to, and the user's cache."""
+    cache = os.environ.get("XDG_CACHE_HOME") or os.path.expanduser("~/.cache")
+    return ["/tmp", "/var/tmp", "/dev/shm", cache]
+
+
+def ours_in_shared():
+    """What is there and named like ours, except the folders of test runs."""
+    found = []
+    for folder in shared_folders():
+        try:
+            names = os.listdir(folder)
+        except OSError:
+            continue
+        found += [os.path.join(folder, name) for name in names
+                  if "poinsot" in name.lower() and not name.startswith("poinsot-tests-")]
+    return found
+
+
+def before(run):
+    run.mkdir(parents=True)
+    # Some tests write as another user.
+    run.chmod(0o755)
+    (run / LIST).write_text(json.dumps(ours_in_shared()))
+
+
+def left_in(run):
+    """Everything in the run's folder, and what is new in the shared ones."""
+    there = {name for name in json.loads((run / LIST).read_text())}
+    own = [str(path) for path in sorted(run.rglob("*")) if path.name != LIST]
+    return own + sorted(set(ours_in_shared()) - there)
+
+
+def after(run):
+    end = time.monotonic() + PATIENCE_S
+    while (left := left_in(run)) and time.monotonic() < end:
+        time.sleep(0.1)
+    for path in left:
+        changed = time.strftime("%H:%M:%S", time.localtime(os.lstat(path).st_mtime)) if os.path.lexists(path) else "?"
+        print(f"the tests left behind {path} (last changed at {changed}; Testing/Temporary/LastTest.log says which tests ran then)")
+    shutil.rmtree(run, ignore_errors=True)
+    return 1 if left else 0
+
+
+def main():
+    run = pathlib.Path(os.environ["POINSOT_TEST_FOLDER"])
+    if sys.argv[1:] == ["before"]:
+        before(run)
+    elif sys.argv[1:] == ["after"]:
+        sys.exit(after(run))
+    else:
+        sys.exit(__doc__)
+
+
+if __name__ == "__main__":
+    main()
