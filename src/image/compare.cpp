@@ -246,17 +246,27 @@ Image difference_picture(const Image& expected, const Image& actual) {
     return sheet;
 }
 
-Image difference_picture(const StoredPicture& expected, const StoredPicture& actual) {
+Image difference_picture(const StoredPicture& expected, const StoredPicture& actual,
+                         std::span<const PictureRegion> ignored) {
     Image sheet = difference_picture(expected.image, actual.image);
+    if (!same_size(expected.image, actual.image)) return sheet;
     const bool deep = !expected.deep.empty() && !actual.deep.empty();
-    if (!deep || !same_size(expected.image, actual.image)) return sheet;
+    const int width = expected.image.width(), height = expected.image.height();
+    const PixelMask mask(width, height, ignored);
+    if (!deep && mask.count() == 0) return sheet;
+    constexpr Rgba8 left_out{110, 110, 110, 255};
     const auto e = expected.deep.samples(), a = actual.deep.samples();
-    const int width = expected.deep.width();
-    for (int y = 0; y < expected.deep.height(); ++y) {
+    for (int y = 0; y < height; ++y) {
         for (int x = 0; x < width; ++x) {
-            const std::size_t at =
-                4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
-                     static_cast<std::size_t>(x));
+            const std::size_t pixel =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                static_cast<std::size_t>(x);
+            if (mask.has(pixel)) {
+                sheet.set(width + x, y, left_out);
+                continue;
+            }
+            if (!deep) continue;
+            const std::size_t at = 4 * pixel;
             const auto difference = [&](std::size_t c) { return std::abs(e[at + c] - a[at + c]); };
             const auto magnified = [&](std::size_t c) {
                 return static_cast<std::uint8_t>(

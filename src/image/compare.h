@@ -103,8 +103,9 @@ double flip_error(const Image& expected, const Image& actual);
 Image difference_picture(const Image& expected, const Image& actual);
 
 // The same for stored pictures. With 16 bits in both, the differences are in 16-bit levels, so that
-// the smallest is visible.
-Image difference_picture(const StoredPicture& expected, const StoredPicture& actual);
+// the smallest is visible. In ignored regions the middle is an even grey.
+Image difference_picture(const StoredPicture& expected, const StoredPicture& actual,
+                         std::span<const PictureRegion> ignored = {});
 
 // The differences as a layer over either picture: transparent where the pictures are equal; from
 // amber (one level) to red (16 levels and more) where they differ; blue where anti-aliasing

@@ -19,6 +19,7 @@ struct KeptFrames {
     std::int64_t frame = 0;
     Comparison measured;
     StoredPicture expected, actual;
+    std::vector<PictureRegion> ignored{};  // set by who shows them
 };
 
 struct FilmDifferences {

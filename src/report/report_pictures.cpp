@@ -74,7 +74,8 @@ Image film_strip(std::span<const KeptFrames> frames, int most_px) {
     std::vector<Image> rows;
     int width = 0, height = 0;
     for (const KeptFrames& frame : frames) {
-        rows.push_back(thumbnail(difference_picture(frame.expected, frame.actual), most_px));
+        rows.push_back(
+            thumbnail(difference_picture(frame.expected, frame.actual, frame.ignored), most_px));
         width = std::max(width, rows.back().width());
         height += rows.back().height();
     }

@@ -420,6 +420,18 @@ TEST(DifferencePicture, ShowsASingleLevelOfSixteenBits) {
     EXPECT_EQ(difference_picture(before, after).at(101, 0), (Rgba8{0, 0, 0, 255}));
 }
 
+TEST(DifferencePicture, IsGreyWhereDifferencesAreIgnored) {
+    const StoredPicture before{filled(3, 1, {100, 100, 100, 255}), {}, {}};
+    StoredPicture after = before;
+    for (int x = 0; x < 3; ++x) after.image.set(x, 0, {101, 100, 100, 255});
+    const std::vector<PictureRegion> ignored{{1, 0, 1, 1}};
+    const Image sheet = difference_picture(before, after, ignored);
+    EXPECT_EQ(sheet.at(3, 0), (Rgba8{16, 0, 0, 255}));
+    EXPECT_EQ(sheet.at(4, 0), (Rgba8{110, 110, 110, 255}));
+    EXPECT_EQ(sheet.at(5, 0), (Rgba8{16, 0, 0, 255}));
+    EXPECT_EQ(sheet.at(7, 0), after.image.at(1, 0));
+}
+
 TEST(DifferencePicture, IsWhiteWhereOnlyOnePictureHasPixels) {
     const Image sheet =
         difference_picture(filled(1, 2, {9, 9, 9, 255}), filled(2, 1, {9, 9, 9, 255}));

@@ -22,6 +22,8 @@ namespace poinsot {
 namespace {
 
 constexpr std::string_view all_labels = "labels";
+// The curves of panel body beside that of the motion.
+constexpr std::string_view other_polhodes = "polhodes", separatrix = "separatrix";
 
 // Collects the rectangles of one view, in pixels of the drawing.
 class BoxCollector {
@@ -205,9 +207,10 @@ std::vector<PictureRegion> PictureRegions::regions_of(std::span<const std::strin
         const bool is_overlay = view.name.empty();
         BoxCollector collector(view, boxes);
         const auto add = [&](const auto& shapes) {
-            // A line from a label to what it names belongs to both.
+            // A line from a label to what it names belongs to both; the polhodes have one style.
             for (const auto& shape : shapes)
                 if ((!shape.name.element.empty() && wants(shape.name.element)) ||
+                    (shape.name.element == other_polhodes && wants("polhode")) ||
                     (shape.name.part == "leader" && wants(all_labels)))
                     collector.add(shape);
         };
@@ -239,6 +242,7 @@ std::vector<std::string_view> region_names() {
     std::vector<std::string_view> names{all_labels};
     for (const OverlayName& overlay : overlays()) names.push_back(overlay.name);
     for (const Element& element : elements()) names.push_back(element.name);
+    names.insert(names.end(), {other_polhodes, separatrix});
     return names;
 }
 

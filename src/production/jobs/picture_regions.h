@@ -16,7 +16,8 @@
 
 namespace poinsot {
 
-// The names of regions: "labels", the overlays ("clock", …) and the elements ("polhode", …).
+// The names of regions: "labels", the overlays ("clock", …), the elements ("polhode", …) and the
+// curves of panel body ("polhodes", "separatrix"). "polhode" also covers "polhodes".
 std::vector<std::string_view> region_names();
 
 // Makes the drawing of a record's picture again, without pixels. Move-only.
