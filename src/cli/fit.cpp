@@ -22,6 +22,7 @@
 #include "text/json_text.h"
 #include "text/numbers.h"
 #include "text/printable.h"
+#include "text/utf8.h"
 
 namespace poinsot {
 
@@ -147,6 +148,20 @@ std::filesystem::path seen_from(const std::filesystem::path& scene,
     return path.empty() ? whole : path;
 }
 
+// A scene is UTF-8 without control characters, and could not be read with another name in it.
+void check_name_in_scene(const std::filesystem::path& scene, const std::filesystem::path& file) {
+    const std::string name = seen_from(scene, file).string();
+    for (std::string_view rest = name; !rest.empty();) {
+        const Utf8Character character = first_character(rest);
+        if (!character.valid || is_control(character.code))
+            throw InputError(fmt::format(
+                "{}: a scene cannot name this file, because its path is not UTF-8 or has control "
+                "characters; rename it, or leave -o out",
+                printable(file.string())));
+        rest.remove_prefix(character.size);
+    }
+}
+
 // A scene of the fitted motion, without its damping, with the table beside it. Its times are those
 // of the table: the motion is followed back to t = 0. ω(t) tells moments up to a common factor
 // only: I1 = 1 kg m² unless they were given.
@@ -191,6 +206,7 @@ int run(const FitChoices& choices) {
     if (!choices.output.empty() && suffix_of(choices.output) != ".toml")
         throw InputError(fmt::format("-o {}: the output is a scene; end its name in .toml",
                                      printable(choices.output)));
+    if (!choices.output.empty()) check_name_in_scene(choices.output, file);
     std::optional<Eigen::Vector3d> moments;
     if (!choices.moments.empty()) moments = moments_in(choices.moments);
     MeasuredMotion measured = load_measured(file);

@@ -33,7 +33,8 @@ void read_fps(const GivenValue& given, SceneDraft& draft) {
     if (!rate) {
         given.refuse(as_text ? fmt::format("\"{}\"", printable(given.text()))
                              : fmt::format("{}", given.number()),
-                     "give video frames a second from 0.001 to 1000, as 30, 29.97 or "
+                     "give video frames a second from 0.001 to 1000, with at most three decimals "
+                     "or as a ratio of whole numbers up to a million, as 30, 29.97 or "
                      "\"30000/1001\"");
     }
     draft.scene.film.fps_numerator = rate->first;

@@ -86,15 +86,14 @@ void refuse_bytes(std::string_view text, SourceLocation where) {
     for (std::size_t at = 0; at < text.size();) {
         const Utf8Character character = first_character(text.substr(at));
         if (!character.valid) {
-            throw SceneError(where, fmt::format("byte 0x{:02x} is not UTF-8; save the scene as "
-                                                "UTF-8 text",
+            throw SceneError(where, fmt::format("byte 0x{:02x} is not UTF-8; save this text as "
+                                                "UTF-8",
                                                 static_cast<unsigned char>(text[at])));
         }
         const bool line_end =
             character.code == '\n' || (character.code == '\r' && text.substr(at, 2) == "\r\n");
         if (is_control(character.code) && !line_end && character.code != '\t') {
-            throw SceneError(where, fmt::format("control character U+{:04X}; a scene is plain "
-                                                "text, remove it",
+            throw SceneError(where, fmt::format("control character U+{:04X}; remove it",
                                                 static_cast<std::uint32_t>(character.code)));
         }
         at += character.size;

@@ -115,6 +115,21 @@ TEST(FitCommand, TakesKnownMoments) {
     EXPECT_NE(run_program_in(folder, "fit gyro.csv --moments 1,2,3").code, 0);
 }
 
+// A scene could not be read with such a name in it.
+TEST(FitCommand, RefusesATableWhoseNameNoSceneCanHold) {
+    const ScratchFolder folder;
+    write_table(folder);
+    for (const std::string name : {"\xff.csv", "a\x01.csv"}) {
+        std::filesystem::copy(folder.path() / "gyro.csv", folder.path() / name);
+        const ProgramRun refused = run_program_in(folder, "fit '" + name + "' -o z.toml");
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find("a scene cannot name this file"), std::string::npos)
+            << refused.err;
+        EXPECT_FALSE(std::filesystem::exists(folder.path() / "z.toml"));
+        EXPECT_EQ(run_program_in(folder, "fit '" + name + "'").code, 0);
+    }
+}
+
 TEST(FitCommand, RefusesInOneLine) {
     const ScratchFolder folder;
     folder.write("few.csv", "t,wx,wy,wz\n0,1,2,3\n");

@@ -57,6 +57,11 @@ ignore = ["0%,0%,100%,40"]
     EXPECT_EQ((Gates{.max_flip = 0.5}.over(fast).max_flip), 0.5);
 }
 
+TEST(CompareFile, IsNotCalledASceneWhereItIsNoText) {
+    EXPECT_EQ(message_for("# \xff\n"),
+              "compare.toml:1:3: byte 0xff is not UTF-8; save this text as UTF-8");
+}
+
 TEST(CompareFile, RefusesWithThePlace) {
     for (const auto& [text, message] : std::vector<std::pair<std::string, std::string>>{
              {"max_flp = 1",

@@ -286,13 +286,18 @@ TEST(BadScene, MethodOptionsAreRefusedAtTheirOwnPlace) {
 
 TEST(BadScene, FrameRateOutOfRangeIsRefused) {
     const std::string rule =
-        "; give video frames a second from 0.001 to 1000, as 30, 29.97 or \"30000/1001\"";
+        "; give video frames a second from 0.001 to 1000, with at most three decimals or as a "
+        "ratio of whole numbers up to a million, as 30, 29.97 or \"30000/1001\"";
     EXPECT_EQ(refusal(a_scene + "[film]\nfps = 0\n"),
               "scenes/a.toml:7:7: film.fps is 0; give a number from 0.001 to 1000");
     EXPECT_EQ(refusal(a_scene + "[film]\nfps = -25\n"),
               "scenes/a.toml:7:7: film.fps is -25; give a number from 0.001 to 1000");
     EXPECT_EQ(refusal(a_scene + "[film]\nfps = \"30/0\"\n"),
               "scenes/a.toml:7:7: film.fps is \"30/0\"" + rule);
+    EXPECT_EQ(refusal(a_scene + "[film]\nfps = 17.332092036203907\n"),
+              "scenes/a.toml:7:7: film.fps is 17.332092036203907" + rule);
+    EXPECT_EQ(refusal(a_scene + "[film]\nfps = \"1000001/40000\"\n"),
+              "scenes/a.toml:7:7: film.fps is \"1000001/40000\"" + rule);
     EXPECT_EQ(refusal(a_scene + "[film]\nfps = nan\n"),
               "scenes/a.toml:7:7: film.fps is nan; give a finite number");
 }
@@ -429,12 +434,10 @@ TEST(BadSceneFile, FolderIsReported) {
 TEST(BadSceneFile, BinaryContentIsReported) {
     const SceneFile nul("poinsot_nul.toml", std::string("title = 1\n\0\1", 12));
     EXPECT_EQ(file_refusal(nul.path()),
-              nul.path().string() +
-                  ":2:1: control character U+0000; a scene is plain text, remove "
-                  "it");
+              nul.path().string() + ":2:1: control character U+0000; remove it");
     const SceneFile png("poinsot_png.toml", "\x89PNG\r\n\x1a\n");
     EXPECT_EQ(file_refusal(png.path()),
-              png.path().string() + ":1:1: byte 0x89 is not UTF-8; save the scene as UTF-8 text");
+              png.path().string() + ":1:1: byte 0x89 is not UTF-8; save this text as UTF-8");
 }
 
 TEST(BadSceneFile, LargeFileIsNotRead) {
