@@ -274,6 +274,12 @@ void add_motion(py::module_& module) {
             "regime",
             [](const Motion& motion) { return std::string(library::name_of(motion.regime())); })
         .def_property_readonly("description", &Motion::regime_sentence)
+        .def_property_readonly(
+            "principal_axes",
+            [](const Motion& motion) {
+                using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+                return Rows(motion.body_from_principal().transpose().array() + 0.0);
+            })
         .def("constants", constants)
         .def("top_constants", top_constants)
         .def("cones", cones)

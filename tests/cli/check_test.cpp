@@ -2,10 +2,13 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <nlohmann/json.hpp>
 #include <sstream>
 #include <string>
+#include <vector>
 
 #include "cli/program_run.h"
 #include "cli/small_scene.h"
@@ -55,6 +58,46 @@ double number_of(const std::string& json, const std::string& key) {
     const std::size_t at = json.find("\"" + key + "\": ");
     EXPECT_NE(at, std::string::npos) << key << " in " << json;
     return at == std::string::npos ? -1.0 : std::stod(json.substr(at + key.size() + 4));
+}
+
+// A tensor says nothing of its principal axes: diag(4, 3, 1.5) turned by the angle with cosine 0.8
+// about z has e1 = (0.8, 0.6, 0).
+TEST(Check, NamesThePrincipalAxesOfATensor) {
+    const std::string scene = R"(
+[body]
+tensor_kg_m2 = [[3.64, 0.48, 0.0], [0.48, 3.36, 0.0], [0.0, 0.0, 1.5]]
+[start]
+omega_rad_s = [0.3, 1.0, 0.2]
+[film]
+size = [320, 180]
+duration_s = 2.0
+)";
+    const auto found = nlohmann::json::parse(output_of(scene, "check scene.toml --json"));
+    const auto moments = found.at("moments_kg_m2").get<std::vector<double>>();
+    const auto axes = found.at("principal_axes").get<std::vector<std::vector<double>>>();
+    const std::vector<std::vector<double>> expected{{0.8, 0.6, 0.0}, {-0.6, 0.8, 0.0}, {0, 0, 1}};
+    const std::vector<double> expected_moments{4.0, 3.0, 1.5};
+    ASSERT_EQ(axes.size(), 3u);
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto same =
+            static_cast<std::size_t>(std::min_element(moments.begin(), moments.end(),
+                                                      [&](double a, double b) {
+                                                          return std::abs(a - expected_moments[k]) <
+                                                                 std::abs(b - expected_moments[k]);
+                                                      }) -
+                                     moments.begin());
+        double along = 0.0, length = 0.0;
+        for (std::size_t i = 0; i < 3; ++i) {
+            along += axes[same][i] * expected[k][i];
+            length += axes[same][i] * axes[same][i];
+        }
+        EXPECT_NEAR(std::abs(along), 1.0, 1e-15);
+        EXPECT_NEAR(length, 1.0, 1e-15);
+    }
+    EXPECT_NE(output_of(scene, "check scene.toml").find("\nprincipal axes: e1 = ("),
+              std::string::npos);
+    // Moments are given in principal axes.
+    EXPECT_EQ(output_of(generic, "check scene.toml").find("principal axes"), std::string::npos);
 }
 
 // Returns the line of the plan with this beginning.

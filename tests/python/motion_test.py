@@ -169,6 +169,12 @@ def test_a_tensor_is_its_moments_in_turned_axes():
     tensor = (tensor + tensor.T) / 2
     in_principal = poinsot.Motion(TRIAXIAL, OMEGA).at(TIMES).omega_body
     in_given = poinsot.Motion(tensor, turn @ OMEGA).at(TIMES).omega_body
+    # Where the principal axes are, up to their signs and their order.
+    motion = poinsot.Motion(tensor, turn @ OMEGA)
+    axes = motion.principal_axes
+    np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=1e-15)
+    np.testing.assert_allclose(axes @ tensor @ axes.T, np.diag(1 / motion.constants.half_axes**2), atol=1e-14)
+    assert (poinsot.Motion(TRIAXIAL, OMEGA).principal_axes == np.eye(3)).all()
     # The tensor's rounding, 1e-16, changes the periods by as much: 1e-13 after 1e3 s.
     np.testing.assert_allclose(in_given, in_principal @ turn.T, atol=1e-11)
 

@@ -176,6 +176,21 @@ void add_comparison(const Session& session, const FilmPlan& film, std::vector<Su
                      fmt::format("{:.3g} of L", errors.momentum_relative)});
 }
 
+// Adds the directions of the principal axes, in words only where they are not the given ones.
+void add_principal_axes(const InertiaTensor& inertia, std::vector<SummaryLine>& lines) {
+    const Eigen::Matrix3d& axes = inertia.body_from_principal();
+    std::vector<std::string> json;
+    std::string words;
+    for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d e = axes.col(k).array() + 0.0;  // no negative zero
+        json.push_back(json_numbers(e[0], e[1], e[2]));
+        words += fmt::format("e{} = ({:.6g}, {:.6g}, {:.6g}){}", k + 1, e[0], e[1], e[2],
+                             k < 2 ? ", " : " in the given axes");
+    }
+    const bool as_given = axes == Eigen::Matrix3d::Identity();
+    lines.push_back({"principal_axes", json_list(json), as_given ? "" : "principal axes", words});
+}
+
 // Adds the scene's data and the kind of motion.
 void add_motion(const Session& session, std::vector<SummaryLine>& lines) {
     const MotionProblem& problem = session.motion.problem();
@@ -187,6 +202,7 @@ void add_motion(const Session& session, std::vector<SummaryLine>& lines) {
         {"moments_kg_m2", json_numbers(I[0], I[1], I[2]), "moments I₁, I₂, I₃",
          fmt::format("{:.9g}, {:.9g}, {:.9g} kg m²{}", I[0], I[1], I[2],
                      problem.inertia.planar() ? " (planar: one is the sum of the others)" : "")});
+    add_principal_axes(problem.inertia, lines);
     lines.push_back({"method", json_string(problem.method.name), "method", problem.method.name});
     if (std::holds_alternative<NoTorque>(problem.torque)) {
         add_free_motion(session, lines);

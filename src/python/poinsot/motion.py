@@ -205,6 +205,15 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         return self._native.description
 
     @property
+    def principal_axes(self) -> Numbers:
+        """The principal axes e1, e2, e3 as rows, in the axes of the tensor: unit vectors, shape (3, 3).
+
+        Their order is that of `constants.half_axes`. With moments instead of a tensor they are (1, 0, 0),
+        (0, 1, 0) and (0, 0, 1).
+        """
+        return self._native.principal_axes
+
+    @property
     def constants(self) -> Constants:
         """The constants of the motion. Raises InputError for a body at rest."""
         return Constants(**self._native.constants())
