@@ -119,6 +119,21 @@ async function drive() {
     claim("the reason names the changes", approve.endsWith(" --why '" + changes.join("; ") + "'"));
     claim("like changes are one group",
           [...document.querySelectorAll("#list .group")].map(item => item.firstChild.textContent).join() === GROUPS);
+    const after = [...document.querySelectorAll("#list .member")].pop().nextElementSibling;
+    claim("what follows a group is set apart", after.matches(".apart:not(.member)"));
+
+    // The window: expected, difference and actual are in one row, or one above the other, but never cut.
+    document.querySelectorAll('#list li[role="option"]')[2].click();
+    await pictures();
+    for (let i = 0; i < 200 && [...document.images].some(image => !image.style.width); ++i) await wait(25);
+    const boxes = [...document.querySelectorAll("#stage figure")].map(figure => figure.getBoundingClientRect());
+    const stage = document.getElementById("stage").getBoundingClientRect();
+    claim("pictures lie in one row: " + boxes.map(box => [box.top, box.width]).join(" "),
+          boxes.length === 3 && boxes.every(box => box.top === boxes[0].top) === IN_A_ROW);
+    claim("no picture is cut", boxes.every(box => box.right <= stage.right + 0.5));
+    const list = document.querySelector("nav").getBoundingClientRect();
+    claim("the list takes at most a third: " + list.width + " × " + list.height,
+          Math.min(list.width / innerWidth, list.height / innerHeight) <= 0.34);
 
     claim("a name is text, not a part of the page", !document.querySelector("main b, nav b"));
     claim("nothing is fetched",
@@ -137,7 +152,7 @@ def make_pictures(program, expected, actual):
     def draw(path, *options):
         subprocess.run([program, "still", str(REPOSITORY / "scenes" / "sphere.toml"), "--portable", "-q", "-o", str(path),
                         *options], check=True)
-    small = ["--size", "128x72"]
+    small = ["--size", "640x360"]
     draw(expected / "same.png", *small)
     shutil.copy(expected / "same.png", actual)
     shutil.copy(expected / "same.png", expected / "gone.png")
@@ -146,7 +161,7 @@ def make_pictures(program, expected, actual):
     shutil.copy(expected / "same.png", expected / "also turned.png")
     shutil.copy(actual / "turned<b>.png", actual / "also turned.png")
     shutil.copy(expected / "same.png", expected / "wide.png")
-    draw(actual / "wide.png", "--size", "160x72")
+    draw(actual / "wide.png", "--size", "700x360")
     shutil.copy(expected / "same.png", actual / "new.png")
 
 
@@ -166,18 +181,20 @@ def main():
                 print(f"compare: exit {compared.returncode}, not 1: {compared.stderr.decode()}")
                 return 1
             driver = DRIVER.replace("GROUPS", '"2 pictures: pixels"')
-            page.write_text(page.read_text().replace("</body>", driver + "</body>"))
-            if show(browser, folder, page) != 0:
-                return 1
+            text = page.read_text()
+            for width, in_a_row in ((1300, "true"), (700, "true"), (460, "false")) if not options else ((1920, "true"),):
+                page.write_text(text.replace("</body>", driver.replace("IN_A_ROW", in_a_row) + "</body>"))
+                if show(browser, folder, page, width) != 0:
+                    return 1
     return 0
 
 
-def show(browser, folder, page):
-    """Runs the page with the driver, prints its claims; 0 if all hold."""
+def show(browser, folder, page, width):
+    """Runs the page with the driver in a window of this width, prints its claims; 0 if all hold."""
     found = None
     for start in range(3):
         shown = subprocess.run([browser, "--headless", "--no-sandbox", "--disable-gpu",
-                                "--virtual-time-budget=20000", f"--user-data-dir={folder / f'profile{start}'}",
+                                f"--window-size={width},800", "--virtual-time-budget=20000", f"--user-data-dir={folder / f'profile{start}'}",
                                 "--dump-dom", page.as_uri()], capture_output=True, timeout=120).stdout.decode()
         found = re.search(r'<pre id="claims">(.+?)</pre>', shown, re.DOTALL)
         if found:
