@@ -64,26 +64,40 @@ std::string check_json(const Scene& scene) {
     return answer;
 }
 
-library::Still still(const Scene& scene, std::optional<double> time_s, bool clearest,
-                     const py::dict& paper, const std::string& backend, bool portable) {
+// What a picture reports, as plain values: the interpreter's lock is released while it is drawn.
+struct Told {
+    std::vector<std::string> notes;
+    std::optional<std::string> report;
+
+    library::Watch listening(library::Watch watch) {
+        watch.say = [this](const std::string& line) { notes.push_back(line); };
+        watch.report = [this](const std::string& lines) { report = lines; };
+        return watch;
+    }
+};
+
+py::tuple still(const Scene& scene, std::optional<double> time_s, bool clearest,
+                const py::dict& paper, const std::string& backend, bool portable) {
     const library::StillOptions options{time_s, clearest, paper_of(paper), {backend, portable}};
     std::optional<library::Still> made;
+    Told told;
     Running(py::none(), py::none()).run([&](const library::Watch& watch) {
-        made = scene.still(options, watch);
+        made = scene.still(options, told.listening(watch));
     });
-    return *made;
+    return py::make_tuple(*made, told.notes, told.report);
 }
 
-py::bytes figure(const Scene& scene, const std::string& format, std::optional<double> time_s,
+py::tuple figure(const Scene& scene, const std::string& format, std::optional<double> time_s,
                  bool clearest, const py::dict& paper, const std::string& shading,
                  const std::string& text, const std::string& backend, bool portable) {
     const library::FigureOptions options{
         time_s, clearest, paper_of(paper), {backend, portable}, format, shading, text};
     std::string bytes;
+    Told told;
     Running(py::none(), py::none()).run([&](const library::Watch& watch) {
-        bytes = scene.figure(options, watch);
+        bytes = scene.figure(options, told.listening(watch));
     });
-    return bytes;
+    return py::make_tuple(py::bytes(bytes), told.notes, told.report);
 }
 
 void render(const Scene& scene, const std::string& path,

@@ -4,6 +4,7 @@ import os
 import pathlib
 import pickle
 import re
+import subprocess
 import urllib.parse
 
 import numpy as np
@@ -124,6 +125,28 @@ def test_a_figure_is_the_file_of_the_command(program, tmp_path):
     for suffix, contents in (("svg", figure.svg.encode()), ("pdf", figure.pdf)):
         program("still", GENERIC, "--time", "1.5", "--size", "320x180", "-o", tmp_path / f"figure.{suffix}")
         assert contents == (tmp_path / f"figure.{suffix}").read_bytes()
+
+
+def test_a_figure_and_a_still_keep_what_the_command_says(program, tmp_path):
+    def said_by(*options):
+        command = [os.environ["POINSOT"], "still", GENERIC, "--time", "1.5", *map(str, options)]
+        return subprocess.run(command, capture_output=True, text=True, check=True).stderr
+
+    small = {"size": (160, 90)}
+    figure = poinsot.Scene(GENERIC).figure(1.5, **small)
+    said = said_by("--size", "160x90", "-o", tmp_path / "figure.svg")
+    assert figure.report is None and any(note.startswith("note: no room for the name of ") for note in figure.notes)
+    assert [line for line in said.splitlines() if "figure.svg" not in line] == figure.notes
+    still = poinsot.Scene(GENERIC).still(1.5, **small)
+    assert still.report is None and still.notes and all(note.startswith("note: ") for note in still.notes)
+
+    figure = poinsot.Scene(GENERIC).figure(1.5, journal="aps")
+    said = said_by("--journal", "aps", "-o", tmp_path / "figure.pdf")
+    assert figure.report.startswith("size: ") and figure.report in said
+    assert "least contrast with the page: " in figure.report and "left out: title, captions and clock" in figure.report
+    still = poinsot.Scene(GENERIC).still(1.5, journal="aps")
+    said = said_by("--journal", "aps", "-o", tmp_path / "still.png")
+    assert still.report.startswith("size: ") and still.report in said
 
 
 @pytest.mark.parametrize("name", ["turn.mp4", "turn.gif", "turn_####.png"])

@@ -23,6 +23,9 @@ struct Watch {
     std::function<void(const std::string& line)> say{};  // notes, and the bound of the errors
     std::function<void(std::int64_t n_done, std::int64_t n_frames)> frames{};
     std::function<bool()> stop{};
+    // What a still or a figure for a journal contains, a line each: size, least sizes, contrasts,
+    // and what is left out. As `poinsot still --journal` prints it.
+    std::function<void(const std::string& lines)> report{};
 };
 
 // How pictures are drawn. `backend`: auto, osmesa, egl or gpu. `portable`: the same bytes on every

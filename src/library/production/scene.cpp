@@ -46,6 +46,13 @@ Session quiet_session(const SceneRequest& request, const Watch& watch) {
     return open_session(request);
 }
 
+// Notes and the journal's report, on the caller's thread.
+void tell(const StillJob& job, const Watch& watch) {
+    if (watch.say) job.tell({.say = watch.say});
+    if (const std::string lines = watch.report ? job.report() : ""; !lines.empty())
+        watch.report(lines);
+}
+
 }  // namespace
 
 struct Still::Contents {
@@ -159,6 +166,7 @@ Still Scene::still(const StillOptions& options, const Watch& watch) const {
     Session session = is_for_paper ? quiet_session(request, watch)
                                    : contents_->session_at(request.times_s, watch);
     StillJob job(std::move(session), std::move(still));
+    tell(job, watch);
     auto made = std::make_shared<Still::Contents>();
     draw(choice_of(options.context), watch,
          [&job, &made](LazyRenderer& renderer, const ProgressSink&) {
@@ -186,16 +194,19 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
     still.print = request.print;
     check_vector_choices(still.vectors);
     StillJob job(quiet_session(request, watch), std::move(still));
-    std::string bytes;
-    if (!job.opens_context()) {
+    tell(job, watch);
+    VectorStill drawn;
+    if (job.opens_context()) {
+        draw(choice_of(options.context), watch,
+             [&job, &drawn](LazyRenderer& renderer, const ProgressSink&) {
+                 drawn = job.vectors(renderer);
+             });
+    } else {
         LazyRenderer unused;
-        return job.vectors(unused).bytes;
+        drawn = job.vectors(unused);
     }
-    draw(choice_of(options.context), watch,
-         [&job, &bytes](LazyRenderer& renderer, const ProgressSink&) {
-             bytes = job.vectors(renderer).bytes;
-         });
-    return bytes;
+    if (watch.say) watch.say(fmt::format("paths within {:.2g} um of what they show", drawn.off_um));
+    return std::move(drawn.bytes);
 }
 
 void Scene::render(const std::string& path, const RenderOptions& options,

@@ -245,10 +245,23 @@ Record StillJob::draw_into(LazyRenderer& renderer, Image& image) {
     return record;
 }
 
-void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress) {
+void StillJob::tell(const ProgressSink& progress) const {
     tell_notes(session_, progress);
     tell_stage_notes(staging_.stage, progress);
     tell_unnamed(staging_.stage, {&moment_, 1}, progress);
+}
+
+std::string StillJob::report() const {
+    std::string words;
+    if (!request_.print.journal.empty())
+        tell_figure(session_, drawing(),
+                    staging_.samples * request_.print.dpi.value_or(default_dpi),
+                    {.say = [&words](const std::string& line) { words = line; }});
+    return words;
+}
+
+void StillJob::draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress) {
+    tell(progress);
     OutputPlace place(request_.output, session_.scene, ".png");
     if (is_vector_name(request_.output)) {
         draw_vectors(std::move(place), renderer, progress);

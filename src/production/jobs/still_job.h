@@ -59,6 +59,12 @@ class StillJob {
     // EnvironmentError, and the writer's error for an earlier picture.
     void draw(LazyRenderer& renderer, StillWriter& writer, const ProgressSink& progress);
 
+    // Reports what draw() reports besides the file: notes, and names without space.
+    void tell(const ProgressSink& progress) const;
+    // What a journal's figure contains, as --journal prints it; empty without a journal. Before the
+    // picture is drawn.
+    std::string report() const;
+
     // Draws the picture in memory. Throws InputError for a picture that is drawn in bands or has 16
     // bits per component.
     PixelStill pixels(LazyRenderer& renderer);

@@ -8,7 +8,7 @@ import json
 import os
 import re
 import urllib.parse
-from typing import Any, Callable, List, Optional
+from typing import Any, Callable, List, Optional, Sequence
 
 from numpy.typing import NDArray
 
@@ -45,9 +45,13 @@ class Still:
             non-premultiplied alpha; row 0 is the top. It shares the still's memory.
         png: the bytes of the PNG file that `poinsot still` writes, with its record.
         bound: how far the lines may be from the truth, in words.
+        notes: remarks, such as names without room.
+        report: with a journal, size, least sizes, contrasts and what is left out; else None.
     """
 
-    def __init__(self, drawn: _poinsot.Still) -> None:
+    def __init__(self, drawn: _poinsot.Still, notes: Sequence[str] = (), report: Optional[str] = None) -> None:
+        self.notes = list(notes)
+        self.report = report
         self._drawn = drawn
         self._png: Optional[bytes] = None
 
@@ -90,10 +94,16 @@ class Figure:
     Attributes:
         svg: its text as SVG.
         pdf: its bytes as PDF, made when it is first asked for.
+        notes: remarks, such as names without room, and the bound of the errors of its paths.
+        report: with a journal, size, least sizes, contrasts and what is left out; else None.
     """
 
-    def __init__(self, svg: str, make_pdf: Callable[[], bytes]) -> None:
+    def __init__(
+        self, svg: str, make_pdf: Callable[[], bytes], notes: Sequence[str] = (), report: Optional[str] = None
+    ) -> None:
         self.svg = svg
+        self.notes = list(notes)
+        self.report = report
         self._make_pdf = make_pdf
         self._pdf: Optional[bytes] = None
 

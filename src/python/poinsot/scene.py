@@ -210,7 +210,7 @@ class Scene:
         instant, clearest = _instant(time_s)
         paper = {"width_mm": width_mm, "height_mm": height_mm, "dpi": dpi, "type_pt": type_pt, "journal": journal}
         scene = self._drawn(size, theme, quality, None, backend, portable)
-        return Still(scene.still(instant, clearest, paper, backend, portable))
+        return Still(*scene.still(instant, clearest, paper, backend, portable))
 
     def figure(
         self,
@@ -233,10 +233,11 @@ class Scene:
         paper = {"width_mm": width_mm, "height_mm": height_mm, "type_pt": type_pt, "journal": journal}
         scene = self._drawn(size, theme, quality, None, backend, portable)
 
-        def made(kind: str) -> bytes:
+        def made(kind: str) -> Tuple[bytes, List[str], Optional[str]]:
             return scene.figure(kind, instant, clearest, paper, shading, text, backend, portable)
 
-        return Figure(made("svg").decode("utf-8"), lambda: made("pdf"))
+        svg, notes, report = made("svg")
+        return Figure(svg.decode("utf-8"), lambda: made("pdf")[0], notes, report)
 
     def render(
         self,
