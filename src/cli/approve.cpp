@@ -1,5 +1,5 @@
 // poinsot approve NAME…: approves pictures as new baselines, and records their origin and the
-// reason.
+// reason; removes baselines.
 #include <fmt/format.h>
 
 #include "cli/command.h"
@@ -20,10 +20,28 @@ struct ApproveChoices {
     bool any_renderer = false;
     bool foreign = false;
     bool all = false;
+    bool remove = false;
     bool quiet = false;
 };
 
 int run(const ApproveChoices& choices) {
+    const ApprovalTelling progress{
+        .settled =
+            [&choices](const std::string& name, std::string_view outcome) {
+                if (!choices.quiet) fmt::print("{}: {}\n", printable(name), outcome);
+            },
+        .note =
+            [&choices](const std::string& note) {
+                if (!choices.quiet) say("note: " + note);
+            }};
+    if (choices.remove) {
+        if (choices.baselines.empty())
+            throw InputError("poinsot approve --remove: give the folder with --baselines");
+        if (choices.all)
+            throw InputError("poinsot approve --remove: name the baselines, not --all");
+        remove_baselines(choices.baselines, choices.names, choices.why, progress);
+        return 0;
+    }
     if (choices.results.empty() || choices.baselines.empty())
         throw InputError(
             "poinsot approve: give both folders, the new pictures with --results and the baselines "
@@ -35,14 +53,7 @@ int run(const ApproveChoices& choices) {
              .why = choices.why,
              .any_renderer = choices.any_renderer,
              .foreign = choices.foreign},
-            {.settled =
-                 [&choices](const std::string& name, std::string_view outcome) {
-                     if (!choices.quiet) fmt::print("{}: {}\n", printable(name), outcome);
-                 },
-             .note =
-                 [&choices](const std::string& note) {
-                     if (!choices.quiet) say("note: " + note);
-                 }});
+            progress);
     return 0;
 }
 
@@ -55,9 +66,12 @@ CommandLine approve_line(std::any& storage) {
           false, "folder"},
          {"--why", "the reason for the change, kept in the manifest", &c.why, "", "REASON"},
          {"--any-renderer", "also accept pictures of another renderer or profile", &c.any_renderer},
-         {"--foreign", "also accept PNG pictures of other programs; the manifest says so",
-          &c.foreign},
-         {"--all", "approve every picture that is new or has changed", &c.all},
+         {"--foreign", "also accept files of other programs; the manifest says so", &c.foreign},
+         {"--all", "approve everything that is new or has changed", &c.all},
+         {"--remove",
+          "instead remove these baselines, and their lines in the manifest; --results is not "
+          "needed",
+          &c.remove},
          quiet_option(c.quiet)},
         [&c] { return run(c); }};
 }

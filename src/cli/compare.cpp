@@ -170,6 +170,22 @@ void note_unused_regions(const std::vector<ComparedPicture>& pictures) {
                 printable(name)));
 }
 
+// JPEGs beside PNGs are easily taken for compared.
+void note_other_pictures(const fs::path& expected, const fs::path& actual) {
+    for (const fs::path& folder : {expected, actual}) {
+        const std::vector<fs::path> others = other_pictures_in(folder);
+        if (others.empty()) continue;
+        constexpr std::size_t most_names = 3;
+        std::string names;
+        for (std::size_t i = 0; i < std::min(others.size(), most_names); ++i)
+            names += (i == 0 ? "" : ", ") + printable(others[i].string());
+        if (others.size() > most_names)
+            names += fmt::format(" and {} more", others.size() - most_names);
+        say(fmt::format("note: {}: not compared, because these pictures are not PNGs: {}",
+                        printable(folder.string()), names));
+    }
+}
+
 // Whether a path is a folder or lies inside of it.
 bool is_within(const fs::path& path, const fs::path& folder) {
     std::error_code error;
@@ -285,9 +301,10 @@ int run(const CompareChoices& choices) {
         request.seen = [&](ComparedPicture& picture, const PicturePair& pair) {
             if (shown) shown->add(picture, pair);
             if (choices.diff.empty()) return;
-            write_png(choices.diff, pair.strip.empty()
-                                        ? difference_picture(pair.expected, pair.actual)
-                                        : film_strip(pair.strip, any_strip_width));
+            write_png(choices.diff,
+                      pair.strip.empty()
+                          ? difference_picture(pair.expected, pair.actual, pair.ignored)
+                          : film_strip(pair.strip, any_strip_width));
         };
 
     std::vector<ComparedPicture> pictures;
@@ -298,7 +315,8 @@ int run(const CompareChoices& choices) {
         const Baselines baselines(expected.parent_path());
         const bool is_picture = is_png(actual);
         pictures = {compare_files(name_of_file(actual), expected, actual, request,
-                                  is_picture ? &baselines : nullptr, name_of_file(expected))};
+                                  is_sequence_name(expected) ? nullptr : &baselines,
+                                  name_of_file(expected))};
         if (pictures[0].outcome == Outcome::unreadable) throw InputError(pictures[0].reason);
         if (!choices.diff.empty() && pictures[0].outcome == Outcome::same)
             show_same(choices, expected, actual, is_picture);
@@ -323,6 +341,7 @@ int run(const CompareChoices& choices) {
     }
     if (!choices.quiet) {
         note_unused_regions(pictures);
+        if (folders) note_other_pictures(expected, actual);
         if (choices.profile != "native") note_native(pictures);
     }
     return all_pass(pictures) ? 0 : 1;
@@ -370,7 +389,7 @@ CommandLine compare_line(std::any& storage) {
           "", "SSIM"},
          {"--antialiasing",
           "allow differences at edges that anti-aliasing explains: edges that move by less than a "
-          "pixel",
+          "pixel; not for textures, which are edges everywhere",
           &c.antialiasing},
          {"--ignore",
           "do not compare a rectangle (left,top,width,height in pixels or %), or what the "

@@ -46,8 +46,14 @@ Gates gates_of(const py::dict& options) {
         if (const auto given = option<Value>(options, name))
             value = named(name, [&] { return checked(*given); });
     };
-    read("max_differing", gates.max_differing, checked_share);
-    read("max_over", gates.max_over, checked_share);
+    const auto read_share = [&](const char* name, std::optional<double>& share) {
+        if (options.contains(name) && py::isinstance<py::str>(options[name]))
+            share = named(name, [&] { return parse_share(options[name].cast<std::string>()); });
+        else
+            read(name, share, checked_share);
+    };
+    read_share("max_differing", gates.max_differing);
+    read_share("max_over", gates.max_over);
     read("over_levels", gates.over_levels, checked_level);
     read("max_flip", gates.max_flip, checked_flip);
     read("min_ssim", gates.min_ssim, checked_ssim);
@@ -106,7 +112,8 @@ py::dict compare_pair(const std::string& name, const std::string& expected,
     CompareRequest request = request_of(profile, limits, measures);
     Image difference;
     request.seen = [&difference](ComparedPicture&, const PicturePair& pair) {
-        if (pair.strip.empty()) difference = difference_picture(pair.expected, pair.actual);
+        if (pair.strip.empty())
+            difference = difference_picture(pair.expected, pair.actual, pair.ignored);
     };
     ComparedPicture compared;
     {
@@ -183,21 +190,41 @@ py::bytes png_of_pixels(const Pixels& pixels) {
     return py::bytes(reinterpret_cast<const char*>(png.data()), png.size());
 }
 
-std::vector<std::pair<std::string, std::string>> approve_pictures(
-    const std::string& results, const std::string& baselines, const std::vector<std::string>& names,
-    const std::string& why, bool any_renderer) {
-    std::vector<std::pair<std::string, std::string>> outcomes;
+// Refuses limits that no comparison with this picture could use.
+void check_limits(const std::string& picture, const std::string& profile, const py::dict& limits) {
+    const CompareRequest request = request_of(profile, limits, false);
+    named("ignore", [&] { check_regions(request.gates, picture); });
+}
+
+using Outcomes = std::vector<std::pair<std::string, std::string>>;
+
+ApprovalTelling settled_into(Outcomes& outcomes) {
+    return {
+        .settled = [&outcomes](const std::string& name,
+                               std::string_view outcome) { outcomes.emplace_back(name, outcome); },
+        .note = [](const std::string&) {}};
+}
+
+Outcomes approve_pictures(const std::string& results, const std::string& baselines,
+                          const std::vector<std::string>& names, const std::string& why,
+                          bool any_renderer, bool foreign) {
+    Outcomes outcomes;
     const WithoutLock without_lock;
-    approve(
-        {.results = results,
-         .baselines = baselines,
-         .names = names,
-         .why = why,
-         .any_renderer = any_renderer,
-         .foreign = true},
-        {.settled = [&outcomes](const std::string& name,
-                                std::string_view outcome) { outcomes.emplace_back(name, outcome); },
-         .note = [](const std::string&) {}});
+    approve({.results = results,
+             .baselines = baselines,
+             .names = names,
+             .why = why,
+             .any_renderer = any_renderer,
+             .foreign = foreign},
+            settled_into(outcomes));
+    return outcomes;
+}
+
+Outcomes remove_pictures(const std::string& baselines, const std::vector<std::string>& names,
+                         const std::string& why) {
+    Outcomes outcomes;
+    const WithoutLock without_lock;
+    remove_baselines(baselines, names, why, settled_into(outcomes));
     return outcomes;
 }
 
@@ -221,8 +248,10 @@ void add_comparison(py::module_& module) {
             });
         },
         "file"_a, "contents"_a);
+    module.def("check_limits", check_limits, "picture"_a, "profile"_a, "limits"_a);
     module.def("approve", approve_pictures, "results"_a, "baselines"_a, "names"_a, "why"_a,
-               "any_renderer"_a);
+               "any_renderer"_a, "foreign"_a);
+    module.def("remove_baselines", remove_pictures, "baselines"_a, "names"_a, "why"_a);
 }
 
 }  // namespace poinsot::python

@@ -8,12 +8,12 @@
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "output/film_metadata.h"
 #include "production/provenance/record.h"
 #include "production/provenance/verify.h"
 #include "report/baselines.h"
 #include "report/compared_picture.h"
 #include "system/files/file_kind.h"
+#include "text/nearest.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -44,11 +44,13 @@ std::string picture_name(const std::string& argument, const fs::path& results) {
     return path.generic_string();
 }
 
-// The file of a picture with this name: turn.png, or turn.PNG if only that exists.
+// The file of a picture with this name: turn.png, or turn.PNG if only that exists; of a film or a
+// vector figure, the name itself.
 fs::path file_of_picture(const fs::path& results, const std::string& name) {
     fs::path usual = results / (name + ".png");
     if (kind_of_file(usual) != FileKind::missing) return usual;
     fs::path whole = results / name;
+    if (has_suffix_in_name(name)) return whole;
     if (suffix_of(whole) == ".png" && kind_of_file(whole) != FileKind::missing) return whole;
     std::error_code error;
     fs::directory_iterator at(usual.parent_path(), error);
@@ -64,7 +66,7 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
     if (request.all) {
         if (!request.names.empty())
             throw InputError("poinsot approve: give names or --all, not both");
-        const CompareRequest exactly{.limits = CompareLimits::exact(), .only_pictures = true};
+        const CompareRequest exactly{.limits = CompareLimits::exact()};
         for (const ComparedPicture& picture :
              compare_folders(request.baselines, request.results, exactly))
             if (!picture.actual.empty() && picture.outcome != Outcome::same)
@@ -83,15 +85,19 @@ std::vector<std::string> names_wanted(const ApprovalRequest& request) {
 Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
                         const ApprovalTelling& progress) {
     Candidate candidate{name, file_of_picture(request.results, name), {}};
-    const StoredPicture picture = read_stored_png(candidate.file);
-    if (!picture.info.texts.contains(metadata_name)) {
+    if (kind_of_file(candidate.file) == FileKind::missing)
+        throw InputError(fmt::format("{} does not exist", printable(candidate.file.string())));
+    const bool is_picture = suffix_of(candidate.file) == ".png";
+    const std::string pixels = is_picture ? pixels_sha256(read_stored_png(candidate.file))
+                                          : pixel_hash_of_file(candidate.file);
+    if (record_text(candidate.file).empty()) {
         if (!request.foreign)
             throw InputError(fmt::format(
                 "{}: has no record of how it was made: another program drew it or removed the "
                 "record; draw it with poinsot, or give --foreign to approve pictures of other "
                 "programs",
                 printable(candidate.file.string())));
-        candidate.baseline = {.pixels = pixels_sha256(picture),
+        candidate.baseline = {.pixels = pixels,
                               .scene = "",
                               .renderer = std::string(foreign_renderer),
                               .mesa = "",
@@ -115,19 +121,24 @@ Candidate candidate_for(const std::string& name, const ApprovalRequest& request,
     if (verification.verified == Verified::cannot_be)
         progress.note(
             fmt::format("{}: {}", printable(candidate.file.string()), verification.sentence));
-    candidate.baseline = {pixels_sha256(picture), record.scene_hash, record.renderer, record.mesa,
-                          record.version,         request.why};
+    candidate.baseline = {pixels,      record.scene_hash, record.renderer,
+                          record.mesa, record.version,    request.why};
     return candidate;
+}
+
+// Whether a renderer of ours drew it: neither another program's, nor vectors without pixels.
+bool is_drawn(const Baseline& baseline) {
+    return !is_foreign(baseline) && baseline.renderer != vectors_renderer;
 }
 
 // All baselines of a folder come from one renderer; otherwise comparisons would show differences
 // between renderers instead of pictures.
 void check_renderer(const Candidate& candidate, const BaselineManifest& manifest,
                     const ApprovalRequest& request) {
-    if (request.any_renderer || is_foreign(candidate.baseline)) return;
+    if (request.any_renderer || !is_drawn(candidate.baseline)) return;
     for (const auto& [name, baseline] : manifest) {
         const Baseline& now = candidate.baseline;
-        if (is_foreign(baseline)) continue;
+        if (!is_drawn(baseline)) continue;
         if (baseline.renderer == now.renderer && baseline.mesa == now.mesa) continue;
         throw InputError(fmt::format(
             "{}: drawn by {}, Mesa {}, but the baseline {} by {}, Mesa {}; to change the renderer, "
@@ -185,6 +196,33 @@ void approve(const ApprovalRequest& request, const ApprovalTelling& progress) {
     }
     baselines.take(changes);
     for (std::size_t i = 0; i < changes.size(); ++i) progress.settled(changes[i].name, outcomes[i]);
+}
+
+void remove_baselines(const fs::path& baselines, const std::vector<std::string>& names,
+                      const std::string& why, const ApprovalTelling& progress) {
+    if (names.empty()) throw InputError("poinsot approve --remove: name the baselines");
+    if (kind_of_file(baselines) != FileKind::folder)
+        throw InputError(fmt::format("{}: no such folder", printable(baselines.string())));
+    BaselineWriter writer(baselines, [&] {
+        progress.note(fmt::format("waiting for another approval that is writing to {}",
+                                  printable(baselines.string())));
+    });
+    std::vector<std::string> removed;
+    for (const std::string& argument : names) {
+        std::string name = picture_name(argument, baselines);
+        if (!writer.manifest().contains(name) &&
+            kind_of_file(writer.picture(name)) == FileKind::missing) {
+            std::vector<std::string_view> known;
+            for (const auto& [there, line] : writer.manifest()) known.emplace_back(there);
+            throw InputError(fmt::format("{}: no baseline of that name in {}{}",
+                                         printable(argument), printable(baselines.string()),
+                                         did_you_mean(name, known)));
+        }
+        removed.push_back(std::move(name));
+    }
+    writer.take({}, removed);
+    const std::string outcome = why.empty() ? "removed" : "removed: " + why;
+    for (const std::string& name : removed) progress.settled(name, outcome);
 }
 
 }  // namespace poinsot

@@ -11,12 +11,14 @@
 namespace poinsot {
 
 struct Baseline {
-    std::string pixels;    // hash of size and pixels; see pixels_sha256
-    std::string scene;     // SHA-256 of the complete scene
-    std::string renderer;  // GL_RENDERER; foreign_renderer for a picture by another program
-    std::string mesa;      // version
-    std::string version;   // of poinsot
-    std::string why;       // the reason given
+    std::string pixels;  // hash of size and pixels; see pixels_sha256. Of films and vector
+                         // figures, SHA-256 of the file
+    std::string scene;   // SHA-256 of the complete scene
+    std::string
+        renderer;  // GL_RENDERER, or "vectors"; foreign_renderer for a picture by another program
+    std::string mesa;     // version
+    std::string version;  // of poinsot
+    std::string why;      // the reason given
 
     bool operator==(const Baseline&) const = default;
 };

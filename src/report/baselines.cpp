@@ -7,7 +7,10 @@
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
+#include "report/frame_stream.h"
+#include "report/rendered_page.h"
 #include "system/files/file_contents.h"
+#include "system/sha256.h"
 
 namespace poinsot {
 
@@ -28,14 +31,26 @@ void remove_left_aside(const fs::path& picture) {
     fs::remove(aside_path_of(picture), not_there);
 }
 
+// A PNG may be named film.mp4.png.
 fs::path picture_in(const fs::path& folder, const std::string& name) {
-    return folder / (name + ".png");
+    fs::path png = folder / (name + ".png");
+    std::error_code not_there;
+    return has_suffix_in_name(name) && !fs::exists(png, not_there) ? folder / name : png;
 }
 
 }  // namespace
 
+bool has_suffix_in_name(const std::string& name) {
+    return is_film_name(name) || is_vector_page_name(name);
+}
+
 std::string pixel_hash_of_file(const fs::path& picture) {
     try {
+        if (has_suffix_in_name(picture.filename().string())) {
+            Sha256 hash;
+            read_pieces(picture, [&hash](std::string_view piece) { hash.add(piece); });
+            return hash.finish();
+        }
         return pixels_sha256(read_stored_png(picture));
     } catch (const Error&) {
         return "";
@@ -93,7 +108,12 @@ std::string BaselineWriter::pixels_of(const std::string& name) const {
     return pixel_hash_of_file(picture_in(folder_, name));
 }
 
-// Writes the line of each picture that was replaced; other pictures keep their lines.
+fs::path BaselineWriter::picture(const std::string& name) const {
+    return picture_in(folder_, name);
+}
+
+// Writes the line of each picture that was replaced, and removes that of each picture that was
+// removed; other pictures keep their lines.
 void BaselineWriter::finish_interrupted() {
     const auto next = read_next_manifest(folder_);
     if (!next) return;
@@ -105,19 +125,30 @@ void BaselineWriter::finish_interrupted() {
         manifest_[name] = line;
         finished_.push_back(name);
     }
-    if (!finished_.empty()) write_manifest(folder_, manifest_);
+    const std::size_t n_removed = std::erase_if(manifest_, [&](const auto& line) {
+        std::error_code error;
+        return !next->contains(line.first) && !fs::exists(picture(line.first), error) && !error;
+    });
+    if (!finished_.empty() || n_removed > 0) write_manifest(folder_, manifest_);
     remove_next_manifest(folder_);
 }
 
-void BaselineWriter::take(const std::vector<Change>& changes) {
+void BaselineWriter::take(const std::vector<Change>& changes,
+                          const std::vector<std::string>& removed) {
     BaselineManifest next = manifest_;
     for (const Change& change : changes) next[change.name] = change.line;
+    for (const std::string& name : removed) next.erase(name);
     // Pictures and lines cannot be renamed at once: the new lines are on disk first, so that the
     // next process can tell an approved picture from one changed by hand.
     if (next != manifest_) write_next_manifest(folder_, next);
     try {
         for (const Change& change : changes)
             copy_picture(change.from, picture_in(folder_, change.name));
+        for (const std::string& name : removed) {
+            std::error_code error;
+            fs::remove(picture(name), error);
+            if (error) throw_write_error(picture(name), error.value());
+        }
     } catch (const Error&) {
         try {
             finish_interrupted();

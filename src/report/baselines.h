@@ -13,8 +13,12 @@
 
 namespace poinsot {
 
-// Returns the hash of a file's pixels; empty if it is missing or not a complete PNG.
+// Returns the hash of a PNG's pixels, or of the bytes of a film or a vector figure; empty if the
+// file is missing or not a complete PNG.
 std::string pixel_hash_of_file(const std::filesystem::path& picture);
+
+// Whether a baseline of this name is a film or a vector figure; their names have their suffix.
+bool has_suffix_in_name(const std::string& name);
 
 // Reads a folder of baselines. Without a manifest nothing is known about its pictures.
 class Baselines {
@@ -56,15 +60,17 @@ class BaselineWriter {
     const std::vector<std::string>& finished() const { return finished_; }
 
     std::string pixels_of(const std::string& name) const;  // of the current picture
+    std::filesystem::path picture(const std::string& name) const;
 
     struct Change {
         std::string name;
         std::filesystem::path from;  // the picture to be copied
         Baseline line;
     };
-    // Copies the pictures and writes their lines. Throws EnvironmentError; before that it writes,
-    // if possible, the lines of the pictures that were already copied.
-    void take(const std::vector<Change>& changes);
+    // Copies the pictures and writes their lines, then removes the baselines with these names and
+    // their lines. Throws EnvironmentError; before that it writes, if possible, the lines of the
+    // pictures that were already copied.
+    void take(const std::vector<Change>& changes, const std::vector<std::string>& removed = {});
 
  private:
     void finish_interrupted();

@@ -52,32 +52,40 @@ Outcome outcome_of(Verdict verdict) {
 
 bool is_picture_name(const fs::path& file) { return suffix_of(file) == ".png"; }
 
-// The files of a folder that can be compared, by name.
-std::map<std::string, fs::path> pictures_in(const fs::path& folder, bool only_pictures) {
-    std::map<std::string, fs::path> found;
+// Calls a function for every file of a folder and its subfolders, except hidden ones.
+template <typename Take>
+void for_each_file(const fs::path& folder, const Take& take) {
     std::error_code error;
     fs::recursive_directory_iterator at(folder, error);
     const fs::recursive_directory_iterator end;
     for (; !error && at != end; at.increment(error)) {
-        const fs::path& path = at->path();
-        const bool hidden = path.filename().string().starts_with('.');
+        const bool hidden = at->path().filename().string().starts_with('.');
         std::error_code ignored;
         if (at->is_directory(ignored)) {
             if (hidden) at.disable_recursion_pending();
-        } else if (!hidden && (only_pictures ? is_picture_name(path) : is_comparable(path))) {
-            const fs::path name = path.lexically_relative(folder);
-            if (!is_picture_name(path)) {
-                found.emplace(name.generic_string(), path);
-                continue;
-            }
-            // turn.png and turn.PNG are two pictures.
-            if (!found.emplace(fs::path(name).replace_extension().generic_string(), path).second)
-                found.emplace(name.generic_string(), path);
+        } else if (!hidden) {
+            take(at->path());
         }
     }
     if (error)
         throw InputError(fmt::format("{}: {}; give a folder of pictures",
                                      printable(folder.string()), error.message()));
+}
+
+// The files of a folder that can be compared, by name.
+std::map<std::string, fs::path> pictures_in(const fs::path& folder) {
+    std::map<std::string, fs::path> found;
+    for_each_file(folder, [&](const fs::path& path) {
+        if (!is_comparable(path)) return;
+        const fs::path name = path.lexically_relative(folder);
+        if (!is_picture_name(path)) {
+            found.emplace(name.generic_string(), path);
+            return;
+        }
+        // turn.png and turn.PNG are two pictures.
+        if (!found.emplace(fs::path(name).replace_extension().generic_string(), path).second)
+            found.emplace(name.generic_string(), path);
+    });
     return found;
 }
 
@@ -166,8 +174,9 @@ class IgnoredRegions {
         if (pictures_.empty())
             throw InputError(fmt::format(
                 "neither picture has a record that says where to find {}; ignore a rectangle "
-                "instead, as --ignore 0,0,100%,10%",
-                fmt::join(names_, ", ")));
+                "instead, as 0,0,100%,10%, or ignore the name only in pictures by poinsot, with "
+                "[[pictures]] in {}",
+                fmt::join(names_, ", "), compare_file_name));
     }
 
     // `frame`: of a film, from its first.
@@ -398,7 +407,6 @@ void compare_two_films(const CompareRequest& request, const Gates& gates, Machin
     }
     // A comparison of films holds up to eight pairs of frames: the worst ones and the present ones.
     share.need(8 * std::max(expected.frame_pixels(), actual.frame_pixels()));
-    std::vector<PictureRegion> ignored;
     FilmDifferences film = compare_films(
         expected, actual, result.limits,
         [&](std::int64_t frame, int width, int height) {
@@ -437,12 +445,14 @@ void compare_two_films(const CompareRequest& request, const Gates& gates, Machin
     }
     tell_changes(records, result);
     if (request.seen && !film.strip.empty()) {
+        for (KeptFrames& kept : film.strip)
+            kept.ignored =
+                regions->in(kept.expected.image.width(), kept.expected.image.height(), kept.frame);
         const KeptFrames& worst =
             *std::find_if(film.strip.begin(), film.strip.end(),
                           [&](const KeptFrames& kept) { return kept.frame == film.worst; });
-        ignored =
-            regions->in(worst.expected.image.width(), worst.expected.image.height(), worst.frame);
-        request.seen(result, {worst.expected, worst.actual, result.limits, ignored, film.strip});
+        request.seen(result,
+                     {worst.expected, worst.actual, result.limits, worst.ignored, film.strip});
     }
     for (KeptFrames& kept : film.strip) kept.expected = {}, kept.actual = {};
     result.film = std::move(film);
@@ -464,6 +474,23 @@ FileKind kind_of_compared(const fs::path& file) {
 
 bool is_comparable(const fs::path& file) {
     return is_picture_name(file) || is_vector_page_name(file) || is_film_name(file);
+}
+
+void check_regions(const Gates& gates, const fs::path& picture) {
+    const IgnoredRegions findable(gates.ignore, {record_of(picture), {}});
+}
+
+std::vector<fs::path> other_pictures_in(const fs::path& folder) {
+    constexpr std::array<std::string_view, 6> suffixes{".jpg",  ".jpeg", ".webp",
+                                                       ".tiff", ".tif",  ".bmp"};
+    std::vector<fs::path> found;
+    for_each_file(folder, [&](const fs::path& path) {
+        const std::string suffix = suffix_of(path);
+        if (std::find(suffixes.begin(), suffixes.end(), suffix) != suffixes.end())
+            found.push_back(path.lexically_relative(folder));
+    });
+    std::sort(found.begin(), found.end());
+    return found;
 }
 
 std::string ComparedPicture::line() const {
@@ -508,7 +535,8 @@ ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
     if (result.expected.empty() && is_listed) {
         result.outcome = Outcome::baseline;
         result.reason = fmt::format(
-            "{} names this baseline, but the picture is missing; restore it, or approve a new one",
+            "{} names this baseline, but the picture is missing; restore it, approve a new one, or "
+            "remove its line with poinsot approve --remove",
             manifest_name);
         return result;
     }
@@ -519,10 +547,8 @@ ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
     }
     if (result.expected.empty()) {
         result.outcome = Outcome::unexpected;
-        result.reason = is_picture_name(actual)
-                            ? "this picture has no baseline; approve it if it is right"
-                            : "this file has no baseline; copy it into the folder of baselines if "
-                              "it is right";
+        result.reason = fmt::format("this {} has no baseline; approve it if it is right",
+                                    is_picture_name(actual) ? "picture" : "file");
         return result;
     }
     const Gates gates =
@@ -544,6 +570,12 @@ ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
         }
     }
     result.limits = limits_of(gates, request.limits, *by_renderer);
+    const auto report_fault = [&](const std::string& hash) {
+        std::string fault = baselines->fault(baseline_name, hash);
+        if (fault.empty()) return;
+        result.outcome = Outcome::baseline;
+        result.reason = std::move(fault);
+    };
     try {
         const Kind kind = kind_of_name(expected);
         if (kind != kind_of_name(actual))
@@ -551,12 +583,13 @@ ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
                 "{} and {}: different kinds of files; give two pictures, two films, or two vector "
                 "figures",
                 printable(expected.string()), printable(actual.string())));
-        if (kind == Kind::page) {
-            compare_pages(request, gates, share, result);
-            return result;
-        }
-        if (kind == Kind::film) {
-            compare_two_films(request, gates, share, result);
+        if (kind != Kind::picture) {
+            if (kind == Kind::page)
+                compare_pages(request, gates, share, result);
+            else
+                compare_two_films(request, gates, share, result);
+            // Those that were never approved need no line in the manifest.
+            if (is_listed) report_fault(pixel_hash_of_file(expected));
             return result;
         }
         // With a manifest, the pixels of the baseline are checked whatever the sizes.
@@ -574,12 +607,7 @@ ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
             compare_pictures(picture, other, records, request, gates, result);
             tell_changes(records, result);
         }
-        if (!has_manifest) return result;
-        if (std::string fault = baselines->fault(baseline_name, pixels_sha256(picture));
-            !fault.empty()) {
-            result.outcome = Outcome::baseline;
-            result.reason = std::move(fault);
-        }
+        if (has_manifest) report_fault(pixels_sha256(picture));
     } catch (const InputError& error) {
         result.outcome = Outcome::unreadable;
         result.reason = error.what();
@@ -599,8 +627,8 @@ ComparedPicture compare_files(const std::string& name, const fs::path& expected,
 
 std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs::path& actual,
                                              const CompareRequest& request) {
-    const auto expected_files = pictures_in(expected, request.only_pictures);
-    const auto actual_files = pictures_in(actual, request.only_pictures);
+    const auto expected_files = pictures_in(expected);
+    const auto actual_files = pictures_in(actual);
     std::map<std::string, std::pair<fs::path, fs::path>> names;
     for (const auto& [name, path] : expected_files) names[name].first = path;
     for (const auto& [name, path] : actual_files) names[name].second = path;

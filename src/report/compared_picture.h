@@ -96,7 +96,6 @@ struct CompareRequest {
     std::function<StoredPicture(const std::filesystem::path&)> read = read_stored_png;
     // Receives each pair that is not the same while it is in memory, on the thread that compares.
     std::function<void(ComparedPicture&, const PicturePair&)> seen{};
-    bool only_pictures = false;      // of a folder: no films, no vector figures
     int n_threads = n_processors();  // of a folder, all of which call the functions, or of a film
 };
 
@@ -108,6 +107,14 @@ ComparedPicture compare_files(const std::string& name, const std::filesystem::pa
                               const std::filesystem::path& actual, const CompareRequest& request,
                               const Baselines* baselines = nullptr,
                               const std::string& baseline_name = "");
+
+// Throws InputError for limits that ignore something by its name in pictures like this one, which
+// has no record that says where it is.
+void check_regions(const Gates& gates, const std::filesystem::path& picture);
+
+// The pictures of a folder and its subfolders that are of another kind (JPEG, WebP, TIFF, BMP), so
+// that compare_folders passes them over; relative to the folder, in order.
+std::vector<std::filesystem::path> other_pictures_in(const std::filesystem::path& folder);
 
 // Whether a name is that of a file that can be compared: a PNG, a film, a PDF or an SVG.
 bool is_comparable(const std::filesystem::path& file);

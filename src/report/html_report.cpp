@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "error/error.h"
-#include "image/files/png_files.h"
-#include "output/film_metadata.h"
+#include "output/frame_name.h"
+#include "production/provenance/record.h"
 #include "report/report_page.h"
 #include "system/run_program.h"
 #include "system/suffix.h"
@@ -42,7 +42,7 @@ std::string changes_of(const ComparedPicture& picture) {
 
 bool has_record(const std::filesystem::path& file) {
     try {
-        return read_png_info(file).texts.contains(metadata_name);
+        return !record_text(file).empty();
     } catch (const Error&) {
         return true;
     }
@@ -51,7 +51,7 @@ bool has_record(const std::filesystem::path& file) {
 // Whether `approve` takes the picture.
 bool is_approvable(const ComparedPicture& picture) {
     constexpr std::array unfit{Outcome::unreadable, Outcome::same};
-    return !picture.actual.empty() && suffix_of(picture.actual) == ".png" &&
+    return !picture.actual.empty() && !is_sequence_name(picture.actual) &&
            std::find(unfit.begin(), unfit.end(), picture.outcome) == unfit.end();
 }
 

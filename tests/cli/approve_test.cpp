@@ -116,6 +116,69 @@ TEST_F(ApprovedPictures, ThatDoNotMatchTheManifestAreReported) {
     EXPECT_EQ(approve("a").out, "a: unchanged\n");
 }
 
+// A baseline that no picture needs any more leaves with its line; nothing is removed if a name is
+// wrong.
+TEST_F(ApprovedPictures, AreRemovedByName) {
+    for (const char* name : {"old", "kept"})
+        draw(std::string("new/") + name + ".png", "--portable --time 0.1");
+    ASSERT_EQ(approve("--all").code, 0);
+    const ProgramRun refused = run("approve --remove old keep --baselines ref");
+    EXPECT_EQ(refused.code, 2);
+    EXPECT_TRUE(is_one_line(refused.err) &&
+                contains(refused.err, "keep: no baseline of that name in ref") &&
+                contains(refused.err, "did you mean \"kept\"?"))
+        << refused.err;
+    EXPECT_TRUE(fs::exists(folder_.path() / "ref/old.png"));
+    fs::remove(folder_.path() / "new/old.png");
+    EXPECT_TRUE(contains(run("compare ref new").out, "missing: old: "));
+    const ProgramRun removed = run("approve --remove old.png --baselines ref --why 'renamed'");
+    EXPECT_EQ(removed.code, 0) << removed.err;
+    EXPECT_EQ(removed.out, "old: removed: renamed\n");
+    EXPECT_FALSE(fs::exists(folder_.path() / "ref/old.png"));
+    EXPECT_FALSE(contains(text_of(folder_.path() / "ref/manifest.toml"), "old"));
+    EXPECT_EQ(run("compare ref new").code, 0);
+    // A line whose picture was removed by hand.
+    fs::remove(folder_.path() / "ref/kept.png");
+    EXPECT_TRUE(contains(run("compare ref new").out, "approve --remove"));
+    EXPECT_EQ(run("approve --remove kept --baselines ref").code, 0);
+    EXPECT_TRUE(contains(run("compare ref new").out, "unexpected: kept: "));
+    EXPECT_EQ(run("approve --remove kept --baselines nowhere").code, 2);
+    EXPECT_FALSE(fs::exists(folder_.path() / "nowhere"));
+}
+
+// Films and vector figures, named with their suffix, have hash and reason as pictures have.
+TEST_F(ApprovedPictures, MayBeFilmsAndFigures) {
+    draw("new/still.png", "--portable --time 0.1");
+    draw("new/figure.pdf", "--time 0.1");
+    ASSERT_EQ(run("render scene.toml -q --portable --frames 0-2 -o new/film.gif").code, 0);
+    ASSERT_EQ(run("render scene.toml -q --frames 0-2 -o new/native.gif").code, 0);
+    EXPECT_TRUE(contains(approve("native.gif").err, "drawn without --portable"));
+    fs::remove(folder_.path() / "new/native.gif");
+    const ProgramRun approved = approve("--all --why 'the first'");
+    ASSERT_EQ(approved.code, 0) << approved.err;
+    EXPECT_EQ(approved.out, "figure.pdf: new\nfilm.gif: new\nstill: new\n");
+    const std::string manifest = text_of(folder_.path() / "ref/manifest.toml");
+    EXPECT_TRUE(contains(manifest, "\"figure.pdf\" = {") && contains(manifest, "\"film.gif\" = {"))
+        << manifest;
+    for (const char* name : {"figure.pdf", "film.gif"})
+        EXPECT_EQ(text_of(folder_.path() / "ref" / name), text_of(folder_.path() / "new" / name));
+    EXPECT_EQ(run("compare ref new").code, 0);
+    EXPECT_EQ(run("compare ref/film.gif new/film.gif").code, 0);
+    EXPECT_EQ(approve("film.gif").out, "film.gif: unchanged\n");
+
+    // Another film needs a reason; a baseline that is not the approved film is reported.
+    ASSERT_EQ(run("render scene.toml -q --portable --frames 1-3 -o new/film.gif").code, 0);
+    EXPECT_TRUE(contains(approve("film.gif").err, "--why"));
+    fs::copy(folder_.path() / "new/film.gif", folder_.path() / "ref/film.gif",
+             fs::copy_options::overwrite_existing);
+    EXPECT_TRUE(contains(run("compare ref new").out, "baseline: film.gif: ")) << manifest;
+    EXPECT_EQ(approve("film.gif --why 'later'").code, 0);
+    EXPECT_EQ(run("compare ref new").code, 0);
+    EXPECT_EQ(run("approve --remove film.gif --baselines ref").out, "film.gif: removed\n");
+    EXPECT_FALSE(fs::exists(folder_.path() / "ref/film.gif"));
+    EXPECT_TRUE(contains(approve("gone.mp4").err, "new/gone.mp4 does not exist"));
+}
+
 TEST_F(ApprovedPictures, ConcurrentlyAllHaveTheirLines) {
     for (const char* name : {"a", "b", "c", "d"})
         draw(std::string("new/") + name + ".png", "--portable --time 0.1");

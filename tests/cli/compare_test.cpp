@@ -186,6 +186,42 @@ TEST_F(ComparedPictures, PassWhereWhatChangedIsIgnored) {
         << unused.err;
 }
 
+// Panel body also draws the other polhodes, in the same style.
+TEST_F(ComparedPictures, OfPanelBodyPassWhereThePolhodesAreIgnored) {
+    folder_.write("body.toml", racket + "[[panels]]\nkind = \"body\"\n");
+    const std::string still = "still body.toml -q --portable --time 0.1 --size 480x270 ";
+    ASSERT_EQ(run(still + "-o a.png").code, 0);
+    ASSERT_EQ(run(still + "-o b.png --set 'style.polhode=\"#1060ff\"'").code, 0);
+    EXPECT_EQ(run("compare a.png b.png").code, 1);
+    EXPECT_EQ(run("compare a.png b.png --ignore separatrix --diff d.png").code, 1);
+    const ProgramRun passes = run("compare a.png b.png --ignore polhode");
+    EXPECT_EQ(passes.code, 0) << passes.out;
+    // The motion's own polhode is left.
+    EXPECT_EQ(run("compare a.png b.png --ignore polhodes").code, 1);
+    // In --diff, ignored regions are grey.
+    const Image sheet = read_png(folder_.path() / "d.png");
+    int n_grey = 0;
+    for (int y = 0; y < sheet.height(); ++y)
+        for (int x = 480; x < 960; ++x) n_grey += sheet.at(x, y) == Rgba8{110, 110, 110, 255};
+    EXPECT_GT(n_grey, 500);
+    EXPECT_LT(n_grey, 480 * 270 / 2);
+}
+
+// A JPEG beside PNGs is easily taken for compared.
+TEST_F(ComparedPictures, OfOtherKindsAreNamedInANote) {
+    draw("ref/a.png", "--portable --time 0.1");
+    fs::copy(folder_.path() / "ref/a.png", folder_.path() / "new/a.png");
+    EXPECT_EQ(run("compare ref new").err, "");
+    for (const char* name : {"b.jpg", "c.JPEG", "d.webp", "e.tif"})
+        folder_.write(std::string("new/") + name, "x");
+    const ProgramRun compared = run("compare ref new");
+    EXPECT_EQ(compared.code, 0);
+    EXPECT_EQ(compared.err,
+              "note: new: not compared, because these pictures are not PNGs: b.jpg, c.JPEG, d.webp "
+              "and 1 more\n");
+    EXPECT_EQ(run("compare -q ref new").err, "");
+}
+
 TEST_F(ComparedPictures, PassByTheLimitsOfMeasures) {
     draw("a.png", "--portable --time 0.1");
     draw("b.png", "--portable --time 0.11");

@@ -130,10 +130,12 @@ def test_a_compare_toml_and_a_manifest_beside_the_expected_file_hold(tmp_path):
     (tmp_path / "results").mkdir()
     (tmp_path / "baselines").mkdir()
     poinsot.pictures.write_file(tmp_path / "results" / "a.png", poinsot.comparison.png_bytes("a", GREY))
-    done = poinsot.approve("a", results=tmp_path / "results", baselines=tmp_path / "baselines", why="a \"first\" one")
+    with pytest.raises(poinsot.InputError, match="has no record of how it was made"):
+        poinsot.approve("a", results=tmp_path / "results", baselines=tmp_path / "baselines", why="new")
+    done = poinsot.approve("a", results=tmp_path / "results", baselines=tmp_path / "baselines", why="a \"first\" one", foreign=True)
     assert done == {"a": "new"}
     assert 'why = "a \\"first\\" one"' in (tmp_path / "baselines" / "manifest.toml").read_text()
-    assert poinsot.approve(["a"], results=tmp_path / "results", baselines=tmp_path / "baselines", why="") == {"a": "unchanged"}
+    assert poinsot.approve(["a"], results=tmp_path / "results", baselines=tmp_path / "baselines", foreign=True) == {"a": "unchanged"}
     baseline = tmp_path / "baselines" / "a.png"
     assert poinsot.compare(baseline, GREY)
     assert not poinsot.compare(baseline, changed(GREY, 101))
@@ -145,7 +147,13 @@ def test_a_compare_toml_and_a_manifest_beside_the_expected_file_hold(tmp_path):
     # A changed picture needs a reason.
     poinsot.pictures.write_file(tmp_path / "results" / "a.png", poinsot.comparison.png_bytes("a", changed(GREY, 150)))
     with pytest.raises(poinsot.InputError, match="give the reason"):
-        poinsot.approve("a", results=tmp_path / "results", baselines=tmp_path / "baselines", why="")
+        poinsot.approve("a", results=tmp_path / "results", baselines=tmp_path / "baselines", foreign=True)
+    with pytest.raises(poinsot.InputError, match="results: give the folder"):
+        poinsot.approve("a", baselines=tmp_path / "baselines")
+    assert poinsot.approve("a", baselines=tmp_path / "baselines", remove=True) == {"a": "removed"}
+    assert not baseline.exists() and '"a"' not in (tmp_path / "baselines" / "manifest.toml").read_text()
+    with pytest.raises(poinsot.InputError, match="a: no baseline of that name"):
+        poinsot.approve("a", baselines=tmp_path / "baselines", remove=True)
 
 
 def test_folders_are_compared_worst_first_with_a_report(tmp_path):

@@ -525,3 +525,56 @@ def test_plain():
 def test_the_marker_is_known_to_strict_sessions(sessions):
     sessions.write(TESTS)
     sessions("--strict-markers", "-W", "error", "--poinsot-renew", "first").assert_outcomes(passed=N_TESTS)
+
+
+TWO = HEAD + """
+LEVELS = 0
+
+def test_one(poinsot_image):
+    poinsot_image(GREY, "front.png")
+
+def test_two(poinsot_image):
+    poinsot_image(spot(LEVELS), "front.png")
+"""
+
+
+@pytest.mark.parametrize("workers", [(), ("-n", "2")], ids=["one process", "xdist"])
+def test_two_tests_may_share_a_baseline_but_not_overwrite_each_others(sessions, workers):
+    sessions.write(TWO)
+    sessions("--poinsot-renew", "grey", *workers).assert_outcomes(passed=2)
+    sessions(*workers).assert_outcomes(passed=2)
+    sessions.write(TWO.replace("LEVELS = 0", "LEVELS = 9"))
+    renewed = sessions("--poinsot-renew", "spots", *workers)
+    renewed.assert_outcomes(passed=1, failed=1)
+    renewed.stdout.fnmatch_lines(["*baselines/front.png: is also the baseline of test_turn.py::test_*, with another picture*"])
+    later = sessions()
+    later.assert_outcomes(passed=1, failed=1)
+    if not workers:
+        later.stdout.fnmatch_lines(["*test_turn.py::test_one also has this baseline*"])
+
+
+@pytest.mark.parametrize("limit, said", [
+    ('ignore=["clock"]', "*ignore: neither picture has a record that says where to find clock*"),
+    ('max_differing="much"', "*max_differing: much: not a share of the pixels*"),
+    ("max_flip=2", "*max_flip: 2: not a FLIP value*"),
+])
+def test_limits_that_cannot_work_are_refused_when_the_baseline_is_made(sessions, limit, said):
+    sessions.write(HEAD + f"def test_grey(poinsot_image):\n    poinsot_image(GREY, {limit})\n")
+    renewed = sessions("--poinsot-renew", "first")
+    renewed.assert_outcomes(failed=1)
+    renewed.stdout.fnmatch_lines([said])
+    assert not (sessions.folder / "baselines" / "test_turn.test_grey.png").exists()
+
+
+def test_shares_are_numbers_or_per_cent(sessions):
+    text = HEAD + """
+@pytest.mark.poinsot_image(max_differing="5%", max_over="2%")
+def test_spot():
+    return spot(LEVELS)
+"""
+    sessions.write(text.replace("LEVELS", "0"))
+    sessions("--poinsot-renew", "first").assert_outcomes(passed=1)
+    sessions.write(text.replace("LEVELS", "90"))
+    sessions().assert_outcomes(passed=1)
+    sessions.write(text.replace("LEVELS", "90").replace("2%", "1%"))
+    sessions().assert_outcomes(failed=1)

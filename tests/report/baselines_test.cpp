@@ -137,6 +137,21 @@ TEST_F(BaselineFolder, WritesTheLinesOfCopiedPicturesAfterAnError) {
     EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "ref").size(), 3u);
 }
 
+// The state that take() leaves when it is killed before or after it removed a picture.
+TEST_F(BaselineFolder, InterruptedRemovalIsFinished) {
+    BaselineManifest next = read_manifest(folder_ / "ref");
+    next.erase("a"), next.erase("b");
+    write_next_manifest(folder_ / "ref", next);
+    fs::remove(folder_ / "ref/a.png");
+    { const BaselineWriter writer(folder_ / "ref"); }
+    EXPECT_FALSE(read_manifest(folder_ / "ref").contains("a"));
+    EXPECT_EQ(compared(),
+              (std::map<std::string, Outcome>{{"a", Outcome::unexpected}, {"b", Outcome::same}}));
+    BaselineWriter(folder_ / "ref").take({}, {"b"});
+    EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "ref"),
+              (std::vector<std::string>{manifest_name}));
+}
+
 // Eight processes at once, one picture each: none of their lines is lost.
 TEST_F(BaselineFolder, AcceptsConcurrentWriters) {
     std::vector<pid_t> children;

@@ -295,8 +295,7 @@ TEST_F(Folders, SayWhatToDoWithoutABaseline) {
     std::map<std::string, std::string> reasons;
     for (const ComparedPicture& picture : compared()) reasons[picture.name] = picture.reason;
     EXPECT_EQ(reasons["extra"], "this picture has no baseline; approve it if it is right");
-    EXPECT_EQ(reasons["extra.mp4"],
-              "this file has no baseline; copy it into the folder of baselines if it is right");
+    EXPECT_EQ(reasons["extra.mp4"], "this file has no baseline; approve it if it is right");
 }
 
 // Without the program that renders pages, a folder's other files are compared; a report that cannot
@@ -362,6 +361,7 @@ TEST_F(Folders, IgnoreRegions) {
     EXPECT_NE(outcome("0%,0%,100%,100%").second.find("nothing is compared"), std::string::npos);
     EXPECT_EQ(outcome("clock").first, Outcome::region);
     EXPECT_NE(outcome("clock").second.find("neither picture has a record"), std::string::npos);
+    EXPECT_NE(outcome("clock").second.find("with [[pictures]] in compare.toml"), std::string::npos);
 }
 
 // A measure decides alone unless pixels are limited, too.

@@ -113,7 +113,7 @@ void record_context(const ContextInfo& context, bool portable, Record& record) {
 
 void record_without_context(Record& record) {
     record.portable = true;
-    record.renderer = "vectors";
+    record.renderer = vectors_renderer;
     record.mesa = "none";
 }
 
@@ -265,16 +265,15 @@ void refuse_what_holds_others(const std::filesystem::path& file) {
 
 }  // namespace
 
+std::string record_text(const std::filesystem::path& file) {
+    if (is_vector_name(file)) return read_vector_text(file).text;
+    if (suffix_of(file) == ".png") return read_png_info(file).texts[metadata_name];
+    return film_metadata(file);
+}
+
 Record read_record(const std::filesystem::path& file) {
     refuse_what_holds_others(file);
-    std::string text;
-    if (is_vector_name(file)) {
-        text = read_vector_text(file).text;
-    } else if (suffix_of(file) == ".png") {
-        text = read_png_info(file).texts[metadata_name];
-    } else {
-        text = film_metadata(file);
-    }
+    const std::string text = record_text(file);
     if (text.empty())
         throw InputError(
             fmt::format("{}: has no record of how it was made: poinsot did not draw it, or another "

@@ -69,6 +69,7 @@ Record record_of(const Session& session, const Stage& stage, const std::string& 
 // Sets the fields of the renderer.
 void record_context(const ContextInfo& context, bool portable, Record& record);
 // The same for vectors without pixels, which do not depend on a renderer.
+inline constexpr std::string_view vectors_renderer = "vectors";
 void record_without_context(Record& record);
 
 // "poinsot VERSION", one line "key: value" per field, an empty line, the scene.
@@ -85,8 +86,11 @@ std::string told(const std::string& metadata, const Contents& contents);
 // text that is not a record, and if the record's or the scene's hash does not match.
 Record parse_record(std::string_view text, const std::string& name);
 
-// The record in a picture, a page or a film. Throws InputError if the file cannot be read or has
-// none.
+// The text of the record in a picture, a page or a film; empty if it has none. Throws InputError if
+// the file cannot be read.
+std::string record_text(const std::filesystem::path& file);
+
+// The record itself. Throws InputError also for a file without one.
 Record read_record(const std::filesystem::path& file);
 
 // The record's scene, parsed as a file of its name in this folder. Throws InputError if the text is

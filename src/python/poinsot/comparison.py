@@ -21,6 +21,9 @@ from .pictures import Still, page_name
 
 Picture = Union[Path, Still, NDArray[Any], Any]
 
+#: A share of the pixels: 0.001 or "0.1%".
+Share = Union[float, str]
+
 
 @dataclass
 class Comparison:
@@ -105,8 +108,8 @@ def _profile(given: Any) -> str:
 
 
 def _limits(
-    max_differing: Optional[float],
-    max_over: Optional[float],
+    max_differing: Optional[Share],
+    max_over: Optional[Share],
     over_levels: Optional[int],
     max_flip: Optional[float],
     min_ssim: Optional[float],
@@ -145,8 +148,8 @@ def compare(
     actual: Picture,
     *,
     profile: Optional[str] = None,
-    max_differing: Optional[float] = None,
-    max_over: Optional[float] = None,
+    max_differing: Optional[Share] = None,
+    max_over: Optional[Share] = None,
     over_levels: Optional[int] = None,
     max_flip: Optional[float] = None,
     min_ssim: Optional[float] = None,
@@ -158,14 +161,17 @@ def compare(
 
     Arrays have the shape (H, W), (H, W, 3) or (H, W, 4), of 8-bit values or of floats from 0 to 1.
     The limits are those of `poinsot compare`; without any, no pixel may differ, except where the
-    manifest or the compare.toml beside the expected file says more. Raises InputError.
+    manifest or the compare.toml beside the expected file says more. max_differing and max_over are
+    shares of the pixels, as 0.05 or "5%". With one of them alone the other keeps its default: only
+    0.0002 % of the pixels may differ by more than over_levels (2), unless max_over says more.
+    Raises InputError.
 
     >>> import numpy as np
     >>> grey = np.full((4, 4), 128, np.uint8)
     >>> other = grey.copy(); other[0, 0] = 130
     >>> bool(compare(grey, grey)), bool(compare(grey, other))
     (True, False)
-    >>> bool(compare(grey, other, max_differing=0.1, over_levels=2))
+    >>> bool(compare(grey, other, max_differing="10%", over_levels=2))
     True
     """
     limits = _limits(max_differing, max_over, over_levels, max_flip, min_ssim, antialiasing, ignore)
@@ -185,8 +191,8 @@ def compare_folders(
     report: Optional[Path] = None,
     title: Optional[str] = None,
     profile: Optional[str] = None,
-    max_differing: Optional[float] = None,
-    max_over: Optional[float] = None,
+    max_differing: Optional[Share] = None,
+    max_over: Optional[Share] = None,
     over_levels: Optional[int] = None,
     max_flip: Optional[float] = None,
     min_ssim: Optional[float] = None,
@@ -204,12 +210,27 @@ def compare_folders(
 
 
 def approve(
-    names: Union[str, Iterable[str]], *, results: Path, baselines: Path, why: str, any_renderer: bool = False
+    names: Union[str, Iterable[str]],
+    *,
+    baselines: Path,
+    results: Optional[Path] = None,
+    why: str = "",
+    any_renderer: bool = False,
+    foreign: bool = False,
+    remove: bool = False,
 ) -> Dict[str, str]:
-    """Makes pictures of the folder `results` the baselines; the manifest keeps the reason.
+    """Makes files of the folder `results` the baselines; the manifest keeps the reason.
 
-    names: without ".png". Returns the outcome of each. Raises InputError, EnvironmentError.
+    names: pictures without ".png", films and figures with their suffix. why: needed where a baseline
+    changes. any_renderer: also pictures that were drawn without `portable`. foreign: also pictures of
+    other programs. remove: instead removes these baselines; needs no `results`. Returns the outcome
+    of each. Raises InputError, EnvironmentError.
     """
     given = [path_text(name) for name in ([names] if isinstance(names, str) else names)]
     reason = toml.unicode_text("why", why)
-    return dict(_poinsot.approve(path_text(results), path_text(baselines), given, reason, any_renderer))
+    folder = path_text(baselines)
+    if remove:
+        return dict(_poinsot.remove_baselines(folder, given, reason))
+    if results is None:
+        raise InputError("results: give the folder of the new pictures")
+    return dict(_poinsot.approve(path_text(results), folder, given, reason, any_renderer, foreign))

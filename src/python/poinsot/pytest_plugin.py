@@ -117,6 +117,21 @@ class _Session:
             self._results = Path(controllers) if controllers else self._temporary() / "poinsot-results"
         return self._results
 
+    def owner_of(self, baseline: str, test: str) -> str:
+        """The first test of this session, in any of its processes, that has this baseline."""
+        folder = Path(self.worker_input.get("poinsot_owners") or self._temporary() / "poinsot-owners")
+        folder.mkdir(parents=True, exist_ok=True)
+        claim = folder / hashlib.sha256(os.path.realpath(baseline).encode("utf-8", "surrogateescape")).hexdigest()
+        if not claim.exists():
+            own = folder / f"{claim.name}-{os.getpid()}"
+            own.write_text(test, encoding="utf-8")
+            try:
+                os.link(own, claim)  # whole, or not there
+            except FileExistsError:
+                pass
+            own.unlink()
+        return claim.read_text(encoding="utf-8")
+
     def _temporary(self) -> Path:
         return Path(str(self.config._tmp_path_factory.getbasetemp()))
 
@@ -132,6 +147,7 @@ class _Session:
         # Workers of xdist write to the folder of the controller.
         node.workerinput["poinsot_results"] = str(self.results)
         node.workerinput["poinsot_start"] = str(self.start)
+        node.workerinput["poinsot_owners"] = str(self._temporary() / "poinsot-owners")
 
     @pytest.hookimpl(hookwrapper=True)
     def pytest_runtest_makereport(self, item: Any, call: Any) -> Iterator[None]:
@@ -256,6 +272,7 @@ class _Test:
         self.session: _Session = item.config.pluginmanager.get_plugin(_session_key)
         self.pictures: List[Dict[str, Any]] = []
         self.file = Path(str(item.path))
+        self.id: str = item.nodeid
         _, _, self.own_id = item.nodeid.partition("::")
         self.name = f"{self.file.stem}.{_plain(self.own_id)}"
         try:
@@ -283,7 +300,7 @@ class _Test:
 
     def compare(self, picture: Any, given_name: Any, limits: Dict[str, Any], where: str) -> "_Outcome":
         """Compares a picture with its baseline, or makes it the baseline. Raises poinsot's errors."""
-        from . import compare
+        from . import InputError, _poinsot, compare
         from .comparison import png_bytes
         from .paths import path_text
         from .pictures import write_file
@@ -296,7 +313,14 @@ class _Test:
         name = actual.relative_to(self.session.results / "actual").with_suffix("").as_posix()
         files = {"expected": path_text(baseline), "actual": path_text(actual)}
         record = {"name": name, **files, "limits": limits, "renewed": ""}
+        owner = self.session.owner_of(files["expected"], self.id)
         if self.session.why is not None:
+            _poinsot.check_limits(files["actual"], limits.get("profile") or "", limits)
+            if owner != self.id and baseline.is_file() and not compare(baseline, actual, **limits):
+                raise InputError(
+                    f"{self.session.shown(baseline)}: is also the baseline of {owner}, with another picture; "
+                    "give one of the two another name"
+                )
             record["renewed"] = self.renew(baseline, actual)
             self.pictures.append(record)
             return "", None
@@ -314,6 +338,8 @@ class _Test:
         if comparison.changes:
             more = len(comparison.changes) - 5
             reason += "\n  changed:    " + "; ".join(comparison.changes[:5]) + (f"; {more} more" if more > 0 else "")
+        if owner != self.id:
+            reason += f"\n  {owner} also has this baseline"
         if comparison.difference is not None:
             difference.parent.mkdir(parents=True, exist_ok=True)
             write_file(difference, png_bytes("difference", comparison.difference))
@@ -327,7 +353,7 @@ class _Test:
         baseline.parent.mkdir(parents=True, exist_ok=True)
         why = self.session.why or ""
         outcomes = approve(
-            actual.stem, results=actual.parent, baselines=baseline.parent, why=why, any_renderer=True
+            actual.stem, results=actual.parent, baselines=baseline.parent, why=why, any_renderer=True, foreign=True
         )
         outcome = outcomes[actual.stem]
         return "" if outcome == "unchanged" else f"{self.session.shown(baseline)}: {outcome}"
