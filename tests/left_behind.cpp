@@ -12,17 +12,17 @@ namespace {
 
 namespace fs = std::filesystem;
 
-class LeftBehind : public testing::EmptyTestEventListener {
+class LeftBehind : public ::testing::EmptyTestEventListener {
  public:
-    void OnTestStart(const testing::TestInfo&) override {
+    void OnTestStart(const ::testing::TestInfo&) override {
         before_ = fs::temp_directory_path();
         std::string name = (before_ / "test-XXXXXX").string();
         folder_ = mkdtemp(name.data()) == nullptr ? fs::path() : fs::path(name);
         if (folder_.empty()) return;
-        chmod(folder_.c_str(), 0755);  // some tests write as another user
+        chmod(folder_.c_str(), 01777);  // some tests write as another user
         setenv("TMPDIR", folder_.c_str(), 1);
     }
-    void OnTestEnd(const testing::TestInfo&) override {
+    void OnTestEnd(const ::testing::TestInfo&) override {
         if (folder_.empty()) return;
         std::error_code error;
         for (fs::recursive_directory_iterator at(folder_, error), end; !error && at != end;
@@ -38,7 +38,7 @@ class LeftBehind : public testing::EmptyTestEventListener {
 };
 
 [[maybe_unused]] const bool is_watching = [] {
-    testing::UnitTest::GetInstance()->listeners().Append(new LeftBehind);
+    ::testing::UnitTest::GetInstance()->listeners().Append(new LeftBehind);
     return true;
 }();
 

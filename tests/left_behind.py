@@ -37,7 +37,7 @@ def ours_in_shared():
 def before(run):
     run.mkdir(parents=True)
     # Some tests write as another user.
-    run.chmod(0o755)
+    run.chmod(0o1777)
     (run / LIST).write_text(json.dumps(ours_in_shared()))
 
 
