@@ -42,10 +42,19 @@ def before(run):
 
 
 def left_in(run):
-    """Everything in the run's folder, and what is new in the shared ones."""
-    there = {name for name in json.loads((run / LIST).read_text())}
-    own = [str(path) for path in sorted(run.rglob("*")) if path.name != LIST]
-    return own + sorted(set(ours_in_shared()) - there)
+    """What is in the run's folder, and what is new in the shared ones."""
+    there = set(json.loads((run / LIST).read_text()))
+    own = [str(path) for path in run.iterdir() if path.name != LIST]
+    return sorted(own) + sorted(set(ours_in_shared()) - there)
+
+
+def in_words(path):
+    """A file, or a folder with some of what is in it."""
+    most = 4
+    inside = sorted(str(one.relative_to(path)) for one in pathlib.Path(path).rglob("*"))
+    words = f" with {', '.join(inside[:most])}{', …' if len(inside) > most else ''}" if inside else ""
+    changed = max((os.lstat(one).st_mtime for one in [path, *(os.path.join(path, name) for name in inside)]), default=0.0)
+    return f"{path}{words}, last changed at {time.strftime('%H:%M:%S', time.localtime(changed))}"
 
 
 def after(run):
@@ -53,8 +62,9 @@ def after(run):
     while (left := left_in(run)) and time.monotonic() < end:
         time.sleep(0.1)
     for path in left:
-        changed = time.strftime("%H:%M:%S", time.localtime(os.lstat(path).st_mtime)) if os.path.lexists(path) else "?"
-        print(f"the tests left behind {path} (last changed at {changed}; Testing/Temporary/LastTest.log says which tests ran then)")
+        print(f"the tests left behind {in_words(path)}")
+    if left:
+        print("Testing/Temporary/LastTest.log of the build says which tests ran then")
     shutil.rmtree(run, ignore_errors=True)
     return 1 if left else 0
 

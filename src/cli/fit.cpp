@@ -148,12 +148,14 @@ std::filesystem::path seen_from(const std::filesystem::path& scene,
     return path.empty() ? whole : path;
 }
 
-// A scene is UTF-8 without control characters, and could not be read with another name in it.
+// A scene is UTF-8 without control characters but line ends and tabs, and could not be read with
+// another name in it.
 void check_name_in_scene(const std::filesystem::path& scene, const std::filesystem::path& file) {
     const std::string name = seen_from(scene, file).string();
     for (std::string_view rest = name; !rest.empty();) {
         const Utf8Character character = first_character(rest);
-        if (!character.valid || is_control(character.code))
+        const bool layout = character.code == '\n' || character.code == '\t';
+        if (!character.valid || (is_control(character.code) && !layout))
             throw InputError(fmt::format(
                 "{}: a scene cannot name this file, because its path is not UTF-8 or has control "
                 "characters; rename it, or leave -o out",

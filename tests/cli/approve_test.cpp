@@ -122,10 +122,10 @@ TEST_F(ApprovedPictures, AreRemovedByName) {
     for (const char* name : {"old", "kept"})
         draw(std::string("new/") + name + ".png", "--portable --time 0.1");
     ASSERT_EQ(approve("--all").code, 0);
-    const ProgramRun refused = run("approve --remove old keep --baselines ref");
+    const ProgramRun refused = run("approve --remove old kep --baselines ref");
     EXPECT_EQ(refused.code, 2);
     EXPECT_TRUE(is_one_line(refused.err) &&
-                contains(refused.err, "keep: no baseline of that name in ref") &&
+                contains(refused.err, "kep: no baseline of that name in ref") &&
                 contains(refused.err, "did you mean \"kept\"?"))
         << refused.err;
     EXPECT_TRUE(fs::exists(folder_.path() / "ref/old.png"));

@@ -371,8 +371,8 @@ TEST_F(ComparedPictures, MayBeInFoldersWithFilmsAndFigures) {
     EXPECT_TRUE(contains(compared.out, ": a.mp4: theme: light → dark; ")) << compared.out;
     EXPECT_TRUE(contains(compared.out, ": a.pdf: theme: light → dark; ")) << compared.out;
     EXPECT_TRUE(contains(compared.out, "3 compared, 2 failed, 1 the same")) << compared.out;
-    // approve takes pictures alone.
-    EXPECT_EQ(run("approve --all --results new --baselines fresh").out, "a: new\n");
+    EXPECT_EQ(run("approve --all --results new --baselines fresh").out,
+              "a: new\na.mp4: new\na.pdf: new\n");
 }
 
 TEST_F(CompareMessages, CompareSaysWhatItNeeds) {

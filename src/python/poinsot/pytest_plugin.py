@@ -17,6 +17,7 @@ from __future__ import annotations
 import difflib
 import hashlib
 import inspect
+import json
 import os
 import re
 import shlex
@@ -117,20 +118,21 @@ class _Session:
             self._results = Path(controllers) if controllers else self._temporary() / "poinsot-results"
         return self._results
 
-    def owner_of(self, baseline: str, test: str) -> str:
-        """The first test of this session, in any of its processes, that has this baseline."""
+    def owner_of(self, baseline: str, test: str, picture: str) -> Tuple[str, str]:
+        """The first test of this session, in any of its processes, that has this baseline, and its picture."""
         folder = Path(self.worker_input.get("poinsot_owners") or self._temporary() / "poinsot-owners")
         folder.mkdir(parents=True, exist_ok=True)
         claim = folder / hashlib.sha256(os.path.realpath(baseline).encode("utf-8", "surrogateescape")).hexdigest()
         if not claim.exists():
             own = folder / f"{claim.name}-{os.getpid()}"
-            own.write_text(test, encoding="utf-8")
+            own.write_text(json.dumps([test, picture]), encoding="utf-8")
             try:
                 os.link(own, claim)  # whole, or not there
             except FileExistsError:
                 pass
             own.unlink()
-        return claim.read_text(encoding="utf-8")
+        owner, owners_picture = json.loads(claim.read_text(encoding="utf-8"))
+        return owner, owners_picture
 
     def _temporary(self) -> Path:
         return Path(str(self.config._tmp_path_factory.getbasetemp()))
@@ -313,15 +315,16 @@ class _Test:
         name = actual.relative_to(self.session.results / "actual").with_suffix("").as_posix()
         files = {"expected": path_text(baseline), "actual": path_text(actual)}
         record = {"name": name, **files, "limits": limits, "renewed": ""}
-        owner = self.session.owner_of(files["expected"], self.id)
+        owner, owners_picture = self.session.owner_of(files["expected"], self.id, files["actual"])
         if self.session.why is not None:
             _poinsot.check_limits(files["actual"], limits.get("profile") or "", limits)
-            if owner != self.id and baseline.is_file() and not compare(baseline, actual, **limits):
+            if owner == self.id:
+                record["renewed"] = self.renew(baseline, actual)
+            elif not compare(owners_picture, actual, **limits):
                 raise InputError(
                     f"{self.session.shown(baseline)}: is also the baseline of {owner}, with another picture; "
                     "give one of the two another name"
                 )
-            record["renewed"] = self.renew(baseline, actual)
             self.pictures.append(record)
             return "", None
         paths = {"expected": baseline, "actual": actual}
