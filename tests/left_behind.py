@@ -9,8 +9,8 @@ import shutil
 import sys
 import time
 
-# What lies here before the run; hidden, and removed with the folder.
-LIST = ".before"
+# What lies in shared folders before the run, and the settings of programs: removed with the folder.
+LIST, SETTINGS = ".before", ".config"
 # Chromium may remove its last files after the test that started it.
 PATIENCE_S = 5.0
 
@@ -44,7 +44,7 @@ def before(run):
 def left_in(run):
     """What is in the run's folder, and what is new in the shared ones."""
     there = set(json.loads((run / LIST).read_text()))
-    own = [str(path) for path in run.iterdir() if path.name != LIST]
+    own = [str(path) for path in run.iterdir() if path.name not in (LIST, SETTINGS)]
     return sorted(own) + sorted(set(ours_in_shared()) - there)
 
 
