@@ -5,6 +5,7 @@ Usage: left_behind.py before | after   (ctest calls both: tests/CTestCustom.cmak
 import json
 import os
 import pathlib
+import re
 import shutil
 import sys
 import time
@@ -22,7 +23,7 @@ def shared_folders():
 
 
 def ours_in_shared():
-    """What is there and named like ours, except the folders of test runs."""
+    """What is there and named like ours, except the folders of other runs and of tests that somebody starts by hand."""
     found = []
     for folder in shared_folders():
         try:
@@ -30,7 +31,7 @@ def ours_in_shared():
         except OSError:
             continue
         found += [os.path.join(folder, name) for name in names
-                  if "poinsot" in name.lower() and not name.startswith("poinsot-tests-")]
+                  if "poinsot" in name.lower() and not re.match("poinsot[-_]tests?[-_]", name)]
     return found
 
 

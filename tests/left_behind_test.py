@@ -29,5 +29,5 @@ with tempfile.TemporaryDirectory() as name:
     assert code == 1 and str(run / ".film.gif.part.frames") in words, words
     code, words = said_after(run, lambda: [(run / "folder").mkdir(), (run / "folder" / "a.png").touch()])
     assert code == 1 and f"{run / 'folder'} with a.png, last changed" in words, words
-    code, words = said_after(run, lambda: [(shared / new).mkdir() for new in ("poinsot_fuzz_1", "of_others", "poinsot-tests-of-another-run")])
+    code, words = said_after(run, lambda: [(shared / new).mkdir() for new in ("poinsot_fuzz_1", "of_others", "poinsot-tests-of-another-run", "poinsot-test-by-hand")])
     assert code == 1 and words.count("\n") == 2 and str(shared / "poinsot_fuzz_1") in words, words
