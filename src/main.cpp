@@ -43,6 +43,7 @@ int main(int argc, char** argv) {
     mallopt(M_MMAP_THRESHOLD, 1 << 20);
     mallopt(M_TRIM_THRESHOLD, 32 << 20);
     try {
+        poinsot::prepare_process();
         return poinsot::run_program(argc, argv);
     } catch (const poinsot::InputError& error) {
         say(error.what());

@@ -20,6 +20,10 @@ struct CommandToRun {
 // Throws InputError.
 CommandToRun read_command_line(int argc, const char* const* argv);
 
+// To be called before any file is opened: occupies closed standard streams. Throws
+// EnvironmentError.
+void prepare_process();
+
 // Returns the exit code: 0 success, 1 the check failed. Throws InputError (2) and EnvironmentError
 // (3).
 int run_program(int argc, const char* const* argv);

@@ -10,6 +10,7 @@
 
 #include "python/bindings.h"
 #include "system/files/program_files.h"
+#include "system/files/standard_streams.h"
 
 namespace poinsot::python {
 
@@ -102,6 +103,7 @@ void add_files() { set_program_share(folder_of_the_package()); }
 
 PYBIND11_MODULE(_poinsot, module) {
     using namespace poinsot::python;
+    poinsot::occupy_closed_streams();
     module.attr("__version__") = POINSOT_VERSION;
     add_files();
     add_errors(module);
