@@ -1,5 +1,7 @@
 #include "production/jobs/still_writer.h"
 
+#include <filesystem>
+#include <memory>
 #include <utility>
 
 #include "image/files/png_files.h"
@@ -11,9 +13,17 @@ void StillWriter::write(OutputPlace&& place, Image&& picture, PngOptions&& png,
     finish();
     written_ = std::move(written);
     place_.emplace(std::move(place));
-    // If no thread can be started, finish() writes.
-    writing_ = std::async([path = place_->path(), picture = std::move(picture),
-                           png = std::move(png)] { write_png(path, picture, png); });
+    // If no thread can be started, finish() writes. libstdc++ 12 has then moved the function away
+    // already if it may; it copies this one.
+    struct Still {
+        std::filesystem::path path;
+        Image picture;
+        PngOptions png;
+    };
+    const auto still =
+        std::make_shared<const Still>(Still{place_->path(), std::move(picture), std::move(png)});
+    const auto write = [still] { write_png(still->path, still->picture, still->png); };
+    writing_ = std::async(write);
 }
 
 void StillWriter::finish() {
