@@ -59,6 +59,13 @@ int main(int argc, char** argv) {
     } catch (const std::system_error& error) {
         // Only printing on stdout throws this error code.
         if (error.code() == std::errc::broken_pipe) return end_with_the_reader();
+        if (error.code() == std::errc::resource_unavailable_try_again) {
+            std::fputs(
+                "no further thread could be started; raise the limits of processes and memory "
+                "(ulimit -u, -v, -d)\n",
+                stderr);
+            return 3;
+        }
         say(("poinsot: " + std::string(error.what())).c_str());
         return 3;
     } catch (const std::exception& error) {

@@ -23,6 +23,7 @@
 #include "cli/option_texts.h"
 #include "cli/option_values.h"
 #include "error/error.h"
+#include "system/files/memory_limits.h"
 #include "system/files/standard_streams.h"
 #include "text/nearest.h"
 #include "text/printable.h"
@@ -315,7 +316,11 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
     return chosen;
 }
 
-void prepare_process() { occupy_closed_streams(); }
+void prepare_process() {
+    occupy_closed_streams();
+    check_stack();
+    set_stack_of_threads();
+}
 
 int run_program(int argc, const char* const* argv) {
     const CommandToRun command = read_command_line(argc, argv);

@@ -20,8 +20,8 @@ struct CommandToRun {
 // Throws InputError.
 CommandToRun read_command_line(int argc, const char* const* argv);
 
-// To be called before any file is opened: occupies closed standard streams. Throws
-// EnvironmentError.
+// To be called before any file is opened: occupies closed standard streams, and checks the limit of
+// the stack. Throws EnvironmentError.
 void prepare_process();
 
 // Returns the exit code: 0 success, 1 the check failed. Throws InputError (2) and EnvironmentError

@@ -4,6 +4,7 @@
 #include <atomic>
 #include <exception>
 #include <mutex>
+#include <system_error>
 #include <thread>
 #include <vector>
 
@@ -31,7 +32,11 @@ void in_parallel(std::size_t n, int n_threads, const std::function<void(std::siz
             std::min(n, static_cast<std::size_t>(std::max(1, n_threads))) - (n > 0 ? 1 : 0);
         std::vector<std::jthread> helpers;  // joined before anything else goes
         helpers.reserve(n_helpers);
-        for (std::size_t k = 0; k < n_helpers; ++k) helpers.emplace_back(take_turns);
+        try {
+            for (std::size_t k = 0; k < n_helpers; ++k) helpers.emplace_back(take_turns);
+        } catch (const std::system_error&) {
+            // If no further thread can be started, those that there are do all the work.
+        }
         take_turns();
     }
     if (error) std::rethrow_exception(error);

@@ -4,6 +4,7 @@
 #include <dlfcn.h>
 
 #include <string>
+#include <string_view>
 
 #include "error/error.h"
 
@@ -12,12 +13,21 @@ namespace poinsot {
 // The library is never unloaded: Mesa keeps threads and thread-local data that outlive a context.
 class SharedLibrary {
  public:
-    // Throws EnvironmentError saying what to install, as "the Debian package libegl1".
+    // Throws EnvironmentError saying what to install, as "the Debian package libegl1", or that
+    // there is no memory for the library.
     SharedLibrary(const char* file, const char* what_to_install)
         : handle_(dlopen(file, RTLD_NOW | RTLD_LOCAL)), file_(file) {
-        if (handle_ == nullptr)
-            throw EnvironmentError(std::string("cannot open ") + file + "; install " +
-                                   what_to_install);
+        if (handle_ != nullptr) return;
+        const char* const reason = dlerror();
+        const std::string_view why = reason == nullptr ? "" : reason;
+        // Of a library that is there: "failed to map segment from shared object", "cannot allocate
+        // memory in static TLS block" and others.
+        const bool is_missing = why.find("cannot open shared object file") != why.npos &&
+                                why.find("No such file") != why.npos;
+        if (!is_missing)
+            throw EnvironmentError(std::string("cannot load ") + file + ": " + std::string(why) +
+                                   "; if memory is limited (ulimit -v, -d), raise the limit");
+        throw EnvironmentError(std::string("cannot open ") + file + "; install " + what_to_install);
     }
 
     template <class Function>

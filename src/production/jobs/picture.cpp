@@ -42,9 +42,28 @@ Renderer& LazyRenderer::renderer() {
     return *renderer_;
 }
 
+namespace {
+
+// Throws EnvironmentError if the process may not take the memory for such a picture.
+LazyRenderer& with_memory_for(const Stage& stage, LazyRenderer& renderer) {
+    // Of a large picture, bands are drawn one by one.
+    const std::int64_t n_samples = std::min<std::int64_t>(
+        std::int64_t{stage.context().options.width_px} * stage.context().options.height_px,
+        32'000'000);
+    // Measured (2026-11-27): 20 bytes a sample.
+    const std::int64_t MiB = 35 * n_samples >> 20;
+    MemoryNeed need = memory_of_drawing();
+    need.address_MiB += MiB;
+    need.data_MiB += MiB;
+    check_memory("drawing this picture", need);
+    return renderer;
+}
+
+}  // namespace
+
 PictureMaker::PictureMaker(PreparedPicture staging, LazyRenderer& renderer)
     : staging_(std::move(staging)),
-      context_(&renderer.context()),
+      context_(&with_memory_for(staging_.stage, renderer).context()),
       renderer_(&renderer.renderer()) {}
 
 PictureMaker::PictureMaker(const Session& session, LazyRenderer& renderer, const PictureSpan& span)

@@ -8,6 +8,7 @@
 #include <atomic>
 #include <cstdlib>
 #include <string_view>
+#include <thread>
 
 #include "error/error.h"
 #include "render/context/driver_environment.h"
@@ -56,6 +57,16 @@ std::string text_of(GLenum name) {
 
 }  // namespace
 
+MemoryNeed memory_of_drawing() {
+    // Measured with Mesa 22.3 by OSMesa and EGL, small pictures of the scenes that come along, one
+    // heap for all threads (2026-11-27): at most 240 MiB of address space and 70 MiB of memory.
+    // Newer Mesa and LLVM are larger. Mesa starts two threads for each processor, up to 32
+    // processors, and at most five more.
+    const int n_processors = static_cast<int>(std::thread::hardware_concurrency());
+    return {
+        .address_MiB = 300, .data_MiB = 80, .n_threads = 5 + 2 * std::clamp(n_processors, 1, 32)};
+}
+
 struct OffscreenContext::Impl {
     std::unique_ptr<NativeContext> native;
     ContextInfo info;
@@ -84,6 +95,7 @@ struct OffscreenContext::Impl {
 
 OffscreenContext::OffscreenContext(Backend backend, Portability portability,
                                    ShaderCompilation compilation) {
+    check_memory("drawing", memory_of_drawing());
     if (backend != Backend::gpu) prepare_driver_environment();
     if (portability == Portability::portable) ask_for_portable_bytes();
     // llvmpipe's setting to skip LLVM's optimisations; llvmpipe reads it once. A value set by the

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "render/context/context_info.h"
+#include "system/files/memory_limits.h"
 
 namespace poinsot {
 
@@ -19,11 +20,15 @@ enum class ShaderCompilation { thorough, quick };
 // never selects.
 enum class Backend { automatic, osmesa, egl, gpu };
 
+// What opening a context, with Mesa's libraries, and drawing a small picture take at most.
+MemoryNeed memory_of_drawing();
+
 // Owns an off-screen OpenGL 3.3 core context, current on this thread during its lifetime.
 // Move-only.
 class OffscreenContext {
  public:
-    // Throws EnvironmentError that says what was tried and which Debian package is missing. A
+    // Throws EnvironmentError that says what was tried and which Debian package is missing, or that
+    // the process may not take the memory that Mesa needs. A
     // portable context requires llvmpipe. If any context of the process is portable, the first one
     // must be; the first context also determines how shaders are compiled in all later ones.
     explicit OffscreenContext(Backend backend = Backend::automatic,
