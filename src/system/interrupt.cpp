@@ -28,6 +28,10 @@ void watch_for_interrupts() {
     if (host_handles_signals) return;
     std::signal(SIGINT, remember_interrupt);
     std::signal(SIGTERM, remember_interrupt);
+    // The terminal is closed. nohup ignores this signal, so that the program goes on.
+    struct sigaction hangup {};
+    if (sigaction(SIGHUP, nullptr, &hangup) == 0 && hangup.sa_handler != SIG_IGN)
+        std::signal(SIGHUP, remember_interrupt);
 }
 
 void stop_if_interrupted() {

@@ -6,8 +6,8 @@
 
 namespace poinsot {
 
-// From this call on, the first SIGINT or SIGTERM is recorded and does not end the process; the
-// second one ends it.
+// From this call on, the first SIGINT, SIGTERM or SIGHUP is recorded and does not end the process;
+// the second one ends it. An ignored SIGHUP (nohup) stays ignored.
 void watch_for_interrupts();
 
 // Throws EnvironmentError if a signal has been received.

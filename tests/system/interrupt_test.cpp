@@ -26,8 +26,17 @@ int stops_cleanly(int signal_number) {
 }
 
 TEST(Interrupt, StopsWorkThatChecks) {
-    for (const int signal_number : {SIGINT, SIGTERM})
+    for (const int signal_number : {SIGINT, SIGTERM, SIGHUP})
         EXPECT_EXIT(std::_Exit(stops_cleanly(signal_number)), testing::ExitedWithCode(7), "");
+}
+
+TEST(Interrupt, LeavesAnIgnoredHangupIgnored) {
+    EXPECT_EXIT(
+        {
+            std::signal(SIGHUP, SIG_IGN);
+            std::_Exit(stops_cleanly(SIGHUP));
+        },
+        testing::ExitedWithCode(0), "");
 }
 
 TEST(Interrupt, EndsTheProcessAtTheSecondSignal) {
