@@ -95,6 +95,9 @@ int open_device(const fs::path& path) {
     return descriptor;
 }
 
+// Tries to lock, 20 ms apart, before another run counts as running: 2 s.
+constexpr int n_tries_to_lock = 100;
+
 bool is_regular(int descriptor) {
     struct stat status {};
     return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
@@ -172,6 +175,11 @@ void AtomicFile::open_aside(const std::function<void()>& when_held) {
             when_held();
             do locked = flock(opened, LOCK_EX);
             while (locked != 0 && errno == EINTR);
+        }
+        // Processes that were killed hold their files until the system has taken them down.
+        for (int n = 0; locked != 0 && errno == EWOULDBLOCK && n < n_tries_to_lock; ++n) {
+            std::this_thread::sleep_for(std::chrono::milliseconds(20));
+            locked = flock(opened, LOCK_EX | LOCK_NB);
         }
         if (locked != 0 && errno == EWOULDBLOCK) {
             ::close(opened);
