@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "drawing/style/picture_quality.h"
 #include "error/error.h"
 #include "production/vectors/latex_figure.h"
 #include "system/sha256.h"
@@ -76,6 +77,8 @@ bool has_pixels(const VectorChoices& choices) {
 }
 
 PictureSetting vector_setting(const Scene& scene, const PrintChoices& print) {
+    // Vectors have no quality, but a scene's must be one.
+    at_scene_key(scene, "film.quality", [&] { picture_quality_named(scene.film.quality); });
     const auto paper = print_size_of(on_paper(print, scene.film.width_px, scene.film.height_px),
                                      scene.film.width_px, scene.film.height_px);
     PictureSetting setting;
