@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "system/interrupt.h"
+
 namespace poinsot {
 
 namespace {
@@ -31,10 +33,13 @@ Channel convolved(const Channel& channel, std::span<const float> kernel_x,
     const auto radius = static_cast<int>(kernel_y.size() / 2);
     Channel along_x(channel.width, channel.height), both(channel.width, channel.height);
     std::vector<float> padded;
-    for (std::size_t y = 0; y < static_cast<std::size_t>(channel.height); ++y)
+    for (std::size_t y = 0; y < static_cast<std::size_t>(channel.height); ++y) {
+        stop_if_interrupted();
         convolve_row(channel.values.data() + y * width, width, kernel_x, padded,
                      along_x.values.data() + y * width);
+    }
     for (int y = 0; y < channel.height; ++y) {
+        stop_if_interrupted();
         float* out = both.values.data() + static_cast<std::size_t>(y) * width;
         for (int k = 0; k < static_cast<int>(kernel_y.size()); ++k) {
             const int from_y = std::clamp(y + k - radius, 0, channel.height - 1);

@@ -12,6 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "system/interrupt.h"
+
 namespace poinsot::python {
 
 namespace py = pybind11;
@@ -64,10 +66,12 @@ class WithoutLock {
     int generation_ = 0;
 };
 
-// At the end of the interpreter: stops drawing, for good, and waits until no thread is without the
-// lock.
+// At the end of the interpreter: stops drawing and other calls, for good, and waits until no thread
+// is without the lock.
 void end_calls();
-// Throws EnvironmentError after end_calls().
+// Whether end_calls() was called.
+bool interpreter_ends();
+// Throws EnvironmentError then.
 void need_interpreter();
 
 // Runs a function of the library without the interpreter's lock. Ctrl-C, and an exception of the
@@ -96,5 +100,19 @@ class Running {
     py::object say_, frames_;
     std::optional<py::error_already_set> raised_;
 };
+
+// Runs work that calls stop_if_interrupted(), without the interpreter's lock: Ctrl-C ends it.
+template <typename Work>
+void run_interruptibly(const Work& work) {
+    if (interpreter_ends()) return work();
+    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+        const StopsWhen stops(watch.stop);
+        work();
+    });
+}
+
+// Makes T.__new__ raise: pybind11's leaves the C++ object out, and its first use would crash.
+// Objects are made by functions of the module only.
+py::custom_type_setup without_new();
 
 }  // namespace poinsot::python

@@ -13,7 +13,6 @@
 #include "report/html_report.h"
 #include "report/report_pictures.h"
 #include "system/files/atomic_file.h"
-#include "system/interrupt.h"
 
 namespace poinsot::python {
 
@@ -116,10 +115,7 @@ py::dict compare_pair(const std::string& name, const std::string& expected,
             difference = difference_picture(pair.expected, pair.actual, pair.ignored);
     };
     ComparedPicture compared;
-    {
-        const WithoutLock without_lock;
-        compared = compare_with_baseline(name, expected, actual, request);
-    }
+    run_interruptibly([&] { compared = compare_with_baseline(name, expected, actual, request); });
     if (compared.outcome == Outcome::unreadable) throw InputError(compared.reason);
     py::dict answer = dict_of(compared);
     answer["difference"] = difference.empty() ? py::object(py::none()) : array_of_image(difference);
@@ -131,8 +127,7 @@ py::list compare_all(const std::string& expected, const std::string& actual,
                      const std::string& report, const std::string& title) {
     CompareRequest request = request_of(profile, limits, measures);
     std::vector<ComparedPicture> pictures;
-    {
-        const WithoutLock without_lock;
+    run_interruptibly([&] {
         request.file = read_compare_file(expected);
         std::optional<ReportPictures> shown;
         if (!report.empty()) shown.emplace(report, false);
@@ -144,7 +139,7 @@ py::list compare_all(const std::string& expected, const std::string& actual,
         if (shown)
             write_whole(report,
                         html_report(title, pictures, *shown, ComparedFolders{expected, actual}));
-    }
+    });
     py::list answers;
     for (const ComparedPicture& picture : pictures) answers.append(dict_of(picture));
     return answers;
@@ -159,18 +154,19 @@ void report_pairs(
     requests.reserve(pairs.size());
     for (const auto& [name, expected, actual, profile, limits] : pairs)
         requests.push_back(request_of(profile, limits, false));
-    const WithoutLock without_lock;
-    ReportPictures shown(report, false);
-    std::vector<ComparedPicture> pictures;
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
-        const auto& [name, expected, actual, profile, limits] = pairs[i];
-        requests[i].seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
-            shown.add(picture, pair);
-        };
-        pictures.push_back(compare_with_baseline(name, expected, actual, requests[i]));
-    }
-    sort_by_severity(pictures);
-    write_whole(report, html_report(title, pictures, shown));
+    run_interruptibly([&] {
+        ReportPictures shown(report, false);
+        std::vector<ComparedPicture> pictures;
+        for (std::size_t i = 0; i < pairs.size(); ++i) {
+            const auto& [name, expected, actual, profile, limits] = pairs[i];
+            requests[i].seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
+                shown.add(picture, pair);
+            };
+            pictures.push_back(compare_with_baseline(name, expected, actual, requests[i]));
+        }
+        sort_by_severity(pictures);
+        write_whole(report, html_report(title, pictures, shown));
+    });
 }
 
 py::bytes png_of_pixels(const Pixels& pixels) {
@@ -242,10 +238,8 @@ void add_comparison(py::module_& module) {
         "write_whole",
         [](const std::string& file, const py::bytes& contents) {
             const std::string_view bytes = contents;
-            Running(py::none(), py::none()).run([&](const library::Watch& watch) {
-                const StopsWhen stops(watch.stop);  // waits for the reader of a pipe
-                write_whole(file, bytes);
-            });
+            // It waits for the reader of a pipe.
+            run_interruptibly([&] { write_whole(file, bytes); });
         },
         "file"_a, "contents"_a);
     module.def("check_limits", check_limits, "picture"_a, "profile"_a, "limits"_a);

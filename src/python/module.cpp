@@ -60,6 +60,19 @@ void end_calls() {
     } while (n_without_lock > 0);
 }
 
+py::custom_type_setup without_new() {
+    return py::custom_type_setup([](PyHeapTypeObject* heap_type) {
+        heap_type->ht_type.tp_new = [](PyTypeObject* type, PyObject*, PyObject*) -> PyObject* {
+            PyErr_Format(PyExc_TypeError,
+                         "%s: poinsot's functions make such objects; it cannot be called",
+                         type->tp_name);
+            return nullptr;
+        };
+    });
+}
+
+bool interpreter_ends() { return has_ended; }
+
 void need_interpreter() {
     if (has_ended) throw EnvironmentError("the interpreter is shutting down; draw before its end");
 }
@@ -78,6 +91,7 @@ library::Watch Running::watch() {
         };
     watch.stop = [this] {
         const py::gil_scoped_acquire with_lock;
+        if (has_ended) return true;
         if (!raised_ && PyErr_CheckSignals() != 0) raised_.emplace();
         return raised_.has_value();
     };

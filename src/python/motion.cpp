@@ -42,6 +42,7 @@ class States {
         constexpr std::size_t most_at_once = 64;
         std::array<State, most_at_once> states;
         for (std::size_t first = 0; first < n_; first += most_at_once) {
+            stop_if_interrupted();
             const std::size_t n = std::min(most_at_once, n_ - first);
             motion.at(times_s.subspan(first, n), std::span(states).first(n));
             for (std::size_t i = 0; i < n; ++i) put(states[i], first + i);
@@ -156,8 +157,17 @@ std::unique_ptr<States> at(const Motion& motion, const py::handle& times) {
         py::module_::import("poinsot.arrays").attr("numbers")("times", times).cast<Doubles>();
     std::vector<py::ssize_t> shape = shape_of(array);
     const std::span<const double> times_s = span_of(array);
-    const WithoutLock without_lock;
-    return std::make_unique<States>(motion, times_s, std::move(shape));
+    std::unique_ptr<States> states;
+    const auto make = [&] { states = std::make_unique<States>(motion, times_s, std::move(shape)); };
+    // Some milliseconds need no look at Ctrl-C.
+    constexpr std::size_t few = 10'000;
+    if (times_s.size() > few) {
+        run_interruptibly(make);
+    } else {
+        const WithoutLock without_lock;
+        make();
+    }
+    return states;
 }
 
 py::dict constants(const Motion& motion) {
@@ -224,13 +234,13 @@ py::array polhode(const Motion& motion, double tolerance) {
 py::array contact(const Motion& motion, const Doubles& times, bool in_space) {
     const Construction construction(motion);
     std::vector<Eigen::Vector3d> found;
-    {
-        const WithoutLock without_lock;
+    run_interruptibly([&] {
         for (const double time_s : span_of(times)) {
+            stop_if_interrupted();
             const library::ContactPoint point = construction.contact(time_s);
             found.push_back(in_space ? point.space : point.body);
         }
-    }
+    });
     return points(found, shape_of(times));
 }
 
@@ -258,15 +268,15 @@ void add_motion(py::module_& module) {
         return
             [first, width](const py::object& self) { return States::quantity(self, first, width); };
     };
-    py::class_<States>(module, "States")
+    py::class_<States>(module, "States", without_new())
         .def_property_readonly("time_s", quantity(0, 0))
         .def_property_readonly("omega_body", quantity(1, 3))
         .def_property_readonly("space_from_body", quantity(4, 4))
         .def_property_readonly("herpolhode", quantity(8, 3));
     const auto without_lock = py::call_guard<WithoutLock>();
-    py::class_<Motion>(module, "Motion")
-        .def(py::init(&motion_of), "moments"_a, "omega"_a, "attitude"_a, "method"_a, "step_s"_a,
-             "tolerance"_a, "order"_a, "span_s"_a, "allow_unphysical"_a)
+    py::class_<Motion>(module, "Motion", without_new())
+        .def_static("of_body", motion_of, "moments"_a, "omega"_a, "attitude"_a, "method"_a,
+                    "step_s"_a, "tolerance"_a, "order"_a, "span_s"_a, "allow_unphysical"_a)
         .def_static("heavy_top", heavy_top, "transverse"_a, "axial"_a, "mgl_N_m"_a, "theta_rad"_a,
                     "theta_dot_rad_s"_a, "phi_dot_rad_s"_a, "omega3_rad_s"_a)
         .def("at", at, "times"_a)

@@ -120,12 +120,12 @@ void slides(const Scene& scene, const std::string& folder, const std::string& ba
 
 void add_scene(py::module_& module) {
     using namespace py::literals;
-    py::class_<library::Still>(module, "Still")
+    py::class_<library::Still>(module, "Still", without_new())
         .def_property_readonly("pixels", pixels_of)
         .def_property_readonly("png", png_of)
         .def_property_readonly("bound", &library::Still::bound);
     const auto without_lock = py::call_guard<WithoutLock>();
-    py::class_<Scene>(module, "Scene")
+    py::class_<Scene>(module, "Scene", without_new())
         .def_static("from_file", &Scene::from_file, without_lock, "file"_a, "values"_a,
                     "allow_outside"_a)
         .def_static("from_text", &Scene::from_text, without_lock, "text"_a, "name"_a, "values"_a,

@@ -18,8 +18,8 @@ class States:
     def herpolhode(self) -> NDArray[np.float64]: ...
 
 class Motion:
-    def __init__(
-        self,
+    @staticmethod
+    def of_body(
         moments: NDArray[np.float64],
         omega: NDArray[np.float64],
         attitude: NDArray[np.float64],
@@ -29,7 +29,7 @@ class Motion:
         order: Optional[int],
         span_s: Tuple[float, float],
         allow_unphysical: bool,
-    ) -> None: ...
+    ) -> Motion: ...
     @staticmethod
     def heavy_top(
         transverse: float,

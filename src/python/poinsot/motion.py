@@ -154,7 +154,7 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         self._make(False, (*copies, method, step_s, tolerance, order, span_s, allow_unphysical))
 
     def _make(self, is_top: bool, arguments: Tuple[Any, ...]) -> None:
-        self._native = _poinsot.Motion.heavy_top(*arguments) if is_top else _poinsot.Motion(*arguments)
+        self._native = _poinsot.Motion.heavy_top(*arguments) if is_top else _poinsot.Motion.of_body(*arguments)
         self._made = (is_top, arguments)
         self.at = self._native.at
 
