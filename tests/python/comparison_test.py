@@ -226,6 +226,7 @@ def test_names_that_are_not_valid_are_refused_before_anything_is_written(tmp_pat
         (lambda: poinsot.approve("a\0", results=a, baselines=tmp_path / "b", why="new"), "contains NUL"),
         (lambda: poinsot.approve("a", results=a, baselines=f"{tmp_path}/b\0", why="new"), "contains NUL"),
         (lambda: poinsot.approve("a", results=a, baselines=tmp_path / "b", why="\ud800"), "why: not valid Unicode"),
+        (lambda: poinsot.approve("a", results=a, baselines=tmp_path / "b", why=3), "why: is a text, and this is 3"),
     ):
         with pytest.raises(poinsot.InputError, match=sentence):
             wrong()

@@ -497,3 +497,80 @@ while thread.is_alive():
     poinsot.Scene("generic", {"motion.method": "rk4", "motion.step_s": 0.01}).sample([0.0, 1.0])
 print("done")
 """) == "done\n"
+
+
+@pytest.mark.parametrize("call", ["poinsot.Motion([4, 3, 1.5], [1, 2, 3], method='rk4', step_s=1e-7, span_s=(0, 50))", "slow.check()"])
+def test_the_interpreter_does_not_wait_for_the_stepping_of_a_daemon_thread(in_process, call):
+    """It takes far longer than the test would."""
+    assert in_process(HEAD + f"""
+slow = poinsot.Scene("generic", {{"motion.method": "rk4", "motion.step_s": 1e-7, "film.duration_s": 6.0}})
+threading.Thread(target=lambda: {call}, daemon=True).start()
+time.sleep(0.3)
+print("end")
+""", timeout_s=60.0) == "end\n"
+
+
+@pytest.mark.parametrize("prepare, call", [
+    ("top = poinsot.Motion.heavy_top(1.0, 0.5, 2.0, theta_rad=0.5, omega3_rad_s=20.0); times = np.linspace(0, 1, 3_000_000)",
+     "top.at(times)"),
+    ("body = poinsot.Motion([1, 2, 3], [0.1, 2, 0.3]); times = np.linspace(0, 1, 3_000_000)", "body.herpolhode(times)"),
+    ("from poinsot import _poinsot; a = np.random.default_rng(1).integers(0, 255, (1200, 1200, 4), np.uint8);"
+     "[open(name, 'wb').write(_poinsot.png_of(pixels)) for name, pixels in (('a.png', a), ('b.png', a[::-1].copy()))]",
+     "poinsot.compare('a.png', 'b.png', measures=True)"),
+])
+def test_an_interrupt_stops_long_calls(in_process, prepare, call):
+    """In less than half of the time that the call takes the processor."""
+    assert in_process(HEAD + f"""
+{prepare}
+began = time.process_time()
+{call}
+whole_s = time.process_time() - began
+threading.Timer(0.1 * whole_s, os.kill, (os.getpid(), signal.SIGINT)).start()
+began = time.process_time()
+try:
+    {call}
+    time.sleep(10)
+    print("not interrupted")
+except KeyboardInterrupt:
+    spent_s = time.process_time() - began
+    print("stopped" if spent_s < 0.5 * whole_s else f"after {{spent_s}} of {{whole_s}} s")
+""") == "stopped\n"
+
+
+@pytest.mark.parametrize("streams", ["sys.stderr = None", "sys.stdout = sys.stderr = None"])
+def test_a_film_needs_no_standard_streams(in_process, tmp_path, streams):
+    """Programs without a terminal, such as those of pythonw, have none."""
+    in_process(HEAD + streams + """
+scene.render("film.gif", size=SIZE, frames=(0, 5))
+""")
+    assert (tmp_path / "film.gif").stat().st_size > 100
+
+
+def test_a_closed_stderr_does_not_become_a_file(in_process):
+    assert in_process(HEAD + """
+import subprocess
+code = "import os; from poinsot import _poinsot; print(os.open('/dev/null', os.O_RDONLY) > 2)"
+print(subprocess.run(["sh", "-c", 'exec "$0" -c "$1" 2>&-', sys.executable, code], capture_output=True, text=True).stdout, end="")
+""") == "True\n"
+
+
+def test_no_object_of_the_module_is_without_its_contents(in_process):
+    assert in_process(HEAD + """
+import copy
+from poinsot import _poinsot
+for kind in (_poinsot.Motion, _poinsot.Scene, _poinsot.Still, _poinsot.States):
+    for make in (lambda: kind.__new__(kind), kind, lambda: object.__new__(kind), lambda: type("Mine", (kind,), {})()):
+        try:
+            make()
+        except TypeError as error:
+            assert "\\n" not in str(error), error
+        else:
+            sys.exit(f"made: {kind}")
+for native in (scene._native, drawn()._drawn, poinsot.Motion([1, 2, 3], [0.1, 2, 0])._native):
+    try:
+        copy.copy(native)
+    except TypeError:
+        continue
+    sys.exit(f"copied: {native}")
+print("done")
+""") == "done\n"

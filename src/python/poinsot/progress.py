@@ -21,7 +21,7 @@ class Progress:
         self.notes.append(line)
 
     def frames(self, n_done: int, n_frames: int) -> None:
-        if not self._shown:
+        if not self._shown or sys.stderr is None:  # programs without a terminal, such as pythonw, have none
             return
         if self._bar is None and not self._is_text:
             self._bar = _tqdm_bar(self._what, n_frames)
@@ -39,7 +39,7 @@ class Progress:
     def close(self) -> None:
         if self._bar is not None:
             self._bar.close()
-        elif self._is_text:
+        elif self._is_text and sys.stderr is not None:
             print(file=sys.stderr)
 
     def __enter__(self) -> "Progress":

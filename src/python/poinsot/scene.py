@@ -155,9 +155,12 @@ class Scene:
         if isinstance(columns, str):
             columns = [columns]
         try:
-            wanted = [toml.unicode_text("columns", column) for column in columns or []]
-        except (AttributeError, TypeError):
+            given: List[Any] = list(columns or [])
+        except TypeError:
+            given = [None]
+        if not all(isinstance(column, str) for column in given):
             raise InputError('columns: give names of columns, as ["time", "kinetic_energy"]')
+        wanted = [toml.unicode_text("columns", column) for column in given]
         names, values = self._native.sample(instants.ravel(), wanted)
         return Samples(zip(names, (column.reshape(instants.shape) for column in values)))
 
@@ -177,9 +180,9 @@ class Scene:
         if fps is not None:
             changes.append(f"--fps film.fps={fps}")
         if quality is not None:
-            changes.append(f"--quality film.quality={quality}")
+            changes.append(f"--quality film.quality={toml.unicode_text('quality', quality)}")
         if theme is not None:
-            changes.append(f"--theme theme={theme}")
+            changes.append(f"--theme theme={toml.unicode_text('theme', theme)}")
         if not isinstance(backend, str):
             raise InputError(f"backend: choose auto, osmesa, egl or gpu, and this is {backend!r}")
         if not hasattr(type(portable), "__bool__"):
@@ -231,6 +234,7 @@ class Scene:
         """The same as vectors, for print. The options are those of `poinsot still -o NAME.pdf`."""
         instant, clearest = _instant(time_s)
         paper = {"width_mm": width_mm, "height_mm": height_mm, "type_pt": type_pt, "journal": journal}
+        shading, text = toml.unicode_text("shading", shading), toml.unicode_text("text", text)
         scene = self._drawn(size, theme, quality, None, backend, portable)
 
         def made(kind: str) -> Tuple[bytes, List[str], Optional[str]]:

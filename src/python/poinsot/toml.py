@@ -14,7 +14,9 @@ _bare_key = re.compile(r"[A-Za-z0-9_-]+")
 
 
 def unicode_text(where: str, text: str) -> str:
-    """The text, if it is one of a file: it may hold no half of a surrogate pair."""
+    """The text, if it is one of a file: it may hold no half of a surrogate pair. Raises InputError."""
+    if not isinstance(text, str):
+        raise InputError(f"{where}: is a text, and this is {text!r}")
     try:
         text.encode("utf-8")
     except UnicodeEncodeError as error:
