@@ -4,6 +4,7 @@
 #include <ft2build.h>
 #include <hb.h>
 
+#include <new>
 #include <utility>
 
 #include "error/error.h"
@@ -98,10 +99,10 @@ FontFile::FontFile(FontBlob blob, const std::filesystem::path& file)
     unsigned length = 0;
     const char* bytes = hb_blob_get_data(handles_->blob.get(), &length);
     FT_Face face = nullptr;
-    if (FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes),
-                           static_cast<FT_Long>(length), 0, &face) != 0) {
-        throw unreadable();
-    }
+    const FT_Error error = FT_New_Memory_Face(library, reinterpret_cast<const FT_Byte*>(bytes),
+                                              static_cast<FT_Long>(length), 0, &face);
+    if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
+    if (error != 0) throw unreadable();
     handles_->outlines.reset(face);
 }
 
@@ -156,8 +157,9 @@ const GlyphOutline& FontFile::outline(GlyphId glyph) {
     if (const auto found = outlines_.find(glyph); found != outlines_.end()) return found->second;
     FT_Face face = handles_->outlines.get();
     Steps steps;
-    if (FT_Load_Glyph(face, glyph, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING) != 0 ||
-        face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
+    const FT_Error error = FT_Load_Glyph(face, glyph, FT_LOAD_NO_SCALE | FT_LOAD_NO_HINTING);
+    if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
+    if (error != 0 || face->glyph->format != FT_GLYPH_FORMAT_OUTLINE) {
         throw EnvironmentError(
             fmt::format("{}: glyph {} has no outline; reinstall the package "
                         "fonts-lmodern",

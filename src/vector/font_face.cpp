@@ -5,6 +5,7 @@
 #include <hb-subset.h>
 
 #include <array>
+#include <new>
 
 #include "error/error.h"
 #include "text/printable.h"
@@ -65,7 +66,10 @@ FontFace::FontFace(const std::filesystem::path& file) : handles_(std::make_uniqu
     FT_Library library = nullptr;
     FT_Face face = nullptr;
     if (FT_Init_FreeType(&library) == 0) handles_->library.reset(library);
-    if (library == nullptr || FT_New_Face(library, file.c_str(), 0, &face) != 0)
+    const FT_Error error =
+        library == nullptr ? FT_Err_Ok : FT_New_Face(library, file.c_str(), 0, &face);
+    if (error == FT_Err_Out_Of_Memory) throw std::bad_alloc();
+    if (face == nullptr)
         throw EnvironmentError(
             fmt::format("{}: not a font that can be read; reinstall the package fonts-lmodern",
                         printable(file.string())));

@@ -1,5 +1,7 @@
 #include "typeset/files/installed_fonts.h"
 
+#include <cerrno>
+#include <new>
 #include <utility>
 
 namespace poinsot {
@@ -9,7 +11,10 @@ namespace {
 // Maps the file into memory: fonts with all of Unicode have tens of megabytes, of which a label
 // needs little.
 FontFile font_in(const std::filesystem::path& file) {
-    return {FontBlob(hb_blob_create_from_file_or_fail(file.c_str())), file};
+    errno = 0;
+    FontBlob blob(hb_blob_create_from_file_or_fail(file.c_str()));
+    if (!blob && errno == ENOMEM) throw std::bad_alloc();
+    return {std::move(blob), file};
 }
 
 }  // namespace
