@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
+#include <cmath>
 
 namespace poinsot {
 
@@ -27,6 +28,20 @@ struct Quantities {
     bool herpolhode = false;
     bool euler_angles = false;
 };
+
+// ω's component perpendicular to L: ω − L (ω·L)/L² = (L × ω) × L/L², and L × ω vanishes with the
+// differences of the moments, so that nothing cancels for small wobbles. L is scaled by a power of
+// two, because its square may over- or underflow.
+inline Eigen::Vector3d omega_across_momentum(const Eigen::Vector3d& momentum,
+                                             const Eigen::Vector3d& omega) {
+    const double largest = momentum.cwiseAbs().maxCoeff();
+    if (!(largest > 0.0)) return Eigen::Vector3d::Zero();
+    int exponent = 0;
+    std::frexp(largest, &exponent);
+    const Eigen::Vector3d scaled =
+        momentum.unaryExpr([exponent](double L) { return std::ldexp(L, -exponent); });
+    return scaled.cross(omega).cross(scaled) / scaled.squaredNorm();
+}
 
 struct MotionSample {
     RotationState state;  // the attitude is the identity when it was not requested

@@ -597,5 +597,19 @@ TEST(IntegratedRotation, HoldsABodyAtRestAndAnInstant) {
     }
 }
 
+// L² over- or underflows; ω does not know the unit of the moments.
+TEST(IntegratedRotation, HasAHerpolhodeInEveryUnitOfMoments) {
+    const MotionProblem usual = tumbling("rk4", 2.0);
+    constexpr Quantities wanted{.attitude = true, .herpolhode = true};
+    const Eigen::Vector3d expected = Motion(usual).sample(1.7, wanted).herpolhode_space;
+    for (const int exponent : {-900, -540, 540, 724}) {
+        MotionProblem scaled = usual;
+        scaled.inertia = InertiaTensor::from_principal_moments(usual.inertia.moments_kg_m2() *
+                                                               std::ldexp(1.0, exponent));
+        const Eigen::Vector3d herpolhode = Motion(scaled).sample(1.7, wanted).herpolhode_space;
+        EXPECT_LE((herpolhode - expected).norm(), 1e-14 * expected.norm()) << exponent;
+    }
+}
+
 }  // namespace
 }  // namespace poinsot::methods_tests

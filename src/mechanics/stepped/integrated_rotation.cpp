@@ -247,12 +247,8 @@ MotionSample IntegratedRotation::sample(double time_s, Quantities wanted) const 
     const Eigen::Quaterniond attitude = sample.state.space_from_body;
     if (wanted.herpolhode) {
         const Eigen::Vector3d momentum = inertia_.matrix_body() * sample.state.omega_body;
-        const double squared = momentum.squaredNorm();
-        if (squared > 0.0) {
-            const Eigen::Vector3d across =
-                momentum.cross(sample.state.omega_body).cross(momentum) / squared;
-            sample.herpolhode_space = attitude * across;
-        }
+        sample.herpolhode_space =
+            attitude * omega_across_momentum(momentum, sample.state.omega_body);
     }
     if (wanted.euler_angles) sample.euler = euler_angles_of(attitude);
     if (!wanted.attitude) sample.state.space_from_body = Eigen::Quaterniond::Identity();
