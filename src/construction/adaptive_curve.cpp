@@ -45,7 +45,11 @@ class AdaptiveSampler {
                 off = std::max(off, distance_from_segment(point_(from.parameter + eighths * half),
                                                           from.point, to.point));
         if (!is_resolved) off = std::max(off, (to.point - from.point).norm());
-        if (off <= tolerance_ || !is_resolved || depth == 0 || samples.size() >= max_points_) {
+        // Where one segment has missed the tolerance the curve is lost, and halving others, for
+        // instance of rounding noise, is work for nothing.
+        const bool is_lost = !(worst_off <= tolerance_);
+        if (off <= tolerance_ || !is_resolved || depth == 0 || is_lost ||
+            samples.size() >= max_points_) {
             // NaN does not count as within the tolerance.
             if (!(off <= worst_off)) worst_off = off;
             samples.push_back({to.parameter, to.point, off});

@@ -24,7 +24,8 @@ double distance_from_segment(const Eigen::Vector3d& point, const Eigen::Vector3d
 // `tolerance` of the chord. Returns ascending
 // parameters, both ends included; at most max_points of them (the tolerance is then not reached
 // everywhere). Where no double lies between two parameters, the segment's length is taken as the
-// distance. `off` receives the largest distance of all samples.
+// distance. After a segment that misses the tolerance it halves no others. `off` receives the
+// largest distance of all samples.
 std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
                                            double first, double last, int n_pieces,
                                            double tolerance,

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
+#include "construction/adaptive_curve.h"
 #include "mechanics/motion.h"
 
 namespace poinsot {
@@ -18,6 +21,20 @@ TEST(TimedPath, GoesOnForAFewStretchesAtMost) {
         EXPECT_LE(path.times_s.back(), 5.0 + 2.0 * longest_piece_spans) << feature_s;
     }
     EXPECT_EQ(sample_path(line, 5.0, 5.0, 1e10, 1e-3).index_at(5.0), 0.0);
+}
+
+// Rounding noise: halving brings it no nearer to its chord.
+TEST(TimedPath, GivesUpWhereTheCurveIsLost) {
+    int n_evaluations = 0;
+    const auto noisy = [&n_evaluations](double t) {
+        ++n_evaluations;
+        const double noise = std::fmod(1e9 * std::sin(1e9 * t), 1.0);
+        return Eigen::Vector3d(t, t > 0.25 ? noise : 0.0, 0.0);
+    };
+    double off = 0.0;
+    sample_adaptively(noisy, 0.0, 1.0, 16, 1e-3, 1'000'000, &off);
+    EXPECT_GT(off, 0.1);
+    EXPECT_LT(n_evaluations, 500);
 }
 
 }  // namespace
