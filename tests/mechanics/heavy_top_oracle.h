@@ -12,9 +12,16 @@
 
 namespace poinsot::tops {
 
+// √(|Mgl|/A): the rate at which gravity turns the body.
+inline double gravity_rate(const HeavyTopProblem& p) {
+    using std::sqrt;
+    return static_cast<double>(sqrt(boost::multiprecision::cpp_bin_float_quad(std::abs(p.mgl_N_m)) /
+                                    p.moment_transverse_kg_m2));
+}
+
 // The difference of a top's state from (q, ω) in long double: the largest component of the
-// quaternion's difference (q and −q are equal) and of ω's, the latter relative to its norm if that
-// exceeds one.
+// quaternion's difference (q and −q are equal) and of ω's, the latter relative to the larger of |ω|
+// and √(|Mgl|/A).
 struct Difference {
     double attitude = 0.0;
     double omega = 0.0;
@@ -23,8 +30,8 @@ struct Difference {
 using Wide = long double;
 using Quad = boost::multiprecision::cpp_bin_float_quad;
 
-inline Difference difference(const RotationState& state, const std::array<Wide, 4>& q,
-                             const std::array<Wide, 3>& omega) {
+inline Difference difference(const HeavyTopProblem& p, const RotationState& state,
+                             const std::array<Wide, 4>& q, const std::array<Wide, 3>& omega) {
     const Eigen::Quaterniond& r = state.space_from_body;
     const double components[4] = {r.w(), r.x(), r.y(), r.z()};
     Wide same = 0;
@@ -34,12 +41,14 @@ inline Difference difference(const RotationState& state, const std::array<Wide, 
         opposite = std::max(opposite, std::abs(q[i] + components[i]));
     }
     Wide worst = 0;
-    Wide norm = 1;
+    Wide square = 0;
     for (std::size_t i = 0; i < 3; ++i) {
         worst = std::max(worst, std::abs(omega[i] - state.omega_body[static_cast<int>(i)]));
-        norm = std::max(norm, std::abs(omega[i]));
+        square += omega[i] * omega[i];
     }
-    return {static_cast<double>(std::min(same, opposite)), static_cast<double>(worst / norm)};
+    const Wide norm = std::max(Wide(gravity_rate(p)), std::sqrt(square));
+    return {static_cast<double>(std::min(same, opposite)),
+            worst > 0 ? static_cast<double>(worst / norm) : 0.0};
 }
 
 // Arithmetic for a number type: conversions from 113 bits and to double, and the convolutions.
@@ -83,20 +92,23 @@ struct Arithmetic<DoubleDouble> {
 // Taylor's method for Euler's equations of the top: an independent reference, regular through the
 // vertical, with an error near that of the arithmetic. Long double is used where the motion does
 // not amplify its error of 1e-19, DoubleDouble's 106 bits where it does, and Quad's 113 bits to
-// check DoubleDouble.
+// check DoubleDouble. The unit of time is 2^−n s near the fastest turn, so that no coefficient
+// over- or underflows.
 template <typename Real>
 class TaylorTop {
  public:
-    explicit TaylorTop(const HeavyTopProblem& p)
-        : omega3_(p.omega3_rad_s),
-          spin_coupling_(Numbers::from((Quad(p.moment_transverse_kg_m2) - p.moment_axial_kg_m2) *
-                                       p.omega3_rad_s / p.moment_transverse_kg_m2)),
-          gravity_(Numbers::from(Quad(p.mgl_N_m) / p.moment_transverse_kg_m2)) {
+    explicit TaylorTop(const HeavyTopProblem& p) : exponent_(exponent_of(p)) {
+        const Quad unit = ldexp(Quad(1), exponent_);
+        const Quad omega3 = p.omega3_rad_s / unit;
+        omega3_ = Numbers::from(omega3);
+        spin_coupling_ = Numbers::from((Quad(p.moment_transverse_kg_m2) - p.moment_axial_kg_m2) *
+                                       omega3 / p.moment_transverse_kg_m2);
+        gravity_ = Numbers::from(Quad(p.mgl_N_m) / p.moment_transverse_kg_m2 / (unit * unit));
         const Quad half = Quad(p.theta_rad) / 2;
         const Quad c = cos(half);
         const Quad s = sin(half);
-        const std::array<Quad, 9> start{p.theta_dot_rad_s,
-                                        Quad(p.phi_dot_rad_s) * 2 * s * c,
+        const std::array<Quad, 9> start{p.theta_dot_rad_s / unit,
+                                        p.phi_dot_rad_s / unit * 2 * s * c,
                                         0,
                                         2 * s * c,
                                         (c - s) * (c + s),
@@ -107,7 +119,8 @@ class TaylorTop {
         for (std::size_t i = 0; i < 9; ++i) state_[i] = Numbers::from(start[i]);
     }
 
-    void advance(double duration) {
+    void advance(double duration_s) {
+        const double duration = std::ldexp(duration_s, exponent_);
         const auto size = [](const Real& x) {
             return std::abs(static_cast<double>(Numbers::wide(x)));
         };
@@ -122,7 +135,17 @@ class TaylorTop {
                 Numbers::wide(state_[8])};
     }
     std::array<Wide, 3> omega() const {
-        return {Numbers::wide(state_[0]), Numbers::wide(state_[1]), Numbers::wide(omega3_)};
+        const auto per_second = [this](const Real& x) {
+            return std::ldexp(Numbers::wide(x), exponent_);
+        };
+        return {per_second(state_[0]), per_second(state_[1]), per_second(omega3_)};
+    }
+
+    // Of the fastest of ω and √(|Mgl|/A).
+    static int exponent_of(const HeavyTopProblem& p) {
+        const double fastest = std::max({std::abs(p.theta_dot_rad_s), std::abs(p.phi_dot_rad_s),
+                                         std::abs(p.omega3_rad_s), gravity_rate(p)});
+        return fastest > 0.0 ? std::ilogb(fastest) : 0;
     }
 
  private:
@@ -158,6 +181,7 @@ class TaylorTop {
         }
     }
 
+    int exponent_;
     Real omega3_, spin_coupling_, gravity_;
     std::array<Real, 9> state_{};  // ω1, ω2, vertical in body axes, quaternion (w, x, y, z)
 };

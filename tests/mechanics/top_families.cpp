@@ -78,6 +78,30 @@ HeavyTopProblem near_separatrix(Random& random) {
     return p;
 }
 
+// Every number of its own scale, out of so many decades; a fifth of the rates are 0.
+template <int decades>
+HeavyTopProblem of_any_scale(Random& random) {
+    const auto size = [&random] {
+        return std::pow(10.0, uniform(random, -0.5 * decades, 0.5 * decades));
+    };
+    const auto rate = [&] {
+        const double sign = random() % 2 == 0 ? 1.0 : -1.0;
+        return random() % 5 == 0 ? 0.0 : sign * size();
+    };
+    HeavyTopProblem p;
+    p.moment_transverse_kg_m2 = size();
+    p.moment_axial_kg_m2 = 2.0 * p.moment_transverse_kg_m2 *
+                           std::pow(10.0, uniform(random, -std::min(decades, 12), 0));
+    p.mgl_N_m = (random() % 2 == 0 ? 1.0 : -1.0) * size();
+    p.theta_rad = uniform(random, 0.0, pi);
+    if (random() % 4 == 0) p.theta_rad = std::pow(10.0, uniform(random, -0.5 * decades, 0.0));
+    if (random() % 4 == 0) p.theta_rad = pi - p.theta_rad;
+    p.theta_dot_rad_s = rate();
+    p.phi_dot_rad_s = rate();
+    p.omega3_rad_s = rate();
+    return p;
+}
+
 constexpr std::array families{
     Family{"heavy top, generic", generic_top, 20.0, false},
     Family{"heavy top, near the vertical", near_vertical, 12.0, true},
@@ -87,6 +111,10 @@ constexpr std::array families{
     Family{"heavy top, weak gravity, extreme shapes", weak_gravity, 15.0, false},
     Family{"heavy top, near steady precession", near_steady, 15.0, false},
     Family{"heavy top, near the separatrix", near_separatrix, 12.0, true},
+    Family{"heavy top, scales of 2 decades", of_any_scale<2>, 8.0, true, true},
+    Family{"heavy top, scales of 8 decades", of_any_scale<8>, 8.0, true, true},
+    Family{"heavy top, scales of 150 decades", of_any_scale<150>, 8.0, true, true},
+    Family{"heavy top, scales of 300 decades", of_any_scale<300>, 8.0, true, true},
 };
 
 template <typename Real>
@@ -95,7 +123,8 @@ void compare(const HeavyTopProblem& problem, double piece_s, Residuals& worst) {
     TaylorTop<Real> oracle(problem);
     for (int k = 1; k <= 4; ++k) {
         oracle.advance(piece_s);
-        const Difference d = difference(top.at(k * piece_s), oracle.quaternion(), oracle.omega());
+        const Difference d =
+            difference(problem, top.at(k * piece_s), oracle.quaternion(), oracle.omega());
         worst.attitude = std::max(worst.attitude, d.attitude);
         worst.omega = std::max(worst.omega, d.omega);
     }
@@ -127,8 +156,11 @@ Residuals measure(const Family& family, int first, int last) {
         Random random(static_cast<Random::result_type>(i) + 1);
         const HeavyTopProblem problem = family.draw(random);
         // A multiple of 1/64 s, so that four of them are exact.
-        const double piece_s =
-            std::ldexp(std::round(family.duration_s * (i % 4 == 3 ? -16 : 16)), -6);
+        double piece_s = std::ldexp(std::round(family.duration_s * (i % 4 == 3 ? -16 : 16)), -6);
+        if (family.of_any_scale)
+            // Every fourth time, the motion just after the start.
+            piece_s =
+                std::ldexp(piece_s, -TaylorTop<Wide>::exponent_of(problem) - (i % 4 == 2 ? 20 : 0));
         if (family.amplifies) {
             compare<DoubleDouble>(problem, piece_s, worst);
         } else {

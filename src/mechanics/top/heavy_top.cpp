@@ -50,28 +50,30 @@ struct HeavyTop::Phase {
     double r = 0.0;  // u from the turning point
     std::int64_t quarter = 0;
     double quarters = 0.0;  // the same number, also where it exceeds an integer
-    double elapsed_s = 0.0;
+    double elapsed = 0.0;   // in the series' unit of time
 };
 
 // α and β up to a common positive factor and without the phases e^{i rate t}, and their rates.
 struct HeavyTop::Factors {
     Complex value[2];
-    Complex rate[2];  // of the value and of the regular part of the phase, 1/s
+    Complex rate[2];  // of the value and of the regular part of the phase
 };
 
-HeavyTop::Phase HeavyTop::phase_at(double elapsed_s) const {
+HeavyTop::Phase HeavyTop::phase_at(double time_s) const {
     Phase phase;
-    phase.elapsed_s = elapsed_s;
-    const double fastest = std::max({series_.lambda_1_s.hi, std::abs(series_.factor[0].rate_1_s.hi),
-                                     std::abs(series_.factor[1].rate_1_s.hi)});
+    const double elapsed = std::ldexp(time_s - given_.time_s, rate_exponent_);
+    phase.elapsed = elapsed;
+    const double fastest = std::max({series_.lambda.hi, std::abs(series_.factor[0].rate.hi),
+                                     std::abs(series_.factor[1].rate.hi)});
     constexpr double largest_phase = 1e290;  // products of two words must not overflow
-    if (!(fastest * std::abs(elapsed_s) < largest_phase) || !std::isfinite(elapsed_s)) {
-        throw InputError(fmt::format(
-            "the top's phase after {} s exceeds what a double holds; ask for an earlier time",
-            elapsed_s));
+    if (!(fastest * std::abs(elapsed) < largest_phase) || !std::isfinite(elapsed)) {
+        throw InputError(
+            fmt::format("time_s: the top's phase after {} s exceeds what a double holds; ask for "
+                        "an earlier time",
+                        time_s));
     }
     if (series_.steady) return phase;
-    DoubleDouble u = series_.lambda_1_s * elapsed_s + series_.u_start;
+    DoubleDouble u = series_.lambda * elapsed + series_.u_start;
     if (std::isfinite(series_.quarter_u.hi)) {
         // One pass, or more if the number of quarters approaches 2^53: the series are those of the
         // nearest turning point.
@@ -91,12 +93,12 @@ HeavyTop::Phase HeavyTop::phase_at(double elapsed_s) const {
 
 HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
     Factors result;
-    const double lambda = series_.lambda_1_s.hi;
+    const double lambda = series_.lambda.hi;
     if (series_.steady) {
         for (int which = 0; which < 2; ++which) {
             const TopFactor& factor = series_.factor[which];
             result.value[which] = factor.lower_amplitude;
-            result.rate[which] = Complex(0.0, factor.regular_rate_1_s) * factor.lower_amplitude;
+            result.rate[which] = Complex(0.0, factor.regular_rate) * factor.lower_amplitude;
         }
         return result;
     }
@@ -128,7 +130,7 @@ HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
             sum_series(theta1 ? factor.theta1_re : factor.theta2_re,
                        theta1 ? factor.theta1_im : factor.theta2_im, even ? m.even_cos : m.odd_cos,
                        even ? m.even_sin : m.odd_sin, even ? 0 : 1, curvature, series_.n_terms);
-        const double phase_rate = factor.regular_rate_1_s + lambda * factor.cell_rate;
+        const double phase_rate = factor.regular_rate + lambda * factor.cell_rate;
         const Complex rate =
             lambda * series_.argument_per_u * sum.slope + Complex(0.0, phase_rate) * sum.value;
         const double first = upper ? factor.upper_amplitude[1] : 1.0;
@@ -144,7 +146,7 @@ HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
 DoubleDouble HeavyTop::unwrapped(int which, const Phase& phase, const Factors& factors) const {
     const TopFactor& factor = series_.factor[which];
     if (factor.zero) return 0.0;
-    const DoubleDouble secular = factor.rate_1_s * phase.elapsed_s;
+    const DoubleDouble secular = factor.rate * phase.elapsed;
     if (series_.steady) return secular;
     const DoubleDouble angle = secular + factor.cell_rate * phase.r;
     const Complex& value = factors.value[which];
@@ -161,7 +163,7 @@ DoubleDouble HeavyTop::unwrapped(int which, const Phase& phase, const Factors& f
 // Rotates the series so that they match the start: by their phase there, or by the phase of their
 // rate where the start is exactly vertical.
 void HeavyTop::fit_start(std::complex<double> omega_transverse) {
-    const Phase phase = phase_at(0.0);
+    const Phase phase = phase_at(given_.time_s);
     const Factors factors = factors_at(phase);
     const int alpha = series_.reversed ? 1 : 0;
     // 2 dα/dt = −β conj(ω1 + iω2) at α = 0, and 2 dβ/dt = α (ω1 + iω2) at β = 0.
@@ -189,7 +191,7 @@ RotationState HeavyTop::state_from(double time_s, const Phase& phase,
     Complex rate[2];
     for (int which = 0; which < 2; ++which) {
         const TopFactor& factor = series_.factor[which];
-        DoubleDouble angle = factor.rate_1_s * phase.elapsed_s;
+        DoubleDouble angle = factor.rate * phase.elapsed;
         if (!series_.steady) angle = angle + factor.cell_rate * phase.r;
         const Complex turn = unit_phase(angle) * start_phase_[which] *
                              quarter_turns(series_.steady ? 0 : factor.winding * phase.quarter);
@@ -215,7 +217,9 @@ RotationState HeavyTop::state_from(double time_s, const Phase& phase,
     state.space_from_body =
         Eigen::Quaterniond(alpha.real(), beta.real(), beta.imag(), alpha.imag()) *
         body_from_top_.conjugate();
-    state.omega_body = body_from_top_ * Eigen::Vector3d(omega.real(), omega.imag(), omega3_);
+    state.omega_body =
+        body_from_top_ * Eigen::Vector3d(std::ldexp(omega.real(), rate_exponent_),
+                                         std::ldexp(omega.imag(), rate_exponent_), omega3_);
     return state;
 }
 
@@ -237,35 +241,37 @@ EulerAngles HeavyTop::angles_from(const Phase& phase, const Factors& factors) co
 }
 
 RotationState HeavyTop::at(double time_s) const {
-    const Phase phase = phase_at(time_s - start_time_s_);
+    if (is_start(time_s)) return given_;
+    const Phase phase = phase_at(time_s);
     return state_from(time_s, phase, factors_at(phase));
 }
 
 EulerAngles HeavyTop::euler_angles(double time_s) const {
-    const Phase phase = phase_at(time_s - start_time_s_);
+    if (is_start(time_s)) return given_angles_;
+    const Phase phase = phase_at(time_s);
     return angles_from(phase, factors_at(phase));
 }
 
 MotionSample HeavyTop::sample(double time_s, Quantities wanted) const {
-    const Phase phase = phase_at(time_s - start_time_s_);
-    const Factors factors = factors_at(phase);
     MotionSample sample;
-    sample.state = state_from(time_s, phase, factors);
+    if (is_start(time_s)) {
+        sample.state = given_;
+        sample.euler = given_angles_;
+    } else {
+        const Phase phase = phase_at(time_s);
+        const Factors factors = factors_at(phase);
+        sample.state = state_from(time_s, phase, factors);
+        if (wanted.euler_angles) sample.euler = angles_from(phase, factors);
+    }
     if (wanted.herpolhode) {
         // L itself moves in space, and ω's part across it is taken at this instant.
         const Eigen::Vector3d omega = body_from_top_.conjugate() * sample.state.omega_body;
         const Eigen::Vector3d momentum(moment_transverse_ * omega[0], moment_transverse_ * omega[1],
                                        moment_axial_ * omega[2]);
-        // ω − L (ω·L)/L² = (L × ω) × L / L², and L × ω ∝ C − A: no cancellation for small wobbles.
-        const double squared = momentum.squaredNorm();
-        if (squared > 0.0) {
-            const Eigen::Vector3d across = momentum.cross(omega).cross(momentum) / squared;
-            sample.herpolhode_space =
-                sample.state.space_from_body * (body_from_top_ * across).eval();
-        }
+        const Eigen::Vector3d across = omega_across_momentum(momentum, omega);
+        sample.herpolhode_space = sample.state.space_from_body * (body_from_top_ * across).eval();
     }
     if (!wanted.attitude) sample.state.space_from_body = Eigen::Quaterniond::Identity();
-    if (wanted.euler_angles) sample.euler = angles_from(phase, factors);
     return sample;
 }
 

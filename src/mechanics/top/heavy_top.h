@@ -27,6 +27,7 @@ struct HeavyTopProblem {
 };
 
 // Returns the state at t = 0 for the problem's Euler angles and rates; body axes are principal.
+// Throws InputError if θ lies outside of [0, π].
 RotationState start_of(const HeavyTopProblem& problem);
 
 // The kinds of motion of a heavy symmetric top. "Upper" is the end of the nutation with the higher
@@ -66,7 +67,9 @@ struct TopNutation {
 };
 
 // The exact motion of a heavy symmetric top; immutable. Setup is done once in wide double-double,
-// whose range also holds θ0 = 1e-300; an evaluation is in double with a two-word phase.
+// whose range also holds θ0 = 1e-300; an evaluation is in double with a two-word phase. At the
+// start the given state is returned; elsewhere the error of ω is at most 1.1e-15 of the larger of
+// |ω| and √(|Mgl|/A), the rate at which gravity turns the body, for moments that a body can have.
 //
 // Source: Klein & Sommerfeld, Über die Theorie des Kreisels, ch. VI (Cayley–Klein parameters as
 // theta quotients); DLMF §20, §22. The quaternion is the primary result and stays regular through
@@ -75,14 +78,16 @@ struct TopNutation {
 // mirrored top with e3 reversed.
 class HeavyTop {
  public:
-    // Throws InputError if a number is not finite or a moment not positive.
+    // Throws InputError if a number is not finite, a moment is not positive, θ lies outside of
+    // [0, π] or L overflows.
     explicit HeavyTop(const HeavyTopProblem& problem);
 
     // Constructs the motion through a state at start.time_s. Throws InputError if a number of the
-    // state is not finite or the attitude is zero, and unless two principal moments are equal and
-    // the arm lies along the third axis (any arm for three equal moments). The Euler angles are
-    // those of that axis. If the state was rounded from Euler angles, give these as well: the
-    // motion is then exact for them. They are used where the third body axis is the symmetry axis.
+    // state is not finite, the attitude is zero or L overflows, and unless two principal moments
+    // are equal and the arm lies along the third axis (any arm for three equal moments). The Euler
+    // angles are those of that axis. If the state was rounded from Euler angles, give these as
+    // well: the motion is then exact for them. They are used where the third body axis is the
+    // symmetry axis.
     HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity, const RotationState& start,
              const std::optional<TopStart>& unrounded = std::nullopt);
 
@@ -111,14 +116,20 @@ class HeavyTop {
     struct Phase;
     struct Factors;
 
-    Phase phase_at(double elapsed_s) const;
+    Phase phase_at(double time_s) const;
+    bool is_start(double time_s) const { return time_s == given_.time_s; }
     Factors factors_at(const Phase& phase) const;
     void fit_start(std::complex<double> omega_transverse);
+    void check_momentum(bool from_angles) const;
     DoubleDouble unwrapped(int which, const Phase& phase, const Factors& factors) const;
     RotationState state_from(double time_s, const Phase& phase, const Factors& factors) const;
     EulerAngles angles_from(const Phase& phase, const Factors& factors) const;
 
-    double start_time_s_ = 0.0;
+    RotationState given_;  // the start, the attitude of unit length
+    EulerAngles given_angles_;
+    // Within the series times are in units of 2^−n s near the time of the fastest turn, so that no
+    // product over- or underflows.
+    int rate_exponent_ = 0;
     double moment_transverse_ = 1.0;
     double moment_axial_ = 1.0;
     double mgl_ = 0.0;

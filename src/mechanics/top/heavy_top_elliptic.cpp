@@ -94,7 +94,8 @@ std::pair<int, WideDouble> starting_phase(const Cubic& c, const Modulus& m) {
     const WideDouble sn2 = c.above / c.delta;
     const WideDouble cn2 = c.below / c.delta;
     const WideDouble dn2 = (c.beta * c.x0 + c.G) / (c.beta * c.x1 + c.G);
-    if (dn2 >= m.k_prime) return {0, sign * sqrt(sn2) * carlson_rf(cn2, dn2, WideDouble(1))};
+    // At u = K/2, cn² = k′ sn². Without gravity k′ and dn are 1 and tell nothing.
+    if (cn2 >= m.k_prime * sn2) return {0, sign * sqrt(sn2) * carlson_rf(cn2, dn2, WideDouble(1))};
     const WideDouble k2_prime = square(m.k_prime);
     const WideDouble from_upper =
         sqrt(cn2 / dn2) *

@@ -21,22 +21,23 @@ struct TopFactor {
     std::array<double, max_terms> theta2_re{}, theta2_im{};
     double lower_amplitude = 0.0;
     double upper_amplitude[2] = {0.0, 1.0};  // a product of two, against early underflow
-    DoubleDouble rate_1_s;                   // of the phase
-    double regular_rate_1_s = 0.0;           // the same without ±(ω3 − a)/2
+    DoubleDouble rate;                       // of the phase
+    double regular_rate = 0.0;               // the same without ±(ω3 − a)/2
     double cell_rate = 0.0;                  // phase per unit of u, radians
     int winding = 1;                         // +1 or −1
     bool through_zero = false;               // real except for the phase: passes through zero
     bool zero = false;                       // identically zero
 };
 
-// The solution x = 1 − cos θ = x1 − (x1−x2) sn²(u), u = λt + u0, of the top with Mgl ≥ 0.
+// The solution x = 1 − cos θ = x1 − (x1−x2) sn²(u), u = λt + u0, of the top with Mgl ≥ 0. Rates
+// are in the unit 2^n rad/s that TopSetup chooses.
 struct TopSeries {
     bool reversed = false;    // Mgl < 0: e3 is reversed, and (α, β) stand for (−β, α)
     bool steady = false;      // θ is constant; the factors have amplitudes and rates only
     bool hyperbolic = false;  // series in the complementary nome (k' < 1/√2)
     bool scaled = false;      // the complementary nome is negligible, and e^{u} may overflow
     int n_terms = 1;
-    DoubleDouble lambda_1_s;
+    DoubleDouble lambda;
     DoubleDouble u_start;    // from the turning point number quarter_start
     DoubleDouble quarter_u;  // K; infinite on the separatrix
     int quarter_start = 0;

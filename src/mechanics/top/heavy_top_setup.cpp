@@ -1,5 +1,6 @@
 #include "mechanics/top/heavy_top_setup.h"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -18,6 +19,19 @@ DoubleDouble double_double(const WideDouble& x) {
     return {value.hi, std::isfinite(value.hi) ? value.lo : 0.0};
 }
 
+// The exponent of the fastest of ω, a and √(|Mgl|/A); 0 for a top at rest without gravity.
+int rate_exponent_of(const TopAtStart& s) {
+    int exponent = 0;
+    bool is_first = true;
+    for (const WideDouble& rate :
+         {s.omega1, s.omega2, s.omega3, WideDouble(s.C * s.omega3 / s.A), sqrt(abs(s.mgl) / s.A)}) {
+        if (rate.is_zero()) continue;
+        exponent = is_first ? rate.exponent() : std::max(exponent, rate.exponent());
+        is_first = false;
+    }
+    return exponent;
+}
+
 // θ of an end of the nutation from x and y = 2 − x.
 double angle_of(const WideDouble& x, const WideDouble& y) {
     return (2 * atan2(sqrt(x), sqrt(y))).rounded();
@@ -27,8 +41,13 @@ double angle_of(const WideDouble& x, const WideDouble& y) {
 
 void TopSetup::solve(const TopAtStart& given) {
     TopSeries& series = top.series_;
+    const int exponent = top.rate_exponent_ = rate_exponent_of(given);
+    TopAtStart scaled = given;
+    for (WideDouble* rate : {&scaled.omega1, &scaled.omega2, &scaled.omega3})
+        *rate = ldexp(*rate, -exponent);
+    scaled.mgl = ldexp(given.mgl, -2 * exponent);
     series.reversed = given.mgl < 0;
-    const TopAtStart start = series.reversed ? reversed(given) : given;
+    const TopAtStart start = series.reversed ? reversed(scaled) : scaled;
     cubic = solve_cubic(start);
     half_spin = (start.omega3 - cubic.a) / 2;
     if (cubic.steady) {
@@ -39,13 +58,13 @@ void TopSetup::solve(const TopAtStart& given) {
     fill_public(given);
     top.start_[0] = {given.qw.rounded(), given.qz.rounded()};
     top.start_[1] = {given.qx.rounded(), given.qy.rounded()};
-    top.fit_start({given.omega1.rounded(), given.omega2.rounded()});
+    top.fit_start({scaled.omega1.rounded(), scaled.omega2.rounded()});
 }
 
 void TopSetup::set_rate(TopFactor& factor, int which, const WideDouble& regular) {
     const WideDouble rate = regular + (which == 0 ? half_spin : WideDouble(-half_spin));
-    factor.regular_rate_1_s = regular.rounded();
-    factor.rate_1_s = double_double(rate);
+    factor.regular_rate = regular.rounded();
+    factor.rate = double_double(rate);
     angle_rate[which] = 2 * rate;
     if (factor.zero) angle_rate[which] = 0;
 }
@@ -76,7 +95,7 @@ void TopSetup::fill_nutating(TopSeries& series) {
     series.nome = m.nome.rounded();
     series.scaled = m.hyperbolic && series.nome < 1e-36;
     series.n_terms = series.scaled ? 1 : TopFactor::max_terms;
-    series.lambda_1_s = double_double(lambda);
+    series.lambda = double_double(lambda);
     series.quarter_u =
         m.K == 0 ? DoubleDouble{std::numeric_limits<double>::infinity(), 0.0} : double_double(m.K);
     series.quarter_start = quarter_start;
@@ -138,8 +157,9 @@ void TopSetup::fill_public(const TopAtStart& given) {
     top.omega3_ = given.omega3.rounded();
 
     // Upright and reversed constants: d + a x = e' − a' y' and so on.
-    const WideDouble d = back ? cubic.e : cubic.d;
-    const WideDouble a = back ? WideDouble(-cubic.a) : cubic.a;
+    const int exponent = top.rate_exponent_;
+    const WideDouble d = ldexp(back ? cubic.e : cubic.d, exponent);
+    const WideDouble a = ldexp(back ? WideDouble(-cubic.a) : cubic.a, exponent);
     top.p_phi_minus_p_psi_ = (given.A * d).rounded();
     top.invariants_.p_phi_kg_m2_s = (given.A * (d + a)).rounded();
     top.invariants_.p_psi_kg_m2_s = (given.C * given.omega3).rounded();
@@ -155,6 +175,10 @@ void TopSetup::fill_public(const TopAtStart& given) {
     top.angle_start_[0] = given.qw == 0 && given.qz == 0 ? 0.0 : alpha;
     top.angle_start_[1] = given.qx == 0 && given.qy == 0 ? 0.0 : beta;
 
+    top.given_angles_ = {angle_of(x0, back ? cubic.x0 : cubic.y0),
+                         0.5 * (top.angle_start_[0] + top.angle_start_[1]),
+                         0.5 * (top.angle_start_[0] - top.angle_start_[1])};
+
     fill_nutation();
     top.regime_ = regime_of(cubic);
 }
@@ -162,18 +186,22 @@ void TopSetup::fill_public(const TopAtStart& given) {
 void TopSetup::fill_nutation() {
     const bool back = top.series_.reversed;
     TopNutation& nutation = top.nutation_;
+    const auto seconds = [this](const WideDouble& duration) {
+        return ldexp(duration, -top.rate_exponent_).rounded();
+    };
     nutation.theta_min_rad = back ? angle_of(cubic.y1, cubic.x1) : angle_of(cubic.x2, cubic.y2);
     nutation.theta_max_rad = back ? angle_of(cubic.y2, cubic.x2) : angle_of(cubic.x1, cubic.y1);
     if (cubic.steady) {
         // Small nutation about steady motion: x'' = 2 P2 (x − x0) to first order.
         const WideDouble stiffness = -cubic.p2;
         const bool moves = cubic.x0 > 0 && cubic.y0 > 0 && stiffness > 0;
-        nutation.period_s = moves ? (2 * pi / sqrt(stiffness)).rounded() : 0.0;
+        nutation.period_s = moves ? seconds(2 * pi / sqrt(stiffness)) : 0.0;
     } else {
-        nutation.period_s = quarter == 0 ? std::numeric_limits<double>::infinity()
-                                         : (2 * quarter / lambda).rounded();
+        nutation.period_s =
+            quarter == 0 ? std::numeric_limits<double>::infinity() : seconds(2 * quarter / lambda);
     }
-    nutation.precession_rate_rad_s = ((angle_rate[0] + angle_rate[1]) / 2).rounded();
+    nutation.precession_rate_rad_s =
+        ldexp((angle_rate[0] + angle_rate[1]) / 2, top.rate_exponent_).rounded();
 }
 
 }  // namespace poinsot

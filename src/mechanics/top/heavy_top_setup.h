@@ -17,6 +17,7 @@ struct TopSetup {
 
     explicit TopSetup(HeavyTop& filled) : top(filled) {}
 
+    // Takes rates in rad/s, and computes with them in units of 2^n rad/s near the fastest.
     void solve(const top_setup::TopAtStart& given);
 
  private:

@@ -3,9 +3,11 @@
 
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "error/error.h"
 #include "mechanics/top/heavy_top_setup.h"
+#include "numerics/quaternion_dd.h"
 #include "numerics/wide_functions.h"
 
 namespace poinsot {
@@ -28,7 +30,18 @@ void require_moment(double value, const char* what) {
     }
 }
 
+void require_tilt(double theta_rad) {
+    require_finite(theta_rad, "theta_rad");
+    if (theta_rad < 0.0 || theta_rad > std::numbers::pi)
+        throw InputError(fmt::format("heavy top: theta_rad is {}; give an angle from 0 to {}, π",
+                                     theta_rad, std::numbers::pi));
+}
+
 TopAtStart start_from_angles(double A, double C, double mgl, const TopStart& given) {
+    require_tilt(given.theta_rad);
+    require_finite(given.theta_dot_rad_s, "theta_dot_rad_s");
+    require_finite(given.phi_dot_rad_s, "phi_dot_rad_s");
+    require_finite(given.omega3_rad_s, "omega3_rad_s");
     const WideDouble half = WideDouble(given.theta_rad) / 2;
     const auto [sine, cosine] = sin_cos(half);
     return {A,
@@ -90,13 +103,12 @@ HeavyTop::HeavyTop(const HeavyTopProblem& problem) {
     require_moment(problem.moment_transverse_kg_m2, "the moment about e1 and e2");
     require_moment(problem.moment_axial_kg_m2, "the moment about e3");
     require_finite(problem.mgl_N_m, "mgl_N_m");
-    require_finite(problem.theta_rad, "theta_rad");
-    require_finite(problem.theta_dot_rad_s, "theta_dot_rad_s");
-    require_finite(problem.phi_dot_rad_s, "phi_dot_rad_s");
-    require_finite(problem.omega3_rad_s, "omega3_rad_s");
+    given_ = start_of(problem);
     TopSetup(*this).solve(start_from_angles(
         problem.moment_transverse_kg_m2, problem.moment_axial_kg_m2, problem.mgl_N_m,
         {problem.theta_rad, problem.theta_dot_rad_s, problem.phi_dot_rad_s, problem.omega3_rad_s}));
+    given_angles_.theta_rad = problem.theta_rad;
+    check_momentum(true);
 }
 
 HeavyTop::HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
@@ -118,7 +130,7 @@ HeavyTop::HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
             "the start of a heavy top must be finite, with an attitude other than zero");
     }
     require_finite(gravity.mgl_N_m, "mgl_N_m");
-    start_time_s_ = start.time_s;
+    given_ = start;
     const double transverse = inertia.moments_kg_m2()[(symmetry.axis + 1) % 3];
     const double axial = inertia.moments_kg_m2()[symmetry.axis];
     const double mgl = symmetry.sense * gravity.mgl_N_m;
@@ -126,14 +138,32 @@ HeavyTop::HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
                           symmetry.principal_from_top.w() == 1.0;
     if (unrounded && about_e3) {
         TopSetup(*this).solve(start_from_angles(transverse, axial, mgl, *unrounded));
+        given_angles_.theta_rad = unrounded->theta_rad;
+        check_momentum(true);
         return;
     }
+    given_.space_from_body = rounded(unit(start.space_from_body));
     const Eigen::Quaterniond q = start.space_from_body * body_from_top_;
     const Eigen::Vector3d omega = body_from_top_.conjugate() * start.omega_body;
     const WideDouble norm = sqrt(square(WideDouble(q.w())) + square(WideDouble(q.x())) +
                                  square(WideDouble(q.y())) + square(WideDouble(q.z())));
     TopSetup(*this).solve({transverse, axial, mgl, q.w() / norm, q.x() / norm, q.y() / norm,
                            q.z() / norm, omega[0], omega[1], omega[2]});
+    check_momentum(false);
+}
+
+// Throws InputError, by the name of the value that is too large, if L overflows.
+void HeavyTop::check_momentum(bool from_angles) const {
+    const Eigen::Vector3d omega = body_from_top_.conjugate() * given_.omega_body;
+    const Eigen::Vector3d momentum(moment_transverse_ * omega[0], moment_transverse_ * omega[1],
+                                   moment_axial_ * omega[2]);
+    if (std::isfinite(momentum.stableNorm()) && std::isfinite(invariants_.p_phi_kg_m2_s)) return;
+    const char* too_large = !from_angles                  ? "omega_rad_s"
+                            : !std::isfinite(momentum[2]) ? "omega3_rad_s"
+                            : !std::isfinite(momentum[0]) ? "theta_dot_rad_s"
+                                                          : "phi_dot_rad_s";
+    throw InputError(fmt::format(
+        "{}: the angular momentum of the top overflows; choose other units", too_large));
 }
 
 bool HeavyTop::accepts(const InertiaTensor& inertia, const GravityTorque& gravity) {
@@ -141,6 +171,7 @@ bool HeavyTop::accepts(const InertiaTensor& inertia, const GravityTorque& gravit
 }
 
 RotationState start_of(const HeavyTopProblem& problem) {
+    require_tilt(problem.theta_rad);
     RotationState state;
     const double half = 0.5 * problem.theta_rad;
     state.space_from_body = Eigen::Quaterniond(std::cos(half), std::sin(half), 0.0, 0.0);

@@ -175,7 +175,8 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
     ) -> "Motion":
         """Lagrange's top, exact: moments about the fixed point in kg m², the potential Mgl cos θ.
 
-        It starts at the tilt theta_rad from the upward vertical, φ = ψ = 0 (z-x-z Euler angles).
+        It starts at the tilt theta_rad from the upward vertical, 0 to π, φ = ψ = 0 (z-x-z Euler
+        angles).
         Its `herpolhode` is ω perpendicular to the L of the instant.
 
         >>> Motion.heavy_top(1.0, 0.5, 2.0, theta_rad=0.5, omega3_rad_s=20.0).top_constants.theta_min_rad
