@@ -24,6 +24,8 @@ class Motion {
     // positive, overflow of L or ω t; and if a stop is requested while it steps.
     explicit Motion(const MotionProblem& problem, const StopCheck& stop = {});
 
+    // Throw InputError for a time that the motion does not reach, and where a quantity lies beyond
+    // the range of double: what they return is finite.
     RotationState at(double time_s) const;
     MotionSample sample(double time_s, const Quantities& wanted) const;
 

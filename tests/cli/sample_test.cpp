@@ -332,5 +332,28 @@ TEST(Sample, PrintsTheFixedColumnsAndExactDoubles) {
     EXPECT_EQ(numbers_of(second)[0], 0.1);
 }
 
+// A motion may be within the range of double, and its energy beyond it.
+TEST(Sample, WritesNoTableWithANumberThatIsNotFinite) {
+    const ScratchFolder folder;
+    folder.write("top.toml",
+                 "[body]\nmoments_kg_m2 = [1.9, 1.9, 0.339]\n[start]\ntheta_rad = 0.5\n"
+                 "omega3_rad_s = 1e308\n[torque]\nkind = \"gravity\"\nmgl_N_m = 1.0\n");
+    const ProgramRun start = run_program_in(folder, "sample top.toml --times 0");
+    EXPECT_EQ(start.code, 0) << start.err;
+    EXPECT_NE(start.out.find("\n0,0,0,1e+308,"), std::string::npos) << start.out;
+    EXPECT_EQ(start.out.find("nan"), std::string::npos) << start.out;
+    for (const auto& [line, message] : std::vector<std::array<std::string, 2>>{
+             {"--columns T", "--times 0: kinetic_energy lies beyond the range of double"},
+             {"--set start.omega3_rad_s=1.7e308 --set 'body.moments_kg_m2=[1.9,1.9,3]'",
+              "omega3_rad_s: the angular momentum of the top overflows; choose other units"},
+             {"--set start.theta_dot_rad_s=1e308",
+              "theta_dot_rad_s: the angular momentum of the top overflows; choose other units"}}) {
+        const ProgramRun run = run_program_in(folder, "sample top.toml --times 0 " + line);
+        EXPECT_EQ(run.code, 2) << line;
+        EXPECT_EQ(run.out, "") << line;
+        EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+    }
+}
+
 }  // namespace
 }  // namespace poinsot

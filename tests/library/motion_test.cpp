@@ -213,6 +213,30 @@ TEST(LibraryMotion, RefusesWhatCannotBeComputed) {
     }
 }
 
+// No state is returned that is not finite.
+TEST(LibraryMotion, RefusesWhatLiesBeyondTheRangeOfDouble) {
+    for (const double theta : {-0.1, 3.2, 1e16, 1e150, 1e308}) {
+        const std::string said =
+            refusal_of([=] { Motion::heavy_top(1.0, 1.0, 1.0, {.theta_rad = theta}); });
+        EXPECT_NE(said.find("theta_rad is"), std::string::npos) << said;
+        EXPECT_NE(said.find("give an angle from 0 to 3.14"), std::string::npos) << said;
+    }
+    EXPECT_NE(refusal_of([] {
+                  Motion::heavy_top(1.0, 2.0, 1.0, {.theta_rad = 0.5, .omega3_rad_s = 1e308});
+              }).find("omega3_rad_s: the angular momentum of the top overflows"),
+              std::string::npos);
+    const Motion fast =
+        Motion::heavy_top(1.9, 0.339, 1.0, {.theta_rad = 0.5, .omega3_rad_s = 1e308});
+    EXPECT_EQ(fast.at(0.0).omega_body, Eigen::Vector3d(0.0, 0.0, 1e308));
+    EXPECT_TRUE(fast.at(1e-308).herpolhode_space.allFinite());
+    const Motion impossible({1.32, 2e-41, 1.0}, {-0.9, 2.0, 1e300}, {.allow_unphysical = true});
+    for (const double time_s : {0.0, 1e-300})
+        EXPECT_NE(refusal_of([&] {
+                      static_cast<void>(impossible.at(time_s));
+                  }).find("lies beyond the range of double-precision numbers"),
+                  std::string::npos);
+}
+
 // A motion that was moved from is still one.
 TEST(LibraryMotion, CopiesWhereOthersMove) {
     Motion first(moments, omega);

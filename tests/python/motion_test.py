@@ -377,6 +377,22 @@ def test_omega_changes_its_sign_along_the_middle_axis_without_a_flip_if_it_stays
     assert min(angles) < 0.5 < max(angles)
 
 
+@pytest.mark.parametrize("top, sentence", [
+    ({"axial": 1.0, "theta_rad": 1e150, "omega3_rad_s": 1.0}, "theta_rad is 1e[+]150; give an angle from 0 to 3.14"),
+    ({"axial": 2.0, "theta_rad": 0.5, "omega3_rad_s": 1e308}, "omega3_rad_s: the angular momentum of the top overflows"),
+])
+def test_a_top_out_of_reach_is_refused_by_name(top, sentence):
+    with pytest.raises(poinsot.InputError, match=sentence):
+        poinsot.Motion.heavy_top(1.0, mgl_N_m=1.0, **top)
+
+
+def test_no_state_has_a_number_that_is_not_finite():
+    motion = poinsot.Motion([1.32, 2e-41, 1.0], [-0.9, 2.0, 1e300], allow_unphysical=True)
+    for times in (0.0, [0.0, 1e-300]):
+        with pytest.raises(poinsot.InputError, match="lies beyond the range of double-precision numbers"):
+            motion.at(times)
+
+
 def test_a_stepping_method_is_near_the_exact_motion_in_its_span():
     exact = poinsot.Motion(TRIAXIAL, OMEGA)
     stepped = poinsot.Motion(TRIAXIAL, OMEGA, method="rk4", step_s=1e-3, span_s=(0.0, 2.0))

@@ -26,7 +26,7 @@ namespace poinsot::library {
 // whatever alignment Eigen then gives to Eigen::Quaterniond. It converts to that and from it.
 using Quaternion = Eigen::Quaternion<double, Eigen::DontAlign>;
 
-// The body at one instant.
+// The body at one instant. All numbers are finite: a state beyond the range of double is refused.
 struct State {
     double time_s = 0.0;
     Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  // angular velocity, rad/s, body axes
@@ -86,7 +86,7 @@ struct MotionOptions {
 
 // The start of a heavy symmetric top in z-x-z Euler angles; φ = ψ = 0 at t = 0.
 struct TopStart {
-    double theta_rad = 0.0;  // tilt of the symmetry axis from the upward vertical
+    double theta_rad = 0.0;  // tilt of the symmetry axis from the upward vertical, 0 to π
     double theta_dot_rad_s = 0.0;
     double phi_dot_rad_s = 0.0;  // precession
     double omega3_rad_s = 0.0;   // ω along the symmetry axis
@@ -119,7 +119,7 @@ struct Constants {
     double greatest_herpolhode_rad_s = 0.0;
 };
 
-// The constants of a heavy symmetric top.
+// The constants of a heavy symmetric top; one beyond the range of double is infinite or 0.
 struct TopConstants {
     double p_phi_kg_m2_s = 0.0;  // L along the vertical
     double p_psi_kg_m2_s = 0.0;  // L along the symmetry axis

@@ -183,7 +183,14 @@ void append_row(const SampledMotion& motion, const MotionSample& sample, std::sp
     std::array<double, 8> of_quantity{};
     for (const Run& run : runs) {
         run.quantity->values(motion, sample, of_quantity.data());
-        for (const std::size_t index : run.indices) values.push_back(of_quantity[index]);
+        for (const std::size_t index : run.indices) {
+            if (!std::isfinite(of_quantity[index]))
+                throw InputError(
+                    fmt::format("{} lies beyond the range of double-precision numbers; leave it "
+                                "out, or choose other units",
+                                run.quantity->name));
+            values.push_back(of_quantity[index]);
+        }
     }
 }
 
