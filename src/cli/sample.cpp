@@ -62,6 +62,7 @@ SampleTable table_of(const SampleChoices& choices, const std::string& scene,
                      const ProgressSink& progress) {
     SceneRequest request = scene_request_of(scene, choices.scene, overrides);
     request.times_s = times_s;
+    request.draws = false;
     const Session session = open_session(request, progress);
     tell_notes(session, progress);
     const std::vector<ChosenColumn> columns = choices.columns.empty()

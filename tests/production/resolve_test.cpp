@@ -101,5 +101,45 @@ TEST(Quality, NamesAreThoseOfPicturesAndOfEncoders) {
     EXPECT_EQ(of_pictures, of_encoders);
 }
 
+// Stepping this scene would take hours, which is refused after the names.
+TEST(Resolve, ChecksNamesBeforeItSteps) {
+    const auto refusal = [](const std::string& more, const std::string& torque = "none") {
+        const std::string text =
+            "title = \"A title\"\n" + more +
+            "\n[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n[start]\nomega_rad_s = [1.0, 2.0, 3.0]\n"
+            "[torque]\nkind = \"" +
+            torque + "\"\n[motion]\nmethod = \"rk4\"\nstep_s = 1e-9\n[film]\nduration_s = 100.0\n";
+        try {
+            resolve(parse_scene(text, "a.toml"), {.fonts = installed_fonts()});
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string("not refused");
+    };
+    EXPECT_NE(refusal("").find("stepping by rk4"), std::string::npos) << refusal("");
+    for (const auto& [more, message] : std::vector<std::pair<std::string, std::string>>{
+             {"show = [\"elipsoid\"]", "a.toml:2:1: unknown element \"elipsoid\""},
+             {"unlabelled = [\"clokc\"]", "a.toml:2:1: no element shown is called \"clokc\""},
+             {"unlabelled = [\"caption\"]", "a.toml:2:1: no element shown is called \"caption\""},
+             {"show = [\"ellipsoid\"]\nunlabelled = [\"polhode\"]",
+              "a.toml:3:1: no element shown is called \"polhode\""},
+             {"[[panels]]\nkind = \"spce\"", "a.toml:3:1: unknown panel \"spce\""},
+             {"[[panels]]\nkind = \"top\"", "panel \"top\" needs a heavy symmetric top"},
+             {"[[panels]]\nkind = \"plot\"\nquantity = \"omga\"",
+              "a.toml:4:1: unknown quantity \"omga\""}}) {
+        EXPECT_NE(refusal(more).find(message), std::string::npos) << more << ": " << refusal(more);
+    }
+    const std::string pushed = refusal("[[panels]]\nkind = \"space\"",
+                                       "constant_body\"\ntorque_body_N_m = [0.1, 0.0, 0.0] #");
+    EXPECT_NE(pushed.find("panel \"space\" needs a "), std::string::npos) << pushed;
+    // Names of what is shown are taken.
+    EXPECT_NE(refusal("unlabelled = [\"polhode\", \"title\", \"space\"]").find("stepping by rk4"),
+              std::string::npos);
+    // Numbers can be had of a scene that no picture shows.
+    const std::string undrawn =
+        "show = [\"elipsoid\"]\n" + looping + "[motion]\nmethod = \"rk4\"\n";
+    EXPECT_NO_THROW(resolve(parse_scene(undrawn, "a.toml"), {.draws = false}));
+}
+
 }  // namespace
 }  // namespace poinsot

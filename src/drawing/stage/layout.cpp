@@ -24,14 +24,6 @@ namespace poinsot {
 
 namespace {
 
-// The scene's panels; if it lists none, the default one for its motion.
-std::vector<PanelSpec> panels_of(const StageContext& stage) {
-    if (!stage.scene.panels.empty()) return stage.scene.panels;
-    PanelSpec alone;
-    alone.kind = default_panel(stage.scene, is_heavy_top(stage));
-    return {alone};
-}
-
 // Boundaries of the columns or rows in pixels, in proportion to their relative sizes; multiples of
 // `step_px`, so that they are whole final pixels. The last one is the end of the available length.
 std::vector<int> boundaries(const std::vector<double>& sizes, int from_px, int total_px,
@@ -215,21 +207,15 @@ void give_camera(Panel& panel, const PanelKind& kind, std::size_t index) {
 }
 
 // Requires that the picture shows everything that a key names.
-void check_names_of(const Scene& scene, const StageStore& store, const std::string& key,
-                    const std::vector<std::string>& names) {
+void check_names_of(const Scene& scene, const std::set<std::string, std::less<>>& shown,
+                    const std::string& key, const std::vector<std::string>& names) {
     for (const std::string& name : names) {
-        if (store.names().contains(name)) continue;
-        const std::vector<std::string_view> known(store.names().begin(), store.names().end());
+        if (shown.contains(name)) continue;
+        const std::vector<std::string_view> known(shown.begin(), shown.end());
         throw SceneError(scene.location_of(key),
                          fmt::format("no element shown is called \"{}\"{}", printable(name),
                                      choose_instead(name, known)));
     }
-}
-
-void check_named_elements(const Scene& scene, const StageStore& store) {
-    for (std::size_t i = 0; i < scene.fades.size(); ++i)
-        check_names_of(scene, store, fmt::format("fades[{}].elements", i), scene.fades[i].elements);
-    check_names_of(scene, store, "unlabelled", scene.unlabelled);
 }
 
 void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels) {
@@ -254,16 +240,45 @@ void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels)
 
 }  // namespace
 
+std::vector<PanelSpec> panels_of(const StageContext& stage) {
+    if (!stage.scene.panels.empty()) return stage.scene.panels;
+    PanelSpec alone;
+    alone.kind = default_panel(stage.scene, is_heavy_top(stage));
+    return {alone};
+}
+
+std::vector<const PanelKind*> kinds_of(const Scene& scene, const std::vector<PanelSpec>& panels) {
+    std::vector<const PanelKind*> kinds;
+    kinds.reserve(panels.size());
+    for (const PanelSpec& spec : panels)
+        // Returned as a pointer: g++ 14 warns that a reference may dangle.
+        kinds.push_back(at_scene_key(scene, fmt::format("panels[{}].kind", kinds.size()),
+                                     [&spec] { return &panel_kind_named(spec.kind); }));
+    return kinds;
+}
+
+void check_possible(const StageContext& stage, const PanelKind& kind) {
+    if (!kind.possible(stage)) {
+        const bool rests = stage.motion.motion().problem().start.omega_body.isZero(0.0);
+        throw SceneError(stage.scene.location_of(rests ? "start.omega_rad_s" : "panels"),
+                         rests ? "omega_rad_s is zero, and a body at rest has no invariable "
+                                 "plane; give an angular velocity"
+                               : "panel \"" + std::string(kind.name) + "\" needs " +
+                                     std::string(kind.requirement) + "; choose another panel");
+    }
+}
+
+void check_named_elements(const Scene& scene, const std::set<std::string, std::less<>>& names) {
+    for (std::size_t i = 0; i < scene.fades.size(); ++i)
+        check_names_of(scene, names, fmt::format("fades[{}].elements", i), scene.fades[i].elements);
+    check_names_of(scene, names, "unlabelled", scene.unlabelled);
+}
+
 std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
     const Scene& scene = stage.scene;
     const StageOptions& options = stage.options;
     const std::vector<PanelSpec> specs = panels_of(stage);
-    std::vector<const PanelKind*> kinds;
-    kinds.reserve(specs.size());
-    for (const PanelSpec& spec : specs)
-        // Returned as a pointer: g++ 14 warns that a reference may dangle.
-        kinds.push_back(at_scene_key(scene, fmt::format("panels[{}].kind", kinds.size()),
-                                     [&spec] { return &panel_kind_named(spec.kind); }));
+    const std::vector<const PanelKind*> kinds = kinds_of(scene, specs);
 
     // If there are several panels, or one that fills its box, the title and the caption get their
     // own rows; on paper always, so that no line runs under them.
@@ -280,14 +295,7 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
     std::deque<Panel> panels;
     for (const PanelSpec& spec : specs) {
         const PanelKind& kind = *kinds[panels.size()];
-        if (!kind.possible(stage)) {
-            const bool rests = stage.motion.motion().problem().start.omega_body.isZero(0.0);
-            throw SceneError(scene.location_of(rests ? "start.omega_rad_s" : "panels"),
-                             rests ? "omega_rad_s is zero, and a body at rest has no invariable "
-                                     "plane; give an angular velocity"
-                                   : "panel \"" + spec.kind + "\" needs " +
-                                         std::string(kind.requirement) + "; choose another panel");
-        }
+        check_possible(stage, kind);
         Panel& panel = panels.emplace_back();
         panel.stage = &stage;
         panel.spec = spec;
@@ -333,7 +341,7 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
 
 void check_targets(const StageContext& stage, const StageStore& store,
                    const std::deque<Panel>& panels) {
-    check_named_elements(stage.scene, store);
+    check_named_elements(stage.scene, store.names());
     check_keyframes(stage, panels);
 }
 

@@ -2,10 +2,27 @@
 #pragma once
 
 #include <deque>
+#include <set>
+#include <string>
+#include <vector>
 
 #include "drawing/stage/panel.h"
 
 namespace poinsot {
+
+struct PanelKind;
+
+// The panels that the scene lists; if it lists none, the default one for its motion.
+std::vector<PanelSpec> panels_of(const StageContext& stage);
+
+// The kinds of these panels. Throws SceneError for an unknown kind.
+std::vector<const PanelKind*> kinds_of(const Scene& scene, const std::vector<PanelSpec>& panels);
+
+// Throws SceneError if the panel cannot show the motion.
+void check_possible(const StageContext& stage, const PanelKind& kind);
+
+// Throws SceneError if a fade or an unlabelled name concerns none of these.
+void check_named_elements(const Scene& scene, const std::set<std::string, std::less<>>& names);
 
 // Makes the panels that the scene lists, or the default one for its motion. Throws SceneError for a
 // panel that the motion cannot show, or that has no space.

@@ -454,4 +454,11 @@ bool is_overlay(std::string_view name) {
                        [name](const OverlayName& overlay) { return overlay.name == name; });
 }
 
+bool is_overlay_shown(const Scene& scene, std::string_view name) {
+    return name == "title"     ? wants_title(scene)
+           : name == "chapter" ? wants_chapters(scene)
+           : name == "caption" ? wants_caption(scene)
+                               : name == "clock" && wants_clock(scene);
+}
+
 }  // namespace poinsot

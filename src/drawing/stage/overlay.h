@@ -48,4 +48,7 @@ std::span<const OverlayName> overlays();
 // Whether a name in `show` is an overlay.
 bool is_overlay(std::string_view name);
 
+// Whether the scene shows this overlay.
+bool is_overlay_shown(const Scene& scene, std::string_view name);
+
 }  // namespace poinsot

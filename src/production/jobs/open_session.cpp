@@ -30,7 +30,8 @@ Scene scene_of(const SceneRequest& request) {
 Session open_session(const SceneRequest& request, const ProgressSink& progress) {
     const Scene scene = scene_of(request);
     refuse_two_sizes(request);
-    return session_of(scene, {installed_fonts(), request.print, request.times_s}, progress);
+    return session_of(scene, {installed_fonts(), request.print, request.times_s, request.draws},
+                      progress);
 }
 
 }  // namespace poinsot

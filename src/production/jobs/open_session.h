@@ -20,6 +20,7 @@ struct SceneRequest {
     OutsideFiles outside = OutsideFiles::refused;
     PrintChoices print;
     std::vector<double> times_s;  // instants outside of the film that a stepped motion must cover
+    bool draws = true;            // false: only numbers are asked for
 };
 
 // The text of a scene, and the scene. Throw SceneError.

@@ -6,10 +6,12 @@
 #include <cmath>
 
 #include "drawing/figures/panels/idle_keys.h"
+#include "drawing/figures/panels/scene_names.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/style/theme_contrast.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
+#include "mechanics/motion.h"
 #include "production/session/paper_layout.h"
 #include "production/session/stepping_estimate.h"
 #include "scene/scene_keys.h"
@@ -70,6 +72,13 @@ double estimated_s(const MotionProblem& problem) {
     return 0.0;
 }
 
+// A problem that covers the start alone.
+MotionProblem at_start_of(MotionProblem problem) {
+    problem.first_time_s = problem.last_time_s = problem.start.time_s;
+    problem.overshoot_s = 0.0;
+    return problem;
+}
+
 // Notes about keys without effect, about styles that make colours indistinguishable, and about
 // units in captions.
 std::vector<std::string> notes_about(const Scene& scene, const Theme& theme) {
@@ -98,6 +107,11 @@ ResolvedScene resolve(const Scene& given, const SessionRequest& request,
 
     const MotionProblem problem = problem_of(resolved, request.times_s);
     const std::string key = key_of("motion", scene.method);
+    // Stepping may take long, and a wrong name is known without it.
+    if (request.draws && (is_stepped(scene.method) || scene.beside))
+        check_scene_names(scene, resolved.theme, at_key_of_error(scene, key, "film", [&] {
+                              return Motion(at_start_of(problem));
+                          }));
     double estimate_s = at_key_of_error(scene, key, "film", [&] { return estimated_s(problem); });
     if (scene.beside) {
         MotionProblem other = problem;

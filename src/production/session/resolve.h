@@ -26,6 +26,7 @@ struct SessionRequest {
     FontSource fonts{};             // of its pictures
     PrintChoices print{};           // a size on paper
     std::vector<double> times_s{};  // instants outside of the film that a stepped motion must cover
+    bool draws = true;              // false: only numbers are asked for
 };
 
 struct ResolvedScene {

@@ -84,17 +84,21 @@ bool is_shown(const StageContext& stage, std::string_view name) {
     return std::find(show.begin(), show.end(), name) != show.end();
 }
 
-Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by) {
-    const StageContext& stage = *panel.stage;
+void check_element_names(const Scene& scene) {
     const auto check = [](const std::vector<std::string>& names) {
         for (const std::string& name : names)
             if (!is_overlay(name)) element_named(name);
     };
-    at_scene_key(stage.scene, "page.elements",
-                 [&] { check(stage.scene.page.elements.value_or(std::vector<std::string>{})); });
+    at_scene_key(scene, "page.elements",
+                 [&] { check(scene.page.elements.value_or(std::vector<std::string>{})); });
+    at_scene_key(scene, "show", [&] { check(scene.show); });
+}
+
+Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by) {
+    const StageContext& stage = *panel.stage;
+    check_element_names(stage.scene);
     std::vector<Drawer> drawers;
     const auto make = [&] {
-        check(stage.scene.show);
         for (const Element& element : elements()) {
             if (element.taken_by != taken_by || !is_shown(stage, element.name)) continue;
             panel.needs = united(panel.needs, element.needs);

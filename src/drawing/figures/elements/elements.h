@@ -29,6 +29,10 @@ std::span<const Element> elements();
 // motion.
 bool is_shown(const StageContext& stage, std::string_view name);
 
+// Throws SceneError for a name in `show` or page.elements that is neither an element nor an
+// overlay.
+void check_element_names(const Scene& scene);
+
 // Makes the drawers of the elements shown in panels that take this key, adds what they need to the
 // panel's needs, and returns one drawer for all.
 Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by);
