@@ -508,8 +508,11 @@ std::vector<MeasuredRow> thinned(std::span<const MeasuredRow> rows) {
 
 void check(std::span<const MeasuredRow> rows) {
     if (rows.size() < least_rows)
-        throw InputError(fmt::format("{} rows say too little about a motion; give {} or more",
-                                     rows.size(), least_rows));
+        throw InputError(fmt::format("{} about a motion; give {} or more",
+                                     rows.size() == 1
+                                         ? "1 row says too little"
+                                         : fmt::format("{} rows say too little", rows.size()),
+                                     least_rows));
     const double rate = rate_of(rows);
     if (!(rate > 0.0))
         throw InputError("ω is zero in all rows: a body at rest says nothing about its moments");

@@ -133,6 +133,7 @@ void MeasuredReader::read(std::string_view bytes) {
             constexpr std::size_t longest_line = 1 << 20;
             if (rest_.size() > longest_line) {
                 ++line_number_;
+                if (line_number_ == 1) check_text(rest_);
                 refuse_at(line_number_, 1,
                           "the line is longer than 1 MiB; give a table of text with a row a line");
             }
@@ -175,7 +176,10 @@ void MeasuredReader::refuse_at(std::size_t line, std::size_t column, std::string
 
 void MeasuredReader::take_line(std::string_view line) {
     ++line_number_;
-    if (line_number_ == 1 && line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    if (line_number_ == 1) {
+        check_text(line);
+        if (line.starts_with("\xEF\xBB\xBF")) line.remove_prefix(3);
+    }
     if (line.ends_with('\r')) line.remove_suffix(1);
     if (trimmed(line).empty()) return;
     line_ = line;
@@ -183,6 +187,20 @@ void MeasuredReader::take_line(std::string_view line) {
         take_header(line);
     else
         take_row(line);
+}
+
+// Refuses a first line that another kind of file has, before its columns are missed.
+void MeasuredReader::check_text(std::string_view line) const {
+    if (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF"))
+        refuse_at(1, 1, "the table is UTF-16; save the table as UTF-8 text");
+    if (line.find('\0') != std::string_view::npos)
+        refuse_at(1, 1, "the table is UTF-16 or no text; save the table as UTF-8 text");
+    const std::size_t end = line.find('\r');
+    const std::size_t more = line.find_first_not_of('\r', end);
+    if (end != std::string_view::npos && more != std::string_view::npos)
+        refuse_at(1, end + 1,
+                  "the lines end in CR alone, as on old Macs; save the table with lines that end "
+                  "in LF or CR LF");
 }
 
 void MeasuredReader::take_header(std::string_view line) {

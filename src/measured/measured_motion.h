@@ -48,6 +48,7 @@ class MeasuredReader {
     bool has_quaternion() const { return column_of_quaternion_[0] >= 0; }
     bool has_matrix() const { return column_of_matrix_[0] >= 0; }
     void take_line(std::string_view line);
+    void check_text(std::string_view line) const;
     void take_header(std::string_view line);
     void take_row(std::string_view line);
     void check_columns() const;

@@ -136,7 +136,7 @@ TEST(FitCommand, RefusesInOneLine) {
     folder.write("attitude.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,1,0,0\n");
     folder.write("cut.csv", "t,wx,wy,wz\n0,1,2\n");
     for (const auto& [line, message] : std::vector<std::pair<std::string, std::string>>{
-             {"fit few.csv", "few.csv: 1 rows say too little"},
+             {"fit few.csv", "few.csv: 1 row says too little"},
              {"fit attitude.csv", "attitude.csv: 2 rows say too little"},
              {"fit few.csv --moments 3,2", "--moments 3,2: give three positive numbers in kg m²"},
              {"fit few.csv --moments 3,2,-1", "--moments 3,2,-1: give three positive numbers"},

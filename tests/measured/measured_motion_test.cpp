@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 #include <string>
 #include <string_view>
@@ -173,6 +174,28 @@ TEST(MeasuredReader, RefusesWithLineAndColumn) {
     expect_refused("t,r11,r12,r13,r21,r22,r23,r31,r32,r33\n0,1,0,0,0,2,0,0,0,1\n",
                    "gyro.csv:2:3: the matrix is not orthogonal");
     expect_refused(std::string(2 << 20, 'x'), "gyro.csv:1:1: the line is longer than 1 MiB");
+}
+
+TEST(MeasuredMotion, SaysWhatOtherKindsOfTextAre) {
+    const std::string utf8 = "t,wx,wy,wz\n0,1,2,3\n1,2,3,4\n";
+    std::string little, big;
+    for (const char c : utf8) {
+        little += {c, '\0'};
+        big += {'\0', c};
+    }
+    const std::string save = "save the table as UTF-8 text";
+    expect_refused("\xFF\xFE" + little, "gyro.csv:1:1: the table is UTF-16; " + save);
+    expect_refused("\xFE\xFF" + big, "gyro.csv:1:1: the table is UTF-16; " + save);
+    expect_refused(little, "gyro.csv:1:1: the table is UTF-16 or no text; " + save);
+    expect_refused(big, "gyro.csv:1:1: the table is UTF-16 or no text; " + save);
+    std::string old = utf8;
+    std::replace(old.begin(), old.end(), '\n', '\r');
+    expect_refused(old, "gyro.csv:1:11: the lines end in CR alone");
+    for (std::string more; old.size() < (3u << 20);) old += "2,3,4,5\r";
+    expect_refused(old, "gyro.csv:1:11: the lines end in CR alone");
+    // Ends of lines that were read before.
+    const std::string two = "t,wx,wy,wz\r\r\n0,1,2,3\r\r\n";
+    EXPECT_EQ(read_measured(two, "gyro.csv").rows.size(), 1u);
 }
 
 }  // namespace
