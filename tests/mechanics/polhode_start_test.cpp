@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -186,6 +187,33 @@ TEST(PolhodeStart, RefusesWhatNoRotationHas) {
     EXPECT_NE(said_about(by_momentum(2.0, 1.9)), "");
     EXPECT_NE(said_about(by_momentum(2.0, 2.0 - 1e-15)), "");
     EXPECT_EQ(said_about(by_momentum(2.0, 2.0)), "");
+}
+
+// Nine digits do not tell these limits apart, nor the third value from its limit.
+TEST(PolhodeStart, SaysLimitsWithTheDigitsThatTellThemApart) {
+    const auto refusal = [](const Vector3d& moments, const ConservedQuantities& conserved) {
+        try {
+            start_on_polhode(InertiaTensor::from_principal_moments(moments), conserved, {});
+        } catch (const InputError& error) {
+            return std::string(error.what());
+        }
+        return std::string();
+    };
+    const double I = 2.953e-11;
+    const auto limits = [](const std::string& said) {
+        const std::size_t from = said.find("requires L between ") + 19;
+        const std::size_t between = said.find(" and ", from);
+        return std::array{said.substr(from, between - from),
+                          said.substr(between + 5, said.find(' ', between + 5) - between - 5)};
+    };
+    const auto near = limits(refusal({I, I, I * (1.0 + 1e-12)}, by_momentum(7.6e-64, 50.0)));
+    EXPECT_LT(std::stod(near[0]), std::stod(near[1])) << near[0] << " " << near[1];
+    EXPECT_NE(refusal({I, I, I}, by_momentum(7.6e-64, 50.0)).find("requires L of 2.118"),
+              std::string::npos);
+    EXPECT_EQ(refusal({2.0, 2.5, 3.0}, by_momentum(2.0, std::sqrt(12.0) * (1.0 + 1e-11))),
+              "momentum_kg_m2_s = 3.4641016152 is impossible for this body with energy_J = 2: "
+              "2T I_min <= L^2 <= 2T I_max requires L between 2.8284271247 and 3.4641016151 kg "
+              "m^2/s");
 }
 
 }  // namespace

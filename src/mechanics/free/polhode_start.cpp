@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <string>
 
 #include "error/error.h"
 #include "numerics/wide_double.h"
@@ -49,18 +50,41 @@ std::array<WideDouble, 3> differences(const ConservedQuantities& conserved,
     return {inertia - I[0], inertia - I[1], inertia - I[2]};
 }
 
+// A value and the ends of the range that it lies outside of, with as many digits as tell the three
+// apart.
+struct OutOfRange {
+    std::string given, least, most;
+
+    OutOfRange(double value, double low, double high) {
+        constexpr int usual_digits = 9, all_digits = 17;
+        for (int digits = usual_digits; digits <= all_digits; ++digits) {
+            least = fmt::format("{:.{}g}", low, digits);
+            most = fmt::format("{:.{}g}", high, digits);
+            given = fmt::format("{:.{}g}", value, digits);
+            if (given != least && given != most && (least != most || low == high)) return;
+        }
+    }
+    std::string range() const {
+        return least == most ? "of " + least : "between " + least + " and " + most;
+    }
+};
+
 [[noreturn]] void refuse_range(const ConservedQuantities& conserved, double I_low, double I_high) {
-    if (conserved.plane_distance)
+    if (conserved.plane_distance) {
+        const OutOfRange distance(*conserved.plane_distance, 1.0 / std::sqrt(I_high),
+                                  1.0 / std::sqrt(I_low));
         throw InputError(fmt::format(
-            "plane_distance = {:g} is impossible for this body: 2T I_min <= L^2 <= 2T I_max "
-            "requires sqrt(2T)/L between {:.9g} and {:.9g} 1/sqrt(kg m^2)",
-            *conserved.plane_distance, 1.0 / std::sqrt(I_high), 1.0 / std::sqrt(I_low)));
+            "plane_distance = {} is impossible for this body: 2T I_min <= L^2 <= 2T I_max "
+            "requires sqrt(2T)/L {} 1/sqrt(kg m^2)",
+            distance.given, distance.range()));
+    }
     const double T2 = 2.0 * conserved.energy_J;
+    const OutOfRange momentum(*conserved.momentum_kg_m2_s, std::sqrt(T2 * I_low),
+                              std::sqrt(T2 * I_high));
     throw InputError(
-        fmt::format("momentum_kg_m2_s = {:g} is impossible for this body with energy_J = {:g}: "
-                    "2T I_min <= L^2 <= 2T I_max requires L between {:.9g} and {:.9g} kg m^2/s",
-                    *conserved.momentum_kg_m2_s, conserved.energy_J, std::sqrt(T2 * I_low),
-                    std::sqrt(T2 * I_high)));
+        fmt::format("momentum_kg_m2_s = {} is impossible for this body with energy_J = {:g}: "
+                    "2T I_min <= L^2 <= 2T I_max requires L {} kg m^2/s",
+                    momentum.given, conserved.energy_J, momentum.range()));
 }
 
 }  // namespace
