@@ -11,10 +11,12 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
+#include "cli/progress_bar.h"
 #include "error/error.h"
 #include "measured/files/measured_file.h"
 #include "measured/table_faults.h"
 #include "mechanics/free/free_rotation.h"
+#include "production/session/slow_work_notice.h"
 #include "scene/parse_scene.h"
 #include "scene/toml_text.h"
 #include "system/files/atomic_file.h"
@@ -211,13 +213,19 @@ int run(const FitChoices& choices) {
     if (!choices.output.empty()) check_name_in_scene(choices.output, file);
     std::optional<Eigen::Vector3d> moments;
     if (!choices.moments.empty()) moments = moments_in(choices.moments);
-    MeasuredMotion measured = load_measured(file);
-    add_omega_by_differences(measured);
+    MeasuredMotion measured;
     FittedMotion fit;
-    try {
-        fit = fit_motion(measured.rows, moments);
-    } catch (const InputError& error) {
-        throw InputError(fmt::format("{}: {}", printable(file.string()), error.what()));
+    {
+        ProgressBar bar(false);
+        const SlowWorkNotice notice(fmt::format("{}: fitting", printable(file.string(), 40)),
+                                    bar.sink());
+        measured = load_measured(file);
+        add_omega_by_differences(measured);
+        try {
+            fit = fit_motion(measured.rows, moments);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("{}: {}", printable(file.string()), error.what()));
+        }
     }
     if (!choices.output.empty())
         write_whole(choices.output, scene_of(fit, choices.output, file, measured));

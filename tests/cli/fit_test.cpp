@@ -1,9 +1,17 @@
 // fit: the body behind a table of ω(t), as words, JSON and a scene.
+#include <fmt/format.h>
 #include <gtest/gtest.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
+#include <chrono>
+#include <cmath>
+#include <csignal>
+#include <cstdio>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <thread>
 
 #include "cli/program_run.h"
 
@@ -136,7 +144,7 @@ TEST(FitCommand, RefusesInOneLine) {
     folder.write("attitude.csv", "t,qw,qx,qy,qz\n0,1,0,0,0\n1,0,1,0,0\n");
     folder.write("cut.csv", "t,wx,wy,wz\n0,1,2\n");
     for (const auto& [line, message] : std::vector<std::pair<std::string, std::string>>{
-             {"fit few.csv", "few.csv: 1 row says too little"},
+             {"fit few.csv", "few.csv: 1 row says too little about a motion; give 30 or more"},
              {"fit attitude.csv", "attitude.csv: 2 rows say too little"},
              {"fit few.csv --moments 3,2", "--moments 3,2: give three positive numbers in kg m²"},
              {"fit few.csv --moments 3,2,-1", "--moments 3,2,-1: give three positive numbers"},
@@ -149,6 +157,40 @@ TEST(FitCommand, RefusesInOneLine) {
         EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }
+}
+
+// A table that no body fits, for which the fit tries much. The program stops meanwhile, so that a
+// second of the clock passes however fast it is.
+TEST(FitCommand, SaysWhatItDoesAndEndsWhenAsked) {
+    const ScratchFolder folder;
+    std::string table = "t,wx,wy,wz\n";
+    for (int i = 0; i < 20'000; ++i) {
+        const double t = 0.01 * i;
+        table += fmt::format("{},{},{},{}\n", t, std::sin(t), 2.0 + std::cos(1.3 * t),
+                             std::sin(0.7 * t * t / 100.0));
+    }
+    folder.write("gyro.csv", table);
+    const std::string err = (folder.path() / "err").string();
+    const pid_t child = fork();
+    ASSERT_GE(child, 0);
+    if (child == 0) {
+        if (chdir(folder.path().c_str()) != 0 || freopen(err.c_str(), "w", stderr) == nullptr)
+            _exit(127);
+        execl(program_path().c_str(), "poinsot", "fit", "gyro.csv", nullptr);
+        _exit(127);
+    }
+    using namespace std::chrono_literals;
+    std::this_thread::sleep_for(200ms);
+    kill(child, SIGSTOP);
+    std::this_thread::sleep_for(1100ms);
+    kill(child, SIGCONT);
+    int status = 0;
+    while (text_of(err).find('\n') == std::string::npos && waitpid(child, &status, WNOHANG) == 0)
+        std::this_thread::sleep_for(5ms);
+    EXPECT_EQ(text_of(err).find("gyro.csv: fitting: "), 0u) << text_of(err);
+    kill(child, SIGINT);
+    waitpid(child, &status, 0);
+    EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
 }
 
 }  // namespace
