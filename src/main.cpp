@@ -5,6 +5,7 @@
 #include <csignal>
 #include <cstdio>
 #include <exception>
+#include <filesystem>
 #include <new>
 #include <string>
 #include <system_error>
@@ -55,6 +56,11 @@ int main(int argc, char** argv) {
         return 3;
     } catch (const std::bad_alloc&) {
         std::fputs("out of memory; ask for a smaller picture or a shorter film\n", stderr);
+        return 3;
+    } catch (const std::filesystem::filesystem_error& error) {
+        say((error.path1().string() + ": " + error.code().message() +
+             (error.code() == std::errc::filename_too_long ? "; shorten it" : ""))
+                .c_str());
         return 3;
     } catch (const std::system_error& error) {
         // Only printing on stdout throws this error code.

@@ -23,6 +23,7 @@
 #include "production/jobs/output_place.h"
 #include "production/jobs/still_job.h"
 #include "production/slides/slide_plan.h"
+#include "system/files/atomic_file.h"
 #include "text/label_text.h"
 #include "text/printable.h"
 
@@ -143,6 +144,8 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
     const Session session = open_session(request, progress);
     const std::vector<Slide> stops = stops_of(session.scene, film_plan(session), "--chapters");
     const OutputPlace place(job.output, session.scene, "_####.png");
+    for (std::size_t i = 0; i < stops.size(); ++i)
+        check_aside(frame_name(place.path(), static_cast<std::int64_t>(i) + 1));
     // The notes are the same for all pictures.
     ProgressSink without_notes = progress;
     without_notes.say = [say = progress.say](const std::string& line) {

@@ -111,8 +111,24 @@ bool read_block(int descriptor, const fs::path& path, std::int64_t at, FrameBloc
 
 fs::path frame_log_path(const fs::path& film) { return aside_path_of(film, ".part.frames"); }
 
+AtomicFile open_frame_log(const fs::path& film, bool keep_contents) {
+    // A log that was copied here has no mark, and its first block describes a film.
+    const auto is_log = [&film](int descriptor) {
+        FrameBlock block;
+        std::vector<std::uint8_t> contents;
+        OutputPlan plan;
+        std::string settings;
+        return read_block(descriptor, film, 0, block, contents) &&
+               read_head({reinterpret_cast<const char*>(contents.data()), contents.size()}, plan,
+                         settings);
+    };
+    return {film, frame_log_path(film), keep_contents, {}, is_log};
+}
+
 FrameLog::FrameLog(const OutputPlan& plan, const std::string& settings, std::int64_t n_chunk_frames)
-    : plan_(plan), settings_(settings), file_(plan.path, frame_log_path(plan.path), plan.resume) {
+    : plan_(plan), settings_(settings), file_(open_frame_log(plan.path, plan.resume)) {
+    // The film itself is opened when all of its frames are there.
+    check_aside(plan.path);
     const std::string head = film_head(plan, settings);
     if (plan.resume && scan() == head) {
         const bool all_there = n_entries() == plan.n_frames;
@@ -132,7 +148,7 @@ FrameLog FrameLog::left_of(const fs::path& film) {
     return FrameLog(film);
 }
 
-FrameLog::FrameLog(const fs::path& film) : file_(film, frame_log_path(film), true) {
+FrameLog::FrameLog(const fs::path& film) : file_(open_frame_log(film, true)) {
     const std::string head = scan();
     if (n_entries() == 0 || !read_head(head, plan_, settings_))
         throw InputError(fmt::format("no frame of {} had been finished", film.string()));

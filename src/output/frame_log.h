@@ -98,4 +98,8 @@ class FrameLog : public FrameEntries {
 // Returns the path of a film's log.
 std::filesystem::path frame_log_path(const std::filesystem::path& film);
 
+// Opens a film's log and locks it. With keep_contents, its contents are kept as AtomicFile does.
+// Throws EnvironmentError, also for a file of this name that is not a log.
+AtomicFile open_frame_log(const std::filesystem::path& film, bool keep_contents);
+
 }  // namespace poinsot

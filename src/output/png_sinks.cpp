@@ -5,7 +5,6 @@
 #include <map>
 #include <memory>
 #include <string>
-#include <system_error>
 #include <vector>
 
 #include "error/error.h"
@@ -47,12 +46,11 @@ class PngSequenceSink : public FrameSink {
           encoders_(static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads
                                                                       : usual_threads)),
           there_(frames_that_are_there()) {
+        for (std::int64_t k = 0; k < plan_.n_frames; ++k)
+            check_aside(frame_name(plan_.path, first_number_ + k));
         // A killed run may have left temporary files of frames that are now kept.
-        for (const std::int64_t k : there_) {
-            std::error_code not_there;
-            std::filesystem::remove(aside_path_of(frame_name(plan_.path, first_number_ + k)),
-                                    not_there);
-        }
+        for (const std::int64_t k : there_)
+            remove_left_aside(frame_name(plan_.path, first_number_ + k));
         workers_ = std::make_unique<FrameWorkers>(
             encoders_.size(), n_pictures,
             [this](std::size_t worker, std::int64_t number, const Image& frame, const WasRead&) {

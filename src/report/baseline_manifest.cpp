@@ -190,9 +190,8 @@ void remove_next_manifest(const std::filesystem::path& folder) {
 }
 
 void remove_half_manifests(const std::filesystem::path& folder) {
-    std::error_code not_there;
     for (const std::filesystem::path& path : {folder / manifest_name, next_path(folder)})
-        std::filesystem::remove(aside_path_of(path), not_there);
+        remove_left_aside(path);
 }
 
 }  // namespace poinsot

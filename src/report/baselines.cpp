@@ -25,12 +25,6 @@ void copy_picture(const fs::path& from, const fs::path& to) {
     write_whole(to, bytes);
 }
 
-// Removes the temporary file of a killed run that was about to replace a picture.
-void remove_left_aside(const fs::path& picture) {
-    std::error_code not_there;
-    fs::remove(aside_path_of(picture), not_there);
-}
-
 // A PNG may be named film.mp4.png.
 fs::path picture_in(const fs::path& folder, const std::string& name) {
     fs::path png = folder / (name + ".png");

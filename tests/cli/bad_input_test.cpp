@@ -390,7 +390,7 @@ TEST(BadFile, DoesNotBlockWhenACommandFindsItItself) {
         int code = 2;
     };
     const std::string no_file = "a pipe or a device, not a regular file";
-    const std::string in_the_way = "exists and is not a regular file";
+    const std::string in_the_way = "exists and is not unfinished work of poinsot";
     for (const Refusal& refusal : {
              Refusal{"join pipe.mp4 -o f.mp4", "pipe.mp4: " + no_file},
              {"join 1.mp4 pipe.mp4 -o f.mp4", "pipe.mp4: " + no_file},

@@ -168,6 +168,27 @@ TEST_F(Submit, IsRefusedInASentence) {
     EXPECT_EQ(text("cancelled"), "7\n");
 }
 
+// Its folders of states and logs would be removed.
+TEST_F(Submit, LeavesAFolderOfSomebodyElse) {
+    for (const char* name : {"state", "logs"})
+        fs::create_directories(folder_.path() / "a.mp4.job" / name);
+    folder_.write("a.mp4.job/state/mine", "mine");
+    const ProgramRun done = run("submit a.toml -o a.mp4 --parts 2 --dry-run");
+    EXPECT_EQ(done.code, 2) << done.err;
+    EXPECT_NE(
+        done.err.find("a.mp4.job: exists and is not the folder of a submission; remove it, or "
+                      "name another output"),
+        std::string::npos)
+        << done.err;
+    EXPECT_EQ(text("a.mp4.job/state/mine"), "mine");
+    EXPECT_FALSE(fs::exists(folder_.path() / "a.mp4.job/task.sh"));
+    // An empty folder, and its own.
+    fs::remove_all(folder_.path() / "a.mp4.job");
+    fs::create_directory(folder_.path() / "a.mp4.job");
+    for (int i = 0; i < 2; ++i)
+        EXPECT_EQ(run("submit a.toml -o a.mp4 --parts 2 --dry-run").code, 0);
+}
+
 TEST_F(Submit, NeedsSbatch) {
     const ProgramRun done =
         run_program_in(folder_, "submit a.toml -q -o a.mp4 --parts 2", "PATH=\"$PWD/bin\"");

@@ -61,7 +61,10 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     const std::filesystem::path film = poinsot::fuzz::scratch_folder() / name;
     const std::filesystem::path aside = poinsot::frame_log_path(film);
     poinsot::fuzz::scratch_file(aside.filename().string(), data + 1, size - 1);
+    // As poinsot's own, so that bytes which are no log are read, too.
     std::error_code ignored;
+    std::filesystem::permissions(aside, std::filesystem::perms::sticky_bit,
+                                 std::filesystem::perm_options::add, ignored);
     try {
         poinsot::recover_film(film);
     } catch (const poinsot::Error& error) {

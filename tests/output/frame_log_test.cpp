@@ -234,6 +234,7 @@ TEST_P(InterruptedFilm, WithAnotherPlanIsNotResumed) {
 }
 
 TEST_P(InterruptedFilm, WithACorruptLogStartsAgain) {
+    write_unfinished(plan_, 130);
     std::ofstream(part_of(plan_)) << std::string(5000, 'x');
     EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
               "no frame of " + plan_.path.string() + " had been finished");
@@ -271,11 +272,27 @@ TEST_P(InterruptedFilm, OfAnotherProgramIsRefused) {
 
 // As some file systems leave a growing file when the machine crashes.
 TEST_P(InterruptedFilm, WithALogOfZeroesStartsAgain) {
+    write_unfinished(plan_, 130);
     for (const std::size_t size : {8u, 4096u}) {
         std::ofstream(part_of(plan_), std::ios::binary) << std::string(size, '\0');
         EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
                   "no frame of " + plan_.path.string() + " had been finished");
     }
+}
+
+// A copy of a log continues wherever it lies; any other file of this name stays.
+TEST_P(InterruptedFilm, LeavesAFileThatIsNoLog) {
+    std::ofstream(part_of(plan_)) << "mine";
+    EXPECT_THROW(format_for(plan_.path).open(plan_), EnvironmentError);
+    EXPECT_THROW(recover_film(plan_.path), EnvironmentError);
+    EXPECT_EQ(bytes_of(part_of(plan_)), "mine");
+    fs::remove(part_of(plan_));
+
+    write_unfinished(plan_, 400);
+    const std::string log = bytes_of(part_of(plan_));
+    fs::remove(part_of(plan_));
+    std::ofstream(part_of(plan_), std::ios::binary) << log;
+    EXPECT_GT(format_for(plan_.path).open(plan_)->n_frames_kept(), 0);
 }
 
 TEST_P(InterruptedFilm, IsNotFoundWithoutALog) {

@@ -9,14 +9,18 @@
 #include <filesystem>
 #include <fstream>
 #include <memory>
+#include <random>
 #include <string>
 #include <vector>
 
 #include "error/error.h"
 #include "production/jobs/open_session.h"
+#include "production/slides/pptx_parts.h"
 #include "production/slides/slide_files.h"
+#include "production/slides/stored_zip.h"
 #include "system/faults.h"
 #include "system/files/file_contents.h"
+#include "system/sha256.h"
 
 namespace poinsot {
 namespace {
@@ -76,6 +80,7 @@ at_s = 0.5
         std::ofstream(aside_ / slide_plan_name) << slide_plan_text(
             *session_, plan, slides_of(session_->scene, plan, "-o"), LazyRenderer().is_portable());
         std::ofstream(aside_ / "01.mp4") << film;
+        std::ofstream(aside_ / "finished") << sha256_of(film) << " 01.mp4\n";
     }
 
     TemporaryFolder folder_;
@@ -115,7 +120,7 @@ TEST_F(PptxDeck, ContinuesWithTheFilmsOfAnInterruptedRun) {
 
     // The films of another plan are drawn anew.
     interrupt("a finished film");
-    std::ofstream(aside_ / slide_plan_name) << "{}";
+    std::ofstream(aside_ / slide_plan_name) << any_slide_plan_head << "\"other\"";
     write();
     EXPECT_EQ(read_text(folder_ / "a.pptx").find("a finished film"), std::string::npos);
     EXPECT_EQ(folder_.contents(), (std::vector<std::string>{"a.pptx", "a.toml"}));
@@ -154,6 +159,60 @@ TEST_F(PptxDeck, IsRefusedWhereTheDirectoryHasChanged) {
     std::ofstream(folder_ / "a.pptx", std::ios::binary) << bytes;
     EXPECT_THROW(write(), InputError);
     EXPECT_EQ(read_text(folder_ / "a.pptx"), bytes);
+}
+
+// Every byte of an entry counts, and every byte that says where it is.
+TEST_F(PptxDeck, IsRefusedWhereAnyBitHasChanged) {
+    write();
+    const std::string bytes = read_text(folder_ / "a.pptx");
+    EXPECT_TRUE(StoredZip::unchanged_entry(folder_ / "a.pptx", pptx_origin_name));
+    std::mt19937 random(3);
+    std::vector<std::size_t> places{0, 14, 18, 26, 30, bytes.size() - 1, bytes.size() - 30};
+    for (int i = 0; i < 200; ++i)
+        places.push_back(std::uniform_int_distribution<std::size_t>(0, bytes.size() - 1)(random));
+    for (const std::size_t place : places) {
+        std::string changed = bytes;
+        changed[place] = static_cast<char>(changed[place] ^ (1 << place % 8));
+        std::ofstream(folder_ / "b.pptx", std::ios::binary) << changed;
+        EXPECT_FALSE(StoredZip::unchanged_entry(folder_ / "b.pptx", pptx_origin_name)) << place;
+    }
+    for (const std::string& other : {bytes + "x", "x" + bytes, bytes.substr(0, bytes.size() / 2)}) {
+        std::ofstream(folder_ / "b.pptx", std::ios::binary) << other;
+        EXPECT_FALSE(StoredZip::unchanged_entry(folder_ / "b.pptx", pptx_origin_name));
+    }
+    std::string changed = bytes;
+    changed[bytes.size() / 2] = static_cast<char>(changed[bytes.size() / 2] ^ 1);
+    std::ofstream(folder_ / "a.pptx", std::ios::binary) << changed;
+    EXPECT_THROW(write(), InputError);
+    EXPECT_EQ(read_text(folder_ / "a.pptx"), changed);
+}
+
+TEST_F(PptxDeck, OfAnotherSceneIsRefused) {
+    write();
+    const std::string bytes = read_text(folder_ / "a.pptx");
+    for (const std::string name : {"b.toml", "a & b.toml", "aa.toml"}) {
+        fs::copy_file(folder_ / "a.toml", folder_ / name);
+        SceneRequest request;
+        request.file = (folder_ / name).string();
+        LazyRenderer renderer;
+        const Session other = open_session(request);
+        try {
+            write_pptx(other, {folder_ / "a.pptx", 1}, renderer, {});
+            ADD_FAILURE() << name;
+        } catch (const InputError& error) {
+            EXPECT_NE(std::string(error.what())
+                          .find("a.pptx: holds the slides of another scene; "
+                                "name another file, or remove this one"),
+                      std::string::npos)
+                << error.what();
+        }
+        EXPECT_EQ(read_text(folder_ / "a.pptx"), bytes);
+        fs::remove(folder_ / name);
+    }
+    EXPECT_TRUE(
+        describes_slides_of("a & b", "<dc:description>poinsot 1.2: a &amp; b</dc:description>"));
+    EXPECT_FALSE(describes_slides_of("b", "<dc:description>poinsot 1.2: a: b</dc:description>"));
+    EXPECT_FALSE(describes_slides_of("b", ""));
 }
 
 TEST_F(PptxDeck, IsRefusedWhereAnotherRunWritesIt) {

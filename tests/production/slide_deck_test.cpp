@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -20,8 +21,10 @@
 #include "production/jobs/redraw.h"
 #include "production/provenance/record.h"
 #include "production/provenance/verify.h"
+#include "production/slides/slide_files.h"
 #include "system/faults.h"
 #include "system/files/file_contents.h"
+#include "system/sha256.h"
 
 namespace poinsot {
 namespace {
@@ -66,6 +69,14 @@ class SlideDeck : public ::testing::Test {
     void write(const std::string& name) const {
         const Session session = open_session(scene());
         write_deck(session, {scene(), folder_ / name, 1}, *renderer_, {});
+    }
+
+    // Turns a deck into the folder of a run that was interrupted when it had finished these films.
+    void interrupt(const std::vector<std::string>& films) const {
+        fs::rename(folder_ / "deck", folder_ / ".deck.part");
+        std::ofstream list(folder_ / ".deck.part/finished");
+        for (const std::string& film : films)
+            list << sha256_of(read_text(folder_ / (".deck.part/" + film))) << " " << film << "\n";
     }
 
     std::string refusal(const std::string& name) const {
@@ -203,7 +214,7 @@ TEST_F(SlideDeck, RefusesAFolderThatHoldsOtherThings) {
 // An interrupted run leaves the films that are complete in the hidden folder.
 TEST_F(SlideDeck, ContinuesAnInterruptedRun) {
     write("deck");
-    fs::rename(folder_ / "deck", folder_ / ".deck.part");
+    interrupt({"01.mp4", "02.mp4", "02-loop.mp4"});
     fs::remove(folder_ / ".deck.part/03.mp4");
     fs::remove(folder_ / ".deck.part/03.png");
     fs::remove(folder_ / ".deck.part/02.vtt");
@@ -214,12 +225,62 @@ TEST_F(SlideDeck, ContinuesAnInterruptedRun) {
     EXPECT_EQ(fs::last_write_time(folder_ / "deck/01.mp4"), written);
 
     // The films of another plan are drawn anew.
-    fs::rename(folder_ / "deck", folder_ / ".deck.part");
-    std::ofstream(folder_ / ".deck.part/slides.json") << "{}";
+    interrupt({"01.mp4"});
+    std::ofstream(folder_ / ".deck.part/slides.json") << any_slide_plan_head << "\"other\"";
     write("deck");
     EXPECT_EQ(files_of(folder_ / "deck"), deck_files);
     EXPECT_NE(fs::last_write_time(folder_ / "deck/01.mp4"), written);
     EXPECT_EQ(files_of(folder_.path()), (std::set<std::string>{"a.toml", "deck"}));
+}
+
+// What an interrupted run has left is used only as far as it has not changed since.
+TEST_F(SlideDeck, DrawsDamagedFilmsOfAnInterruptedRunAgain) {
+    write("deck");
+    std::map<std::string, std::string> whole;
+    for (const std::string& name : deck_files) whole[name] = read_text(folder_ / ("deck/" + name));
+    std::string flipped = whole["02-loop.mp4"];
+    flipped[flipped.size() / 2] = static_cast<char>(flipped[flipped.size() / 2] ^ 1);
+    interrupt({"01.mp4", "02.mp4", "02-loop.mp4", "03.mp4"});
+    for (const auto& [name, bytes] : std::map<std::string, std::string>{
+             {"01.mp4", ""},
+             {"02.mp4", whole["02.mp4"].substr(0, whole["02.mp4"].size() / 2)},
+             {"02-loop.mp4", flipped},
+             {"02.vtt", ""},
+             {"01.png", "x"},
+             {"01.pdf", ""}})
+        std::ofstream(folder_ / (".deck.part/" + name), std::ios::binary) << bytes;
+    const auto written = fs::last_write_time(folder_ / ".deck.part/03.mp4");
+    // Links in the folder are not followed, either.
+    std::ofstream(folder_ / "mine") << "mine";
+    fs::remove(folder_ / ".deck.part/02.png");
+    fs::create_symlink(folder_ / "mine", folder_ / ".deck.part/02.png");
+    write("deck");
+    EXPECT_EQ(files_of(folder_ / "deck"), deck_files);
+    for (const std::string& name : deck_files)
+        EXPECT_TRUE(read_text(folder_ / ("deck/" + name)) == whole[name]) << name;
+    EXPECT_EQ(fs::last_write_time(folder_ / "deck/03.mp4"), written);
+    EXPECT_EQ(read_text(folder_ / "mine"), "mine");
+
+    // A list that is cut off, and films that are listed and missing.
+    interrupt({"01.mp4", "02.mp4"});
+    fs::resize_file(folder_ / ".deck.part/finished", 100);
+    fs::remove(folder_ / ".deck.part/01.mp4");
+    write("deck");
+    EXPECT_TRUE(read_text(folder_ / "deck/01.mp4") == whole["01.mp4"]);
+}
+
+TEST_F(SlideDeck, RefusesALinkToNothingBeforeItDraws) {
+    fs::create_symlink("nowhere", folder_ / "link");
+    EXPECT_NE(refusal("link").find("link: is a link to a folder that does not exist; make this "
+                                   "folder, or remove the link"),
+              std::string::npos);
+    EXPECT_EQ(files_of(folder_.path()), (std::set<std::string>{"a.toml", "link"}));
+    EXPECT_NE(refusal(std::string(256, 'a')).find("the name is too long"), std::string::npos);
+
+    fs::create_directory(folder_ / "nowhere");
+    write("link");
+    EXPECT_EQ(files_of(folder_ / "nowhere"), deck_files);
+    EXPECT_EQ(files_of(folder_.path()), (std::set<std::string>{"a.toml", "link", "nowhere"}));
 }
 
 TEST_F(SlideDeck, ReportsALoopThatJumps) {

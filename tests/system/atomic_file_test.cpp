@@ -30,6 +30,16 @@ std::string message_of(const std::function<void()>& action) {
     return "";
 }
 
+// Leaves the temporary file of a run that was killed.
+void leave_aside(const fs::path& path, const std::string& contents) {
+    const std::string outcome = outcome_in_child([&] {
+        AtomicFile file(path);
+        file.write(bytes_of(contents));
+        ::_exit(0);
+    });
+    ASSERT_EQ(outcome, "");
+}
+
 TEST(AtomicFile, AppearsOnlyWhenCommitted) {
     const TemporaryFolder folder;
     AtomicFile file(folder / "a.png");
@@ -65,12 +75,46 @@ TEST(AtomicFile, RejectsASecondRunOnTheSameOutput) {
 
 TEST(AtomicFile, TakesOverTheTemporaryFileOfAKilledRun) {
     const TemporaryFolder folder;
-    std::ofstream(folder / ".a.png.part") << "remains of another run";
+    leave_aside(folder / "a.png", "remains of another run");
+    EXPECT_EQ(text_of(folder / ".a.png.part"), "remains of another run");
+    check_aside(folder / "a.png");
     AtomicFile file(folder / "a.png");
     file.write(bytes_of("new"));
     file.commit();
     EXPECT_EQ(text_of(folder / "a.png"), "new");
     EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
+    // The mark of unfinished work is gone.
+    EXPECT_EQ(fs::status(folder / "a.png").permissions() & fs::perms::sticky_bit, fs::perms::none);
+    leave_aside(folder / "a.png", "remains of another run");
+    remove_left_aside(folder / "a.png");
+    EXPECT_EQ(folder.contents(), std::vector<std::string>{"a.png"});
+}
+
+// A file of somebody else stays, also an empty one and one that a run would lock or remove.
+TEST(AtomicFile, LeavesAFileThatItHasNotMade) {
+    const TemporaryFolder folder;
+    for (const std::string contents : {"", "mine"}) {
+        std::ofstream(folder / ".a.png.part") << contents;
+        const std::string refusal =
+            "cannot write " + (folder / "a.png").string() + ": its temporary file " +
+            (folder / ".a.png.part").string() +
+            " exists and is not unfinished work of poinsot; remove it, or name another output";
+        EXPECT_EQ(message_of([&] { AtomicFile file(folder / "a.png"); }), refusal);
+        EXPECT_EQ(message_of([&] { check_aside(folder / "a.png"); }), refusal);
+        EXPECT_EQ(message_of([&] { AtomicFile::lock(folder / "a.png", folder / ".a.png.part"); }),
+                  refusal);
+        remove_left_aside(folder / "a.png");
+        EXPECT_EQ(folder.contents(), std::vector<std::string>{".a.png.part"});
+        EXPECT_EQ(text_of(folder / ".a.png.part"), contents);
+    }
+    // A copy of one that the caller knows by its contents.
+    const auto is_mine = [](int descriptor) {
+        std::string text(4, ' ');
+        return pread(descriptor, text.data(), text.size(), 0) == 4 && text == "mine";
+    };
+    AtomicFile file(folder / "a.png", folder / ".a.png.part", true, {}, is_mine);
+    file.release();
+    check_aside(folder / "a.png");
 }
 
 TEST(AtomicFile, ReleasedContentsAreKeptForTheNextRun) {
@@ -115,6 +159,30 @@ TEST(AtomicFile, MissingFolderIsNamed) {
                            path.parent_path().string() + " does not exist; make it first");
 }
 
+TEST(AtomicFile, NamesTheOutputAndNotTheAimOfALink) {
+    const TemporaryFolder folder;
+    std::ofstream(folder / "target.png") << "old";
+    fs::create_symlink("target.png", folder / "link.png");
+    const AtomicFile first(folder / "link.png");
+    EXPECT_TRUE(message_of([&] {
+                    AtomicFile second(folder / "link.png");
+                }).starts_with("cannot write " + (folder / "link.png").string() + ": another"));
+}
+
+TEST(AtomicFile, TooLongANameIsSaidSo) {
+    const TemporaryFolder folder;
+    for (const std::size_t n : {252u, 300u}) {
+        const fs::path path = folder / std::string(n, 'a');
+        EXPECT_TRUE(message_of([&] {
+                        AtomicFile file(path);
+                    }).starts_with("cannot write " + path.string() + ": the name is too long; "));
+        EXPECT_TRUE(message_of([&] {
+                        AtomicFile file(path / "a.png");
+                    }).starts_with("cannot write " + (path / "a.png").string()));
+    }
+    EXPECT_TRUE(folder.contents().empty());
+}
+
 TEST(AtomicFile, RejectsAFolder) {
     const TemporaryFolder folder;
     EXPECT_NE(message_of([&] { AtomicFile file(folder.path()); }).find("it is a folder"),
@@ -130,10 +198,14 @@ TEST(AtomicFile, IsNotMadeInWhatIsNoRegularFile) {
     fs::create_symlink("other", folder / ".link.png.part");
     for (const char* name : {"pipe.png", "folder.png", "link.png"}) {
         const std::string aside = (folder / (std::string(".") + name + ".part")).string();
-        EXPECT_EQ(message_of([&] { AtomicFile file(folder / name); }),
-                  "cannot write " + (folder / name).string() + ": its temporary file " + aside +
-                      " exists and is not a regular file; remove it");
+        const std::string refusal =
+            "cannot write " + (folder / name).string() + ": its temporary file " + aside +
+            " exists and is not unfinished work of poinsot; remove it, or name another output";
+        EXPECT_EQ(message_of([&] { AtomicFile file(folder / name); }), refusal);
+        EXPECT_EQ(message_of([&] { check_aside(folder / name); }), refusal);
+        remove_left_aside(folder / name);
     }
+    EXPECT_EQ(folder.contents().size(), 4u);
     EXPECT_EQ(text_of(folder / "other"), "kept");
 }
 

@@ -306,6 +306,7 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
             fmt::format("{}: a sheet is a PNG, a PDF or an SVG; name it with -o FILE.png, FILE.pdf "
                         "or FILE.svg",
                         printable(request.output)));
+    check_aside(request.output);
     progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
     StillRequest still;
     still.time_s = request.time_s;

@@ -206,6 +206,18 @@ void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan,
     sink.finish();
 }
 
+// The files beside a film are written last.
+void FilmJob::check_beside(const OutputPlan& plan) const {
+    const OutputFormat& format = format_for(plan.path);
+    if (!plan.chapters.empty() && (format.film || format.name == "png-sequence"))
+        check_chapters_place(plan.path);
+    if (format.film && !plan.subtitles.empty()) check_subtitles_place(plan.path);
+}
+
+void FilmJob::check_sidecars(const std::filesystem::path& pattern) const {
+    check_beside(output_plan(pattern));
+}
+
 void FilmJob::write_beside(OutputPlan plan, const ProgressSink& progress) const {
     const OutputFormat& format = format_for(plan.path);
     if (plan.n_shown > 0) {
@@ -239,6 +251,7 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
     if (request_.part && !take_part(plan, progress)) return;
+    if (!plan.part) check_beside(plan);
     note_transparency(*session_, format, progress);
     if (request_.n_shown > 0 && request_.n_shown < plan.n_frames) {
         // Packets depend on the later frames of their chunk.

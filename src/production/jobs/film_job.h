@@ -41,6 +41,9 @@ class FilmJob {
     // and EnvironmentError.
     void make(LazyRenderer& renderer, const ProgressSink& progress) const;
 
+    // Throws InputError and EnvironmentError if they cannot be written because of what is there.
+    void check_sidecars(const std::filesystem::path& pattern) const;
+
     // Writes the chapters and captions beside a film or sequence that exists. Throws
     // EnvironmentError.
     void write_sidecars(const std::filesystem::path& pattern, const ProgressSink& progress) const;
@@ -49,6 +52,7 @@ class FilmJob {
     OutputPlan output_plan(const std::filesystem::path& path) const;
     bool take_part(OutputPlan& plan, const ProgressSink& progress) const;
     void draw(PictureMaker& pictures, const OutputPlan& plan, const ProgressSink& progress) const;
+    void check_beside(const OutputPlan& plan) const;
     void write_beside(OutputPlan plan, const ProgressSink& progress) const;
 
     const Session* session_;

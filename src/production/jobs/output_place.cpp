@@ -5,6 +5,7 @@
 #include <system_error>
 
 #include "output/frame_name.h"
+#include "system/files/atomic_file.h"
 
 namespace poinsot {
 
@@ -42,11 +43,13 @@ std::filesystem::path default_output(std::string_view scene_name, std::string_vi
 
 OutputPlace::OutputPlace(const std::string& asked, const Scene& scene, std::string_view suffix)
     : path_(asked) {
-    if (!path_.empty()) return;
-    // Errors are reported when the file is opened.
-    std::error_code ignored;
-    made_ = std::filesystem::create_directory(default_folder, ignored);
-    path_ = default_output(scene.name, suffix);
+    if (path_.empty()) {
+        // Errors are reported when the file is opened.
+        std::error_code ignored;
+        made_ = std::filesystem::create_directory(default_folder, ignored);
+        path_ = default_output(scene.name, suffix);
+    }
+    check_aside(path_);
 }
 
 OutputPlace::~OutputPlace() {

@@ -31,7 +31,7 @@ std::filesystem::path default_output(std::string_view scene_name, std::string_vi
 // removed again if it stays empty; other folders must exist.
 class OutputPlace {
  public:
-    // asked: the user's path, or empty.
+    // asked: the user's path, or empty. Throws EnvironmentError as check_aside does.
     OutputPlace(const std::string& asked, const Scene& scene, std::string_view suffix);
     ~OutputPlace();
     OutputPlace(OutputPlace&& other) noexcept

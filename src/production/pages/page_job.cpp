@@ -110,12 +110,12 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
     need_module();
     const Session session = open_session(request, progress);
     tell_notes(session, progress);
+    const OutputPlace place(output, session.scene, ".html");
     PageContents contents = contents_of(request);
     for (const int width_px : poster_widths_px) {
         contents.poster_png = still_png(request, contents, renderer, width_px);
         if (contents.poster_png.size() <= most_poster_bytes) break;
     }
-    const OutputPlace place(output, session.scene, ".html");
     const std::string page = html_page(contents);
     write_whole(place.path(), page);
     const std::string name = printable(place.path().string());
@@ -131,6 +131,7 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
 void write_workbench(const std::vector<SceneRequest>& scenes, const std::string& schema_file,
                      const std::string& output, LazyRenderer& renderer) {
     need_module();
+    check_aside(output);
     std::vector<GalleryScene> gallery;
     std::optional<PageContents> first;
     for (const SceneRequest& request : scenes) {

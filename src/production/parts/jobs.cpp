@@ -25,6 +25,7 @@
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
 #include "system/files/processor.h"
+#include "system/files/unfinished_folder.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
 
@@ -36,6 +37,16 @@ namespace fs = std::filesystem;
 
 fs::path parts_folder(const fs::path& film) { return aside_path_of(film, ".parts"); }
 
+// Its first line says whose parts they are.
+FolderMarker parts_marker(const fs::path& film) {
+    return {"unfinished",
+            fmt::format("poinsot: unfinished parts of {}\n", film.filename().string())};
+}
+
+std::optional<UnfinishedFolder> parts_folder_left_of(const fs::path& film) {
+    return UnfinishedFolder::left(film, parts_folder(film), parts_marker(film));
+}
+
 // A part in such a folder: "2-of-8.mp4", and while it is drawn ".2-of-8.mp4.part.frames".
 struct LeftPart {
     std::int64_t number = 0, n_parts = 0;
@@ -43,12 +54,11 @@ struct LeftPart {
 };
 std::vector<LeftPart> parts_left_of(const fs::path& film) {
     std::vector<LeftPart> parts;
-    std::error_code error;
-    for (fs::directory_iterator at(parts_folder(film), error);
-         !error && at != fs::directory_iterator(); at.increment(error)) {
+    const std::optional<UnfinishedFolder> folder = parts_folder_left_of(film);
+    if (!folder) return parts;
+    for (const std::string& name : folder->names()) {
         LeftPart part;
-        part.path = at->path();
-        const std::string name = part.path.filename().string();
+        part.path = folder->path() / name;
         const char* const begin = name.c_str() + (name.starts_with('.') ? 1 : 0);
         if (std::sscanf(begin, "%" SCNd64 "-of-%" SCNd64, &part.number, &part.n_parts) == 2)
             parts.push_back(std::move(part));
@@ -65,57 +75,65 @@ bool has_bytes(const fs::path& path) {
     return !none && size > 0;
 }
 
+// Nothing for a file that is damaged at its beginning.
+std::optional<PartFile> part_if_readable(const fs::path& path) {
+    try {
+        return PartFile(path);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+bool is_whole_part(const fs::path& path) {
+    const std::optional<PartFile> part = part_if_readable(path);
+    return part && part->is_whole();
+}
+
+constexpr const char* held_name = "held";  // the lock of a folder of parts
+
 // The folder of a film's parts: a hidden folder beside the film, removed with the last part. The
-// object holds the lock of this folder and that of a single-process run, so that only one run at a
-// time works on the film.
+// lock of a single process comes first, so one run at a time writes the marker. The object holds
+// the lock of this folder and that of a single-process run, so that only one run at a time works on
+// the film.
 class PartsAside {
  public:
     PartsAside(const fs::path& film, std::int64_t n_parts)
-        : folder_(parts_folder(film)),
-          suffix_(fmt::format("-of-{}{}", n_parts, film.extension().string())),
-          of_one_process_(film, frame_log_path(film), true) {
-        std::error_code error;
-        fs::create_directory(folder_, error);
-        if (error) throw_write_error(film, error.value());
-        lock_.emplace(film, folder_ / "held");
-        remove_others();
+        : suffix_(fmt::format("-of-{}{}", n_parts, film.extension().string())),
+          of_one_process_(open_frame_log(film, true)),
+          folder_(film, parts_folder(film), parts_marker(film)) {
+        // The film itself is opened when all of its parts are there.
+        check_aside(film);
+        if (!folder_.has_marker()) write_whole(folder_.marker_path(), parts_marker(film).beginning);
+        lock_.emplace(film, folder_.path() / held_name);
+        // Parts of a run with another number of jobs cannot be continued; damaged ones are drawn
+        // again.
+        for (const std::string& name : folder_.names())
+            if (name != held_name &&
+                (name.find(suffix_) == std::string::npos ||
+                 (name.front() != '.' && !is_whole_part(folder_.path() / name))))
+                folder_.remove(name);
     }
     ~PartsAside() {
         lock_.reset();
-        std::error_code not_empty;
-        fs::remove(folder_, not_empty);
+        folder_.remove_if_empty();
     }
     PartsAside(const PartsAside&) = delete;
     PartsAside& operator=(const PartsAside&) = delete;
 
     std::string part(std::int64_t number) const {
-        return (folder_ / fmt::format("{}{}", number, suffix_)).string();
+        return (folder_.path() / fmt::format("{}{}", number, suffix_)).string();
     }
 
     void clear() {
         lock_.reset();
-        std::error_code ignored;
-        fs::remove_all(folder_, ignored);
+        folder_.remove_all();
         of_one_process_.discard();
     }
 
  private:
-    // Removes parts of a run with another number of jobs, which cannot be continued.
-    void remove_others() const {
-        std::vector<fs::path> others;
-        for (const auto& entry : fs::directory_iterator(folder_))
-            if (const std::string name = entry.path().filename().string();
-                name != "held" && name.find(suffix_) == std::string::npos)
-                others.push_back(entry.path());
-        for (const fs::path& other : others) {
-            std::error_code ignored;
-            fs::remove(other, ignored);
-        }
-    }
-
-    fs::path folder_;
     std::string suffix_;
     AtomicFile of_one_process_;
+    UnfinishedFolder folder_;
     std::optional<AtomicFile> lock_;
 };
 
@@ -168,8 +186,7 @@ void make_in_this_process(const FilmJob& film, const fs::path& path, LazyRendere
                           const ProgressSink& progress) {
     film.make(renderer, progress);
     // Parts of several processes are obsolete now.
-    std::error_code ignored;
-    if (!parts_left_of(path).empty()) fs::remove_all(parts_folder(path), ignored);
+    if (const auto folder = parts_folder_left_of(path)) folder->remove_all();
 }
 
 }  // namespace
@@ -180,11 +197,14 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
     const OutputPlace place(request.output, session.scene, ".mp4");
     const fs::path& path = place.path();
     const OutputFormat& format = format_for(path);
+    // Before anything is drawn: a folder of somebody else is refused.
+    if (format.join != nullptr) parts_folder_left_of(path);
     const int n_jobs = n_asked ? *n_asked : n_jobs_for(session, film.n_frames(), path, renderer);
     if (n_jobs == 1) return make_in_this_process(film, path, renderer, progress);
     if (!format.has_parts)
         throw InputError(fmt::format("{}: this format has no parts for --jobs; leave --jobs out",
                                      printable(path.string())));
+    film.check_sidecars(path);
     watch_for_interrupts();
     const std::int64_t n_parts =
         part_of_film(1, n_jobs, film.n_frames(), format.n_chunk_frames).n_parts;
@@ -216,15 +236,17 @@ std::int64_t gather_parts_aside(const fs::path& film) {
     const std::vector<LeftPart> left = parts_left_of(film);
     if (left.empty() || has_bytes(frame_log_path(film))) return 0;
     // Fails if another run is still drawing.
-    const AtomicFile lock(film, parts_folder(film) / "held");
+    const AtomicFile lock(film, parts_folder(film) / held_name);
     std::optional<FrameLog> log;
-    std::vector<fs::path> gathered;
+    std::vector<std::string> gathered;
     std::int64_t n_before = 0;  // frames gathered
     std::int64_t n_left = 0;    // frames after a gap
     bool has_gap = false;
     for (const LeftPart& part : left) {
-        if (part.n_parts != left.front().n_parts || !looks_like_part(part.path)) continue;
-        const PartFile file(part.path);
+        if (part.n_parts != left.front().n_parts) continue;
+        const std::optional<PartFile> readable = part_if_readable(part.path);
+        if (!readable) continue;
+        const PartFile& file = *readable;
         if (has_gap || file.part().n_before != n_before || file.n_there() == 0) {
             n_left += file.n_there();
             continue;
@@ -238,16 +260,16 @@ std::int64_t gather_parts_aside(const fs::path& film) {
         }
         append_all(file, *log);
         n_before += file.n_there();
-        gathered.push_back(part.path);
+        gathered.push_back(part.path.filename().string());
         has_gap = !file.is_whole();
     }
     if (!log) return 0;
     log.reset();
-    std::error_code ignored;
-    if (n_left == 0)
-        fs::remove_all(parts_folder(film), ignored);
-    else
-        for (const fs::path& part : gathered) fs::remove(part, ignored);
+    const std::optional<UnfinishedFolder> folder = parts_folder_left_of(film);
+    if (folder && n_left == 0)
+        folder->remove_all();
+    else if (folder)
+        for (const std::string& part : gathered) folder->remove(part);
     return n_left;
 }
 

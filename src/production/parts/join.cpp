@@ -119,10 +119,13 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
     plan.part.reset();
     JoinedEntries entries(parts);
     plan.n_frames = entries.n_entries();
+    const bool has_chapters = !parts.front().part().chapters.empty();
+    if (has_chapters) check_chapters_place(plan.path);
+    if (!plan.subtitles.empty()) check_subtitles_place(plan.path);
     progress.begin(record.scene_name, plan.n_frames);
     format.join(entries, plan);
-    if (const std::string& text = parts.front().part().chapters; !text.empty())
-        write_chapters(plan.path, text);
+    if (has_chapters)
+        write_chapters(plan.path, parts.front().part().chapters);
     else
         remove_stale_chapters(plan.path);
     write_subtitles(plan.path, plan.subtitles);

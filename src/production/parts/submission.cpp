@@ -27,6 +27,8 @@ namespace fs = std::filesystem;
 
 // Runs a line of a list. A program that was killed (out of memory, by hand) is restarted and
 // continues where it was interrupted. So does a task that the scheduler requeues.
+constexpr const char* task_name = "task.sh";
+constexpr std::string_view task_beginning = "#!/bin/sh\n# task.sh ";
 constexpr const char* task_script = R"(#!/bin/sh
 # task.sh LIST [LINE]: runs one line of a list (a name, a tab, a command), here or as a task of a Slurm array.
 cd {folder} || exit 3
@@ -129,6 +131,20 @@ std::string list_of(const std::vector<SubmittedTask>& tasks) {
     return text;
 }
 
+// Throws InputError for a folder of somebody else, whose files would be replaced and removed.
+void check_submission_folder(const fs::path& folder) {
+    std::error_code none;
+    fs::directory_iterator at(folder, none);
+    // A killed run may have left only the temporary file of the script.
+    for (; !none && at != fs::directory_iterator(); at.increment(none))
+        if (at->path().filename() != aside_path_of(task_name) &&
+            !begins_with(folder / task_name, task_beginning))
+            throw InputError(
+                fmt::format("{}: exists and is not the folder of a submission; remove it, or name "
+                            "another output",
+                            printable(folder.string())));
+}
+
 // Keeps the state of tasks that were submitted before and are unchanged; removes other states.
 void keep_what_is_done(Submission& submission) {
     const fs::path& folder = submission.folder;
@@ -164,9 +180,14 @@ fs::path submission_folder(const fs::path& output) {
 
 Submission write_submission(const fs::path& folder, const std::vector<FilmToSubmit>& films,
                             const std::vector<std::string>& options, std::int64_t n_parts) {
+    check_submission_folder(folder);
     make_folder(folder);
     Submission submission;
     submission.folder = fs::canonical(folder);
+    write_whole(submission.folder / task_name,
+                fmt::format(fmt::runtime(task_script),
+                            fmt::arg("folder", shell_word(submission.folder.string())),
+                            fmt::arg("tab", "\t")));
     std::set<std::string> taken;
     std::string list;
     for (const FilmToSubmit& film : films) {
@@ -175,10 +196,6 @@ Submission write_submission(const fs::path& folder, const std::vector<FilmToSubm
     keep_what_is_done(submission);
     make_folder(submission.folder / "state");
     make_folder(submission.folder / "logs");
-    write_whole(submission.folder / "task.sh",
-                fmt::format(fmt::runtime(task_script),
-                            fmt::arg("folder", shell_word(submission.folder.string())),
-                            fmt::arg("tab", "\t")));
     write_whole(submission.folder / "films", list);
     write_whole(submission.folder / "joins", list_of(submission.joins));
     write_whole(submission.folder / "tasks", list_of(submission.parts));

@@ -6,6 +6,7 @@
 #include <span>
 #include <string>
 
+#include "production/sidecars/sidecar_place.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
@@ -15,9 +16,12 @@ namespace poinsot {
 
 namespace {
 
+// The beginning of the file of any film.
+constexpr const char* any_chapters_head = "{\n  \"film\": ";
+
 // The first lines of the file, which identify it as the film's.
 std::string chapters_head(const std::filesystem::path& film) {
-    return fmt::format("{{\n  \"film\": {},\n", json_string(film.filename().string()));
+    return fmt::format("{}{},\n", any_chapters_head, json_string(film.filename().string()));
 }
 
 }  // namespace
@@ -48,6 +52,10 @@ std::filesystem::path chapters_path(const std::filesystem::path& film) {
     // Films with the same stem and different suffixes have separate files.
     if (suffix_of(film) != ".mp4" && !stem.empty()) stem += film.extension().string();
     return film.parent_path() / (stem.empty() ? "chapters.json" : stem + ".chapters.json");
+}
+
+void check_chapters_place(const std::filesystem::path& film) {
+    check_sidecar(chapters_path(film), any_chapters_head, "chapters");
 }
 
 void remove_stale_chapters(const std::filesystem::path& film) {
@@ -82,6 +90,7 @@ std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
 }
 
 void write_chapters(const std::filesystem::path& film, const std::string& text) {
+    check_chapters_place(film);
     write_whole(chapters_path(film), chapters_head(film) + text);
 }
 

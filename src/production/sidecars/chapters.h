@@ -19,10 +19,13 @@ std::vector<FilmChapter> chapters_of(const Scene& scene, const FilmPlan& film, s
 // the name without its frame number.
 std::filesystem::path chapters_path(const std::filesystem::path& film);
 
+// Throws InputError if this file exists and poinsot did not write it; as check_aside.
+void check_chapters_place(const std::filesystem::path& film);
+
 // Removes this file if an earlier film of the same name left it.
 void remove_stale_chapters(const std::filesystem::path& film);
 
-// Writes this file atomically. Throws EnvironmentError.
+// Writes this file atomically. Throws EnvironmentError, and as check_chapters_place does.
 void write_chapters(const OutputPlan& plan, const FilmPlan& film);
 
 // The file's text after the film's name, which is known only when the parts of a film are joined;

@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "drawing/stage/live_values.h"
+#include "production/sidecars/sidecar_place.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
@@ -30,9 +31,12 @@ std::string without_empty_lines(std::string_view text) {
     return lines;
 }
 
+// The beginning of the file of any film.
+constexpr const char* any_subtitles_head = "WEBVTT\n\nNOTE poinsot: ";
+
 // The first lines, which identify the file as the film's.
 std::string subtitles_head(const std::filesystem::path& film) {
-    return fmt::format("WEBVTT\n\nNOTE poinsot: {}\n", escaped_cue(film.filename().string()));
+    return fmt::format("{}{}\n", any_subtitles_head, escaped_cue(film.filename().string()));
 }
 
 void remove_stale(const std::filesystem::path& film) {
@@ -73,8 +77,13 @@ std::vector<FilmSubtitle> subtitles_of(const Session& session, const FilmPlan& f
     return subtitles;
 }
 
+void check_subtitles_place(const std::filesystem::path& film) {
+    check_sidecar(subtitles_path(film), any_subtitles_head, "captions");
+}
+
 void write_subtitles(const std::filesystem::path& film, std::span<const FilmSubtitle> subtitles) {
     if (subtitles.empty()) return remove_stale(film);
+    check_subtitles_place(film);
     std::string text = subtitles_head(film);
     for (const FilmSubtitle& subtitle : subtitles)
         text += fmt::format("\n{} --> {}{}\n{}\n", stamp(subtitle.begin_ms), stamp(subtitle.end_ms),

@@ -18,8 +18,12 @@ std::filesystem::path subtitles_path(const std::filesystem::path& film);
 std::vector<FilmSubtitle> subtitles_of(const Session& session, const FilmPlan& film,
                                        std::int64_t first, std::int64_t last);
 
+// Throws InputError if the subtitles file exists and poinsot did not write it; as check_aside.
+void check_subtitles_place(const std::filesystem::path& film);
+
 // Writes the film's subtitles file atomically; without subtitles, removes the file that an earlier
-// film of the same name left. Throws EnvironmentError. Source: W3C, WebVTT.
+// film of the same name left. Throws EnvironmentError, and as check_subtitles_place does. Source:
+// W3C, WebVTT.
 void write_subtitles(const std::filesystem::path& film, std::span<const FilmSubtitle> subtitles);
 
 }  // namespace poinsot

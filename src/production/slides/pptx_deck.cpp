@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <map>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,13 +27,21 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Throws InputError for a file that somebody else has made or edited.
-void check_output(const fs::path& output) {
-    if (kind_of_file(output) != FileKind::regular || StoredZip::is_unchanged(output)) return;
-    throw InputError(
-        fmt::format("{}: exists, and was not written by poinsot or has been edited since; name "
-                    "another file, or remove this one",
-                    printable(output.string())));
+// Throws InputError for a file that somebody else has made or edited, and for the presentation of
+// another scene.
+void check_output(const fs::path& output, const Scene& scene) {
+    if (kind_of_file(output) != FileKind::regular) return;
+    const std::optional<std::string> about = StoredZip::unchanged_entry(output, pptx_origin_name);
+    if (!about)
+        throw InputError(
+            fmt::format("{}: exists, and was not written by poinsot or has been edited since; name "
+                        "another file, or remove this one",
+                        printable(output.string())));
+    if (!describes_slides_of(scene.name, *about))
+        throw InputError(
+            fmt::format("{}: holds the slides of another scene; name another file, or remove this "
+                        "one",
+                        printable(output.string())));
 }
 
 // A film's poster is shown until it plays. It is the picture with which the slide before ends: any
@@ -54,7 +63,7 @@ PptxText text_of(const Session& session, const FilmPlan& film, const std::vector
     };
     PptxText text;
     text.title = title_of(scene);
-    text.description = fmt::format("poinsot {}: {}", POINSOT_VERSION, scene.name);
+    text.description = pptx_description(scene.name);
     text.language = scene.language;
     text.width_px = scene.film.width_px;
     text.height_px = scene.film.height_px;
@@ -97,10 +106,10 @@ void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer
         slides_of(session.scene, film, fmt::format("-o {}", printable(request.output.string())));
     PosterFrames posters;
     const PptxText text = text_of(session, film, slides, posters);
-    check_output(request.output);
+    check_output(request.output, session.scene);
     watch_for_interrupts();
     AtomicFile output(request.output);
-    SlidesAside aside(output.path(), aside_path_of(output.path(), ".slides"),
+    SlidesAside aside(request.output, request.output, ".slides",
                       slide_plan_text(session, film, slides, renderer.is_portable()));
     make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
     draw_posters(session, posters, aside, renderer);

@@ -230,15 +230,29 @@ void add_slide(PartList& parts, const PptxText& text, std::size_t index) {
 
 }  // namespace
 
+std::string pptx_description(std::string_view scene_name) {
+    return fmt::format("poinsot {}: {}", POINSOT_VERSION, scene_name);
+}
+
+bool describes_slides_of(std::string_view scene_name, std::string_view origin_xml) {
+    constexpr std::string_view begin = "<dc:description>poinsot ", colon = ": ";
+    const std::size_t at = origin_xml.find(begin);
+    if (at == std::string_view::npos) return false;
+    const std::size_t name_at = origin_xml.find(colon, at + begin.size());
+    return name_at != std::string_view::npos &&
+           origin_xml.substr(name_at + colon.size())
+               .starts_with(escaped_markup(scene_name) + "</dc:description>");
+}
+
 std::vector<PptxPart> pptx_parts(const PptxText& text) {
     PartList parts;
     parts.add_relationships(
         "", {{"officeDocument", "ppt/presentation.xml"},
              {"http://schemas.openxmlformats.org/package/2006/relationships/metadata/"
               "core-properties",
-              "docProps/core.xml"}});
+              std::string(pptx_origin_name)}});
     parts.add(
-        "docProps/core.xml", "application/vnd.openxmlformats-package.core-properties+xml",
+        std::string(pptx_origin_name), "application/vnd.openxmlformats-package.core-properties+xml",
         fmt::format(
             R"(<cp:coreProperties xmlns:cp="http://schemas.openxmlformats.org/package/2006/metadata/core-properties" )"
             R"(xmlns:dc="http://purl.org/dc/elements/1.1/"><dc:title>{}</dc:title><dc:description>{}</dc:description>)"

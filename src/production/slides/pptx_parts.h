@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace poinsot {
@@ -27,6 +28,14 @@ struct PptxText {
 struct PptxPart {
     std::string name, xml;
 };
+
+// The part that holds the presentation's description.
+inline constexpr std::string_view pptx_origin_name = "docProps/core.xml";
+
+// The description of a scene's presentation, and whether a part of this name holds that of a scene,
+// by any version.
+std::string pptx_description(std::string_view scene_name);
+bool describes_slides_of(std::string_view scene_name, std::string_view origin_xml);
 
 // All parts but the media; the first one is the list of types, as readers expect.
 std::vector<PptxPart> pptx_parts(const PptxText& text);

@@ -45,10 +45,16 @@ bool is_deck_file(const fs::directory_entry& entry) {
 void check_folder(const fs::path& folder, const Scene& scene) {
     const std::string name = printable(folder.string());
     const FileKind kind = kind_of_file(folder);
+    std::error_code error;
+    if (kind == FileKind::missing && fs::is_symlink(folder, error))
+        throw InputError(fmt::format(
+            "{}: is a link to a folder that does not exist; make this folder, or remove the link",
+            name));
     if (kind == FileKind::missing) return;
+    if (kind == FileKind::name_too_long || kind == FileKind::unreachable)
+        throw InputError(fmt::format("{}: {}", name, in_words(kind)));
     if (kind != FileKind::folder)
         throw InputError(fmt::format("{}: exists and is not a folder; name a new folder", name));
-    std::error_code error;
     if (fs::equivalent(folder, fs::current_path(error), error))
         throw InputError(fmt::format(
             "{}: is the current folder; slides need a folder of their own, so name a new one",
@@ -56,7 +62,7 @@ void check_folder(const fs::path& folder, const Scene& scene) {
     const fs::path plan = folder / slide_plan_name;
     const std::string text = kind_of_file(plan) == FileKind::regular ? read_text(plan) : "";
     const bool is_own = text.starts_with(slide_plan_head(scene));
-    if (text.starts_with("{\n  \"slides_of\": ") && !is_own)
+    if (text.starts_with(any_slide_plan_head) && !is_own)
         throw InputError(fmt::format(
             "{}: holds the slides of another scene; name another folder, or remove this one",
             name));
@@ -75,9 +81,8 @@ void commit(const SlidesAside& aside, const fs::path& folder, const std::set<std
         fs::rename(from, to, error);
         if (error) throw_write_error(to, error.value());
     };
-    for (const fs::path& other : aside.contents())
-        if (!files.contains(other.filename().string())) fs::remove_all(other);
-    if (kind_of_file(folder) == FileKind::missing) return move(aside.folder(), folder);
+    aside.keep_only(files);
+    if (kind_of_file(folder) == FileKind::missing) return move(aside.path(), folder);
     for (const std::string& name : files)
         if (name != slide_plan_name) move(aside.file(name), folder / name);
     move(aside.file(slide_plan_name), folder / slide_plan_name);
@@ -85,7 +90,8 @@ void commit(const SlidesAside& aside, const fs::path& folder, const std::set<std
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
         if (is_deck_file(entry) && !files.contains(entry.path().filename().string()))
             old.push_back(entry.path());
-    for (const fs::path& file : old) fs::remove(file);
+    std::error_code ignored;
+    for (const fs::path& file : old) fs::remove(file, ignored);
 }
 
 }  // namespace
@@ -103,10 +109,11 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     const Session paper = open_session(on_paper);
     fs::path folder = request.folder.lexically_normal();
     if (folder.filename().empty()) folder = folder.parent_path();
-    if (fs::is_symlink(folder)) folder = fs::weakly_canonical(folder);
     check_folder(folder, session.scene);
+    const fs::path named = folder;
+    if (std::error_code error; fs::is_symlink(folder, error)) folder = fs::canonical(folder);
     watch_for_interrupts();
-    SlidesAside aside(folder, aside_path_of(folder),
+    SlidesAside aside(named, folder, ".part",
                       slide_plan_text(session, film, slides, renderer.is_portable()));
 
     make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
@@ -132,7 +139,7 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
         for (std::string& name : slide_files_of(session, film, slides[i], i).all())
             files.insert(std::move(name));
     commit(aside, folder, files);
-    progress.finish(fmt::format("{}, {} slide{}", folder.string(), slides.size(),
+    progress.finish(fmt::format("{}, {} slide{}", named.string(), slides.size(),
                                 slides.size() == 1 ? "" : "s"));
 }
 

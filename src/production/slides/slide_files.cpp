@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <system_error>
+#include <sstream>
 #include <utility>
 
 #include "output/frame_name.h"
@@ -13,6 +13,7 @@
 #include "production/sidecars/subtitles.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
+#include "system/sha256.h"
 #include "text/json_text.h"
 
 namespace poinsot {
@@ -72,12 +73,20 @@ void note_jumps(const Session& session, const FilmPlan& film, const std::vector<
     }
 }
 
-// The hidden folder, new or of an interrupted run. `output` is for messages.
-fs::path made(const fs::path& output, const fs::path& aside) {
-    std::error_code error;
-    fs::create_directory(aside, error);
-    if (error) throw_write_error(output, error.value());
-    return aside;
+// The films that an interrupted run has finished: lines "SHA256 NAME".
+constexpr const char* finished_name = "finished";
+
+std::map<std::string, std::string> finished_in(const std::string& text) {
+    std::map<std::string, std::string> hashes;
+    std::istringstream lines(text);
+    for (std::string hash, name; lines >> hash >> name;) hashes[name] = hash;
+    return hashes;
+}
+
+std::string hash_of_file(const fs::path& file) {
+    Sha256 hash;
+    read_pieces(file, [&hash](std::string_view piece) { hash.add(piece); });
+    return hash.finish();
 }
 
 }  // namespace
@@ -111,7 +120,7 @@ SlideFiles slide_files_of(const Session& session, const FilmPlan& film, const Sl
 }
 
 std::string slide_plan_head(const Scene& scene) {
-    return fmt::format("{{\n  \"slides_of\": {},\n", json_string(scene.name));
+    return fmt::format("{}{},\n", any_slide_plan_head, json_string(scene.name));
 }
 
 std::string slide_plan_text(const Session& session, const FilmPlan& film,
@@ -136,38 +145,48 @@ std::string slide_plan_text(const Session& session, const FilmPlan& film,
     return slide_plan_head(scene) + text.substr(std::string_view("{\n").size());
 }
 
-SlidesAside::SlidesAside(const fs::path& output, const fs::path& aside, const std::string& plan)
-    : aside_(made(output, aside)),
-      lock_(aside_path_of(output, ".held"), aside_path_of(output, ".held")) {
-    // Another run may have renamed it before it gave up the lock.
-    made(output, aside);
-    const fs::path file = aside_ / slide_plan_name;
-    if (kind_of_file(file) == FileKind::regular && read_text(file) == plan) return;
-    for (const fs::path& other : contents()) fs::remove_all(other);
-    write_whole(file, plan);
+// The lock is first: the run that holds it may rename the folder.
+SlidesAside::SlidesAside(const fs::path& output, const fs::path& place, std::string_view suffix,
+                         const std::string& plan)
+    : lock_(AtomicFile::lock(output, aside_path_of(place, ".held"))),
+      folder_(output, aside_path_of(place, suffix), {slide_plan_name, any_slide_plan_head}) {
+    if (folder_.has_marker() && read_text(folder_.marker_path()) == plan) {
+        if (kind_of_file(finished_path()) == FileKind::regular)
+            finished_ = finished_in(read_text(finished_path()));
+        // All but films and their frames is quickly made again.
+        for (const std::string& name : folder_.names())
+            if (name.front() != '.' && name != finished_name && !finished_.contains(name))
+                folder_.remove(name);
+        return;
+    }
+    folder_.clear();
+    write_whole(folder_.marker_path(), plan);
 }
 
-SlidesAside::~SlidesAside() {
-    const std::vector<fs::path> left = contents();
-    if (left.empty() || left == std::vector{aside_ / slide_plan_name}) remove();
+SlidesAside::~SlidesAside() { folder_.remove_if_empty(); }
+
+fs::path SlidesAside::finished_path() const { return file(finished_name); }
+
+bool SlidesAside::has_finished(const std::string& name) const {
+    const auto then = finished_.find(name);
+    return then != finished_.end() && kind_of_file(file(name)) == FileKind::regular &&
+           hash_of_file(file(name)) == then->second;
 }
 
-std::vector<fs::path> SlidesAside::contents() const {
-    std::vector<fs::path> files;
-    std::error_code error;
-    for (fs::directory_iterator at(aside_, error); !error && at != fs::directory_iterator();
-         at.increment(error))
-        files.push_back(at->path());
-    return files;
+void SlidesAside::set_finished(const std::string& name) {
+    finished_[name] = hash_of_file(file(name));
+    std::string text;
+    for (const auto& [each, hash] : finished_) text += fmt::format("{} {}\n", hash, each);
+    write_whole(finished_path(), text);
 }
 
-void SlidesAside::remove() const noexcept {
-    std::error_code ignored;
-    fs::remove_all(aside_, ignored);
+void SlidesAside::keep_only(const std::set<std::string>& files) const {
+    for (const std::string& name : folder_.names())
+        if (!files.contains(name)) folder_.remove(name);
 }
 
 void make_slide_films(const Session& session, const FilmPlan& film,
-                      const std::vector<Slide>& slides, const SlidesAside& aside,
+                      const std::vector<Slide>& slides, SlidesAside& aside,
                       std::optional<int> n_jobs, LazyRenderer& renderer,
                       const ProgressSink& progress) {
     std::int64_t n_frames = 0, n_before = 0;
@@ -185,12 +204,14 @@ void make_slide_films(const Session& session, const FilmPlan& film,
     const auto make_film = [&](const std::string& name, std::int64_t first, std::int64_t last) {
         FilmRequest one{aside.file(name).string(), std::pair(first, last)};
         one.is_slide = true;
-        if (kind_of_file(one.output) == FileKind::regular) {
-            // An interrupted run has finished this film, perhaps without its captions.
+        if (aside.has_finished(name)) {
+            // Perhaps without its captions.
             FilmJob(session, one).write_sidecars(one.output, films);
         } else {
+            aside.remove(name);
             make_in_jobs(session, one, n_jobs, renderer, films);
             has_told_notes = true;
+            aside.set_finished(name);
         }
         n_before += last - first + 1;
     };

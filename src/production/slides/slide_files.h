@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -13,6 +15,7 @@
 #include "production/session/session.h"
 #include "production/slides/slide_plan.h"
 #include "system/files/atomic_file.h"
+#include "system/files/unfinished_folder.h"
 
 namespace poinsot {
 
@@ -30,6 +33,9 @@ struct SlideFiles {
 SlideFiles slide_files_of(const Session& session, const FilmPlan& film, const Slide& slide,
                           std::size_t index);
 
+// The beginning of every slides.json.
+inline constexpr const char* any_slide_plan_head = "{\n  \"slides_of\": ";
+
 // The first line of slides.json, which tells whose slides they are.
 std::string slide_plan_head(const Scene& scene);
 
@@ -42,30 +48,41 @@ std::string slide_plan_text(const Session& session, const FilmPlan& film,
 // holds frames from which another run can continue.
 class SlidesAside {
  public:
-    // Continues with the files that an interrupted run with the same plan has left in the folder
-    // `aside`; other files are removed. Throws EnvironmentError, also if another run makes this
-    // output.
-    SlidesAside(const std::filesystem::path& output, const std::filesystem::path& aside,
-                const std::string& plan);
+    // The folder has the name of `place` with a suffix, as of a temporary file. Continues with the
+    // films that an interrupted run with the same plan has left in it; other files are removed.
+    // `output` is for messages. Throws EnvironmentError, also if another run makes this output, and
+    // for a folder that is not such a one.
+    SlidesAside(const std::filesystem::path& output, const std::filesystem::path& place,
+                std::string_view suffix, const std::string& plan);
     ~SlidesAside();
     SlidesAside(const SlidesAside&) = delete;
     SlidesAside& operator=(const SlidesAside&) = delete;
 
-    const std::filesystem::path& folder() const { return aside_; }
-    std::filesystem::path file(const std::string& name) const { return aside_ / name; }
-    std::vector<std::filesystem::path> contents() const;
+    const std::filesystem::path& path() const { return folder_.path(); }
+    std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
 
-    void remove() const noexcept;
+    // Whether a run has finished this film, and it still has the bytes of then.
+    bool has_finished(const std::string& name) const;
+    // Keeps the hash of a finished film for the next run.
+    void set_finished(const std::string& name);
+    void remove(const std::string& name) const { folder_.remove(name); }
+
+    // Removes all files but the plan and these.
+    void keep_only(const std::set<std::string>& files) const;
+    void remove() const { folder_.remove_all(); }
 
  private:
-    std::filesystem::path aside_;
+    std::filesystem::path finished_path() const;
+
     AtomicFile lock_;
+    UnfinishedFolder folder_;
+    std::map<std::string, std::string> finished_;  // SHA-256 of the files, by name
 };
 
 // Makes 01.mp4, 01-loop.mp4, … that are not there yet, with their captions. They report as one
 // film, which the caller finishes. Throws as make_in_jobs does.
 void make_slide_films(const Session& session, const FilmPlan& film,
-                      const std::vector<Slide>& slides, const SlidesAside& aside,
+                      const std::vector<Slide>& slides, SlidesAside& aside,
                       std::optional<int> n_jobs, LazyRenderer& renderer,
                       const ProgressSink& progress);
 

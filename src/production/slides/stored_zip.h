@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,9 +26,10 @@ class StoredZip {
     // file.
     void finish();
 
-    // Whether a file is an archive as finish() left it: its directory, which has the checksum of
-    // every entry, has not changed.
-    static bool is_unchanged(const std::filesystem::path& file);
+    // The contents of an entry of an archive in which every byte is as finish() left it; nothing
+    // for any other file. Reads the whole file.
+    static std::optional<std::string> unchanged_entry(const std::filesystem::path& file,
+                                                      std::string_view name);
 
  private:
     void begin(const std::string& name, std::uint32_t crc, std::uint64_t n_bytes);

@@ -21,7 +21,12 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string reason(int error_number) { return std::generic_category().message(error_number); }
+std::string reason(int error_number) {
+    if (error_number == ENAMETOOLONG)
+        return "the name is too long; a file name of at most 200 bytes leaves space for the names "
+               "of the hidden files";
+    return std::generic_category().message(error_number);
+}
 
 fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
@@ -41,16 +46,23 @@ bool is_device(const fs::path& path) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-void check_place(const fs::path& path) {
+void check_folder_of(const fs::path& path) {
     std::error_code ignored;
     const fs::path folder = folder_of(path);
-    if (!path.has_filename() || fs::is_directory(path, ignored))
-        throw EnvironmentError(
-            fmt::format("cannot write {}: it is a folder; name a file in it", path.string()));
+    if (!fs::exists(folder, ignored) && ignored.value() == ENAMETOOLONG)
+        throw_write_error(path, ENAMETOOLONG);
     if (!fs::exists(folder, ignored) && ignored.value() != EACCES)
         throw EnvironmentError(
             fmt::format("cannot write {}: the folder {} does not exist; make it first",
                         path.string(), folder.string()));
+}
+
+void check_place(const fs::path& path) {
+    std::error_code ignored;
+    if (!path.has_filename() || fs::is_directory(path, ignored))
+        throw EnvironmentError(
+            fmt::format("cannot write {}: it is a folder; name a file in it", path.string()));
+    check_folder_of(path);
 }
 
 // If no file can be created in the folder, the message names the folder, not the file.
@@ -68,16 +80,37 @@ void check_place(const fs::path& path) {
 bool names(const fs::path& path, int descriptor) {
     struct stat by_name {};
     struct stat by_descriptor {};
-    return stat(path.c_str(), &by_name) == 0 && fstat(descriptor, &by_descriptor) == 0 &&
+    return lstat(path.c_str(), &by_name) == 0 && fstat(descriptor, &by_descriptor) == 0 &&
            by_name.st_ino == by_descriptor.st_ino && by_name.st_dev == by_descriptor.st_dev;
 }
 
-// The temporary file must be a regular file: bytes for a pipe or a link would go elsewhere, and
-// writing to a full pipe would block.
-[[noreturn]] void refuse_aside(const fs::path& path, const fs::path& aside) {
-    throw EnvironmentError(fmt::format(
-        "cannot write {}: its temporary file {} exists and is not a regular file; remove it",
-        path.string(), aside.string()));
+constexpr mode_t mark = S_ISVTX, new_file = 0666 | mark;
+
+bool is_marked(const struct stat& status) {
+    return S_ISREG(status.st_mode) && (status.st_mode & mark) != 0;
+}
+
+void set_mark(int descriptor, bool marked) {
+    struct stat status {};
+    if (fstat(descriptor, &status) != 0) return;
+    const mode_t permissions = status.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+    // A file of another user keeps what it has.
+    [[maybe_unused]] const int changed =
+        fchmod(descriptor, marked ? permissions | mark : permissions);
+}
+
+// Opens what is there without waiting for a pipe and without following a link; −1 with errno ENOENT
+// if it has vanished.
+int open_left(const fs::path& path, const fs::path& aside) {
+    struct stat there {};
+    const bool is_there = lstat(aside.c_str(), &there) == 0;
+    if (is_there && !S_ISREG(there.st_mode)) refuse_aside(path, aside, "file");
+    const int opened =
+        is_there ? ::open(aside.c_str(), O_RDWR | O_CLOEXEC | O_NOFOLLOW | O_NONBLOCK) : -1;
+    struct stat status {};
+    if (opened < 0 || (fstat(opened, &status) == 0 && S_ISREG(status.st_mode))) return opened;
+    ::close(opened);
+    refuse_aside(path, aside, "file");
 }
 
 // A pipe is open once somebody reads it. Asked again and again, since a call that waits for that
@@ -98,11 +131,6 @@ int open_device(const fs::path& path) {
 // Tries to lock, 20 ms apart, before another run counts as running: 2 s.
 constexpr int n_tries_to_lock = 100;
 
-bool is_regular(int descriptor) {
-    struct stat status {};
-    return fstat(descriptor, &status) == 0 && S_ISREG(status.st_mode);
-}
-
 }  // namespace
 
 void throw_write_error(const fs::path& path, int error_number) {
@@ -113,7 +141,33 @@ fs::path aside_path_of(const fs::path& path, std::string_view suffix) {
     return path.parent_path() / fmt::format(".{}{}", path.filename().string(), suffix);
 }
 
-AtomicFile::AtomicFile(const fs::path& path) : path_(followed(path)) {
+void refuse_aside(const fs::path& path, const fs::path& aside, std::string_view what) {
+    throw EnvironmentError(fmt::format(
+        "cannot write {}: its temporary {} {} exists and is not unfinished work of poinsot; remove "
+        "it, or name another output",
+        path.string(), what, aside.string()));
+}
+
+void check_aside(const fs::path& path) {
+    if (path == "-" || is_device(path)) return;
+    const fs::path aside = aside_path_of(followed(path));
+    struct stat there {};
+    if (lstat(aside.c_str(), &there) != 0 || is_marked(there)) return;
+    const int opened = open_left(path, aside);
+    if (opened < 0) return;  // opening it for writing reports the error
+    // Another run may write it on a file system that does not keep the mark.
+    const bool is_held = flock(opened, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK;
+    ::close(opened);
+    if (!is_held) refuse_aside(path, aside, "file");
+}
+
+void remove_left_aside(const fs::path& path) noexcept {
+    const fs::path aside = aside_path_of(path);
+    struct stat there {};
+    if (lstat(aside.c_str(), &there) == 0 && is_marked(there)) ::unlink(aside.c_str());
+}
+
+AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(followed(path)) {
     if (path_ == "-") {
         descriptor_ = fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, 0);
         if (descriptor_ < 0) throw_write_error("stdout", errno);
@@ -125,15 +179,24 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(followed(path)) {
         if (descriptor_ < 0) throw_write_error(path_, errno);
         return;
     }
-    aside_ = aside_path_of(path_);
-    open_aside({});
+    aside_ = aside_path_of(target_);
+    open_aside({}, {});
 }
 
 AtomicFile::AtomicFile(const fs::path& path, const fs::path& aside, bool keep_contents,
-                       const std::function<void()>& when_held)
-    : path_(followed(path)), aside_(aside), keeps_(keep_contents) {
+                       const std::function<void()>& when_held, const IsUnfinished& is_unfinished)
+    : path_(path), target_(followed(path)), aside_(aside), keeps_(keep_contents) {
     check_place(path_);
-    open_aside(when_held);
+    open_aside(when_held, is_unfinished);
+}
+
+AtomicFile AtomicFile::lock(const fs::path& output, const fs::path& aside) {
+    check_folder_of(output);
+    AtomicFile file;
+    file.path_ = output;
+    file.aside_ = aside;
+    file.open_aside({}, {});
+    return file;
 }
 
 AtomicFile::~AtomicFile() {
@@ -144,6 +207,7 @@ AtomicFile::~AtomicFile() {
 
 AtomicFile::AtomicFile(AtomicFile&& other) noexcept
     : path_(std::move(other.path_)),
+      target_(std::move(other.target_)),
       aside_(std::exchange(other.aside_, {})),
       descriptor_(std::exchange(other.descriptor_, -1)),
       keeps_(other.keeps_) {}
@@ -152,23 +216,24 @@ AtomicFile& AtomicFile::operator=(AtomicFile&& other) noexcept {
     if (this == &other) return *this;
     discard();
     path_ = std::move(other.path_);
+    target_ = std::move(other.target_);
     aside_ = std::exchange(other.aside_, {});
     descriptor_ = std::exchange(other.descriptor_, -1);
     keeps_ = other.keeps_;
     return *this;
 }
 
-void AtomicFile::open_aside(const std::function<void()>& when_held) {
+void AtomicFile::open_aside(const std::function<void()>& when_held,
+                            const IsUnfinished& is_unfinished) {
     while (descriptor_ < 0) {
-        std::error_code ignored;
-        const fs::file_status there = fs::symlink_status(aside_, ignored);
-        if (fs::exists(there) && !fs::is_regular_file(there)) refuse_aside(path_, aside_);
-        const int opened = ::open(aside_.c_str(), O_RDWR | O_CREAT | O_CLOEXEC | O_NOFOLLOW, 0666);
-        if (opened < 0) throw_open_error(path_, errno);
-        if (!is_regular(opened)) {
-            ::close(opened);
-            refuse_aside(path_, aside_);
+        int opened =
+            ::open(aside_.c_str(), O_RDWR | O_CREAT | O_EXCL | O_CLOEXEC | O_NOFOLLOW, new_file);
+        const bool is_new = opened >= 0;
+        if (!is_new && errno == EEXIST) {
+            opened = open_left(path_, aside_);
+            if (opened < 0 && errno == ENOENT) continue;
         }
+        if (opened < 0) throw_open_error(path_, errno);
         // A file system that cannot lock still gets its file; it only cannot refuse a second run.
         int locked = flock(opened, LOCK_EX | LOCK_NB);
         if (locked != 0 && errno == EWOULDBLOCK && when_held) {
@@ -187,10 +252,19 @@ void AtomicFile::open_aside(const std::function<void()>& when_held) {
                 "cannot write {}: another run is writing it; wait for it or name another output",
                 path_.string()));
         }
-        if (names(aside_, opened))
-            descriptor_ = opened;
-        else
+        if (!names(aside_, opened)) {
             ::close(opened);
+            continue;
+        }
+        struct stat status {};
+        if (!is_new && (fstat(opened, &status) != 0 || !is_marked(status))) {
+            if (!is_unfinished || !is_unfinished(opened)) {
+                ::close(opened);
+                refuse_aside(path_, aside_, "file");
+            }
+            set_mark(opened, true);
+        }
+        descriptor_ = opened;
     }
     if (!keeps_ && ftruncate(descriptor_, 0) != 0) {
         const int error_number = errno;
@@ -225,14 +299,16 @@ void AtomicFile::commit() {
         throw_write_error(path_, error_number);
     }
     if (renames) {
-        if (::rename(aside_.c_str(), path_.c_str()) != 0) {
+        if (::rename(aside_.c_str(), target_.c_str()) != 0) {
             const int error_number = errno;
             discard();
             throw_write_error(path_, error_number);
         }
         aside_.clear();
+        // Only now: a run that is killed before leaves a file that the next one takes over.
+        set_mark(descriptor_, false);
         // The folder entry must be synced, too; some file systems cannot sync a folder.
-        const int folder = ::open(folder_of(path_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+        const int folder = ::open(folder_of(target_).c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
         if (folder >= 0) {
             fsync(folder);
             ::close(folder);

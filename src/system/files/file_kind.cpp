@@ -17,6 +17,7 @@ FileKind kind_of_file(const fs::path& path) noexcept {
             return FileKind::missing;
         case fs::file_type::none:
             return failed == std::errc::too_many_symbolic_link_levels ? FileKind::link_circle
+                   : failed == std::errc::filename_too_long           ? FileKind::name_too_long
                                                                       : FileKind::unreachable;
         default:
             return FileKind::special;
@@ -33,6 +34,8 @@ std::string_view in_words(FileKind kind) {
             return "this is a folder";
         case FileKind::link_circle:
             return "a symbolic link that leads back to itself; remove it";
+        case FileKind::name_too_long:
+            return "the name is too long; a name has at most 255 bytes";
         case FileKind::unreachable:
             return "cannot be reached; check the permissions of the folders above it";
         case FileKind::special:

@@ -14,6 +14,7 @@ enum class FileKind {
     missing,      // no file of this name
     folder,       //
     link_circle,  // a cycle of symbolic links
+    name_too_long,
     unreachable,  // a parent folder has no permission
     special       // a pipe, a socket or a device
 };
