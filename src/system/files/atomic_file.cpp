@@ -152,7 +152,11 @@ void check_aside(const fs::path& path) {
     if (path == "-" || is_device(path)) return;
     const fs::path aside = aside_path_of(followed(path));
     struct stat there {};
-    if (lstat(aside.c_str(), &there) != 0 || is_marked(there)) return;
+    if (lstat(aside.c_str(), &there) != 0) {
+        if (errno == ENAMETOOLONG) throw_write_error(path, errno);
+        return;
+    }
+    if (is_marked(there)) return;
     const int opened = open_left(path, aside);
     if (opened < 0) return;  // opening it for writing reports the error
     // Another run may write it on a file system that does not keep the mark.
