@@ -31,10 +31,16 @@ void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapter
     }
 }
 
-// One row "KIND NUMBER … LENGTH TEXT" each, with a text of LENGTH bytes of any content. Chapters:
-// c, first and end; subtitles: s, begin, end, and whether they are at the top.
+void set_language(AVStream& stream, const OutputPlan& plan) {
+    if (!plan.language.empty()) av_dict_set(&stream.metadata, "language", plan.language.c_str(), 0);
+}
+
+// One row "KIND NUMBER … LENGTH TEXT" each, with a text of LENGTH bytes of any content. Language:
+// l; chapters: c, first and end; subtitles: s, begin, end, and whether they are at the top.
 std::string texts_of(const OutputPlan& plan) {
     std::string text;
+    if (!plan.language.empty())
+        text += fmt::format("l {} {}\n", plan.language.size(), plan.language);
     for (const FilmChapter& chapter : plan.chapters)
         text += fmt::format("c {} {} {} {}\n", chapter.first_frame, chapter.end_frame,
                             chapter.title.size(), chapter.title);
@@ -48,18 +54,22 @@ namespace {
 
 // Removes the first row of the text; false if it is not a row.
 bool take_row(std::string_view& text, OutputPlan& plan) {
-    const bool is_chapter = text.starts_with("c ");
-    if (!is_chapter && !text.starts_with("s ")) return false;
+    if (text.size() < 2 || text[1] != ' ') return false;
+    const char kind = text[0];
+    if (kind != 'l' && kind != 'c' && kind != 's') return false;
+    const std::size_t n_numbers = kind == 'l' ? 0 : kind == 'c' ? 2 : 3;
     text.remove_prefix(2);
     std::array<std::int64_t, 3> numbers{};
     std::int64_t length = 0;
-    for (std::size_t i = 0; i < (is_chapter ? 2U : 3U); ++i)
+    for (std::size_t i = 0; i < n_numbers; ++i)
         if (!take_count(text, numbers[i], ' ')) return false;
     if (!take_count(text, length, ' ')) return false;
     if (static_cast<std::size_t>(length) >= text.size()) return false;
     std::string said(text.substr(0, static_cast<std::size_t>(length)));
     text.remove_prefix(static_cast<std::size_t>(length) + 1);
-    if (is_chapter)
+    if (kind == 'l')
+        plan.language = std::move(said);
+    else if (kind == 'c')
         plan.chapters.push_back({std::move(said), numbers[0], numbers[1]});
     else
         plan.subtitles.push_back({std::move(said), numbers[0], numbers[1], numbers[2] != 0});
@@ -69,10 +79,12 @@ bool take_row(std::string_view& text, OutputPlan& plan) {
 }  // namespace
 
 void parse_texts(std::string_view text, OutputPlan& plan) {
+    plan.language.clear();
     plan.chapters.clear();
     plan.subtitles.clear();
     while (!text.empty()) {
         if (take_row(text, plan)) continue;
+        plan.language.clear();
         plan.chapters.clear();
         plan.subtitles.clear();
         return;
@@ -159,6 +171,7 @@ SubtitleTrack::SubtitleTrack(libav::Muxer& muxer, AVCodecID codec, const OutputP
     if (left_.empty()) return;
     std::reverse(left_.begin(), left_.end());
     stream_ = muxer.add_stream();
+    set_language(*stream_, plan);
     stream_->time_base = {1, 1000};
     AVCodecParameters& parameters = *stream_->codecpar;
     parameters.codec_type = AVMEDIA_TYPE_SUBTITLE;

@@ -17,8 +17,11 @@ namespace poinsot {
 void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapters,
                   const FrameRate& rate);
 
-// Converts a plan's chapters and subtitles to text stored with an unfinished film, and back into a
-// plan; other text gives none.
+// Tags a track with the film's language, before the header is written.
+void set_language(AVStream& stream, const OutputPlan& plan);
+
+// Converts a plan's language, chapters and subtitles to text stored with an unfinished film, and
+// back into a plan; other text gives none.
 std::string texts_of(const OutputPlan& plan);
 void parse_texts(std::string_view text, OutputPlan& plan);
 

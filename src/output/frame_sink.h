@@ -63,6 +63,7 @@ struct OutputPlan {
     // The film keeps only the first n_shown of the written frames; 0: all. Its packets are those of
     // the longer film, as in a recovered film.
     std::int64_t n_shown = 0;
+    std::string language;                 // of its tracks, ISO 639-2; empty: undetermined
     std::vector<FilmChapter> chapters;    // in order; for containers that support them
     std::vector<FilmSubtitle> subtitles;  // likewise; at most two at once: at the bottom and top
     // Continue from the log that an interrupted run with the same plan has left, and keep the log

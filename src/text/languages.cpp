@@ -10,6 +10,10 @@ std::string_view phrase_in(std::string_view language, const Phrase& phrase) {
     return own.empty() ? phrase.front() : own;
 }
 
+std::string_view three_letters_of(std::string_view language) {
+    return phrase_in(language, {"eng", "deu", "fra", "spa", "ita", "jpn"});
+}
+
 std::string_view decimal_mark_of(std::string_view language) {
     constexpr std::array<std::string_view, 4> with_comma{"de", "fr", "es", "it"};
     const bool comma =

@@ -20,6 +20,9 @@ constexpr Phrase formula(std::string_view text) { return {text}; }
 
 inline std::span<const std::string_view> languages() { return language_codes; }
 
+// Its code in ISO 639-2, as films have it: "deu". Precondition as below.
+std::string_view three_letters_of(std::string_view language);
+
 // The word in this language. Precondition: `language` is in languages().
 std::string_view phrase_in(std::string_view language, const Phrase& phrase);
 

@@ -125,6 +125,25 @@ TEST(SubtitleTrack, OfMovIsNamedAsItsEntry) {
     EXPECT_NE(bytes_of(plan.path).find(std::string("tx3g\0\0\0\0\0\0\0\1", 12)), std::string::npos);
 }
 
+// Players offer the captions by the language of the track.
+TEST(FilmTexts, TracksHaveTheLanguageOfTheFilm) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.mp4", "a.mov", "a.webm"})
+        for (const char* language : {"deu", ""}) {
+            OutputPlan plan = told_plan(folder / name);
+            plan.language = language;
+            write_film(plan);
+            const libav::DemuxContext input = libav::open_film(plan.path);
+            ASSERT_EQ(input->nb_streams, 2u);
+            for (unsigned i = 0; i < 2; ++i) {
+                const AVDictionaryEntry* const entry =
+                    av_dict_get(input->streams[i]->metadata, "language", nullptr, 0);
+                const std::string tag = entry != nullptr ? entry->value : "und";
+                EXPECT_EQ(tag, *language != 0 ? "deu" : "und") << name << " " << i;
+            }
+        }
+}
+
 // The track does not change the pictures, and a film without captions has one stream.
 TEST(SubtitleTrack, ChangesNoPictureAndIsOmittedWithoutTexts) {
     const TemporaryFolder folder;
@@ -146,6 +165,7 @@ TEST(FilmTexts, AreReadBackFromTheirText) {
     OutputPlan plan;
     plan.chapters = {{"one\n2 c 3", 0, 10}, {"", 10, 20}};
     plan.subtitles = told;
+    plan.language = "jpn";
     const std::string text = texts_of(plan);
     OutputPlan again;
     parse_texts(text, again);
@@ -153,6 +173,7 @@ TEST(FilmTexts, AreReadBackFromTheirText) {
     ASSERT_EQ(again.subtitles.size(), 3u);
     EXPECT_EQ(again.chapters[0].title, plan.chapters[0].title);
     EXPECT_EQ(again.chapters[1].end_frame, 20);
+    EXPECT_EQ(again.language, "jpn");
     for (std::size_t k = 0; k < 3; ++k) expect(again.subtitles[k], told[k]);
     EXPECT_EQ(texts_of(again), text);
     // Truncated text gives either nothing or the complete rows that remain.

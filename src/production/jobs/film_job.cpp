@@ -18,6 +18,7 @@
 #include "production/sidecars/subtitles.h"
 #include "system/files/file_kind.h"
 #include "system/interrupt.h"
+#include "text/languages.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -148,6 +149,7 @@ OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
     plan.first_frame = first_;
     plan.n_frames = last_ - first_ + 1;
     plan.quality = film.quality;
+    plan.language = three_letters_of(session_->scene.language);
     if (!request_.is_slide) plan.chapters = chapters_of(session_->scene, film_, first_, last_);
     plan.ends_alone = request_.is_slide;
     plan.subtitles = subtitles_of(*session_, film_, first_, last_);
