@@ -60,8 +60,8 @@ void ProgressBar::finish(const std::string& made) {
     if (bar_open_) say_over_line("");
     bar_open_ = false;
     const double elapsed_s = std::chrono::duration<double>(Clock::now() - started_).count();
-    say(fmt::format("{}: {} frame{} in {:.2f} s", printable(made), total_, total_ == 1 ? "" : "s",
-                    elapsed_s));
+    say(fmt::format("{}: {} frame{} made in {:.2f} s", printable(made), total_,
+                    total_ == 1 ? "" : "s", elapsed_s));
 }
 
 }  // namespace poinsot

@@ -45,6 +45,12 @@ bool is_frame_of(const std::filesystem::path& file, const std::filesystem::path&
     return frame_of(file.filename().string(), pattern).has_value();
 }
 
+std::string with_film_length(const std::string& name, std::int64_t n_frames,
+                             const FrameRate& rate) {
+    return fmt::format("{} ({:.4g} s of film)", name,
+                       static_cast<double>(n_frames) / rate.per_second());
+}
+
 std::vector<std::int64_t> frames_there(const std::filesystem::path& pattern) {
     std::vector<std::int64_t> frames;
     const std::filesystem::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";

@@ -3,7 +3,10 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <string>
 #include <vector>
+
+#include "image/frame_rate.h"
 
 namespace poinsot {
 
@@ -17,6 +20,9 @@ std::filesystem::path frame_name(const std::filesystem::path& pattern, std::int6
 // Whether a file name (without its folders) is that of a frame of the pattern. Precondition:
 // has_frame_number(pattern).
 bool is_frame_of(const std::filesystem::path& file, const std::filesystem::path& pattern);
+
+// "turn.mp4 (20.97 s of film)": a name with the duration of the film that it has.
+std::string with_film_length(const std::string& name, std::int64_t n_frames, const FrameRate& rate);
 
 // Returns the numbers of the existing pictures of a pattern, in ascending order.
 std::vector<std::int64_t> frames_there(const std::filesystem::path& pattern);

@@ -288,7 +288,7 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
         tell_unnamed(pictures.stage(), samples, progress);
     }
     if (!plan.part) write_beside(plan, progress);
-    progress.finish(name);
+    progress.finish(with_film_length(name, plan.n_frames, plan.rate));
     progress.say(in_words(pictures.bound(), session_->accuracy.asked_px));
 }
 

@@ -18,6 +18,7 @@
 #include "output/film_part.h"
 #include "output/film_parts.h"
 #include "output/frame_log.h"
+#include "output/frame_name.h"
 #include "production/jobs/output_place.h"
 #include "production/parts/child.h"
 #include "production/parts/job_choice.h"
@@ -229,7 +230,7 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
         join(parts, path.string(), {});
         aside.clear();
     }
-    progress.finish(printable(path.string()));
+    progress.finish(with_film_length(printable(path.string()), film.n_frames(), film.film().rate));
 }
 
 std::int64_t gather_parts_aside(const fs::path& film) {

@@ -129,7 +129,7 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
     else
         remove_stale_chapters(plan.path);
     write_subtitles(plan.path, plan.subtitles);
-    progress.finish(name_of(plan.path));
+    progress.finish(with_film_length(name_of(plan.path), plan.n_frames, plan.rate));
     return record.bounds;
 }
 

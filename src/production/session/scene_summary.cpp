@@ -217,9 +217,11 @@ void add_motion(const Session& session, std::vector<SummaryLine>& lines) {
 void add_film(const Session& session, const FilmPlan& film, std::vector<SummaryLine>& lines) {
     lines.push_back(
         {"n_frames", fmt::format("{}", film.n_frames), "film",
-         fmt::format("{} frames of {}×{} at {:.6g}/s, motion from {:.6g} s to {:.6g} s",
-                     film.n_frames, session.scene.film.width_px, session.scene.film.height_px,
-                     film.rate.per_second(), film.start_s, film.last_time_s())});
+         fmt::format("{:.4g} s, {} frames of {}×{} at {:.6g}/s; motion from {:.6g} s to {:.6g} s",
+                     film.length_s, film.n_frames, session.scene.film.width_px,
+                     session.scene.film.height_px, film.rate.per_second(), film.start_s,
+                     film.last_time_s())});
+    lines.push_back({"film_s", json_number(film.length_s), "", ""});
 
     if (session.loop) {
         lines.push_back(
