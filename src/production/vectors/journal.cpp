@@ -62,7 +62,7 @@ void set_least_sizes(const Journal& journal, PrintChoices& print) {
 
 void set_journal(const Journal& journal, PrintChoices& print) {
     set_least_sizes(journal, print);
-    if (!print.width_mm && !print.height_mm) print.width_mm = journal.column_mm;
+    if (!print.width_mm) print.width_mm = journal.column_mm;
     if (print.width_mm && *print.width_mm > journal.page_mm)
         throw InputError(fmt::format(
             "--width-mm {:g}: a page of {} is {:g} mm wide, a column {:g}; give at most that",
