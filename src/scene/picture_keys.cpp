@@ -22,7 +22,9 @@ void read_units(const GivenValue& given, SceneDraft& draft) {
         const auto unit = unit_named(units[i]);
         if (!unit)
             given.refuse(fmt::format("a list with \"{}\"", printable(units[i])),
-                         "give units as in \"rpm\", \"deg\", \"g cm²\"");
+                         fmt::format("give products of powers of these units, as \"g cm²/s\" or "
+                                     "\"1/s\": {}",
+                                     known_units()));
         for (std::size_t j = 0; j < i; ++j)
             if (unit_named(units[j])->dimension == unit->dimension)
                 given.refuse(fmt::format("a list with \"{}\" and \"{}\"", printable(units[j]),
@@ -88,7 +90,7 @@ std::span<const SceneKey> picture_keys() {
                "language of the built-in headings and labels, and of decimal marks (a comma in de, "
                "fr, es and it)")
             .omitted_if_default(),
-        texts("units", &Scene::units, R"(["rpm", "deg", "g cm²"])",
+        texts("units", &Scene::units, R"(["rpm", "deg", "g cm²/s"])",
               "units of charts and live numbers; each unit is used for the quantity that it "
               "measures, and a unit of angle also for rates (deg/s)")
             .default_is("SI")

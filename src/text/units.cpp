@@ -50,10 +50,14 @@ constexpr NamedUnit units[] = {
     {"degree", angle, "1/180", 1},
     {"degrees", angle, "1/180", 1},
     {"\u00b0", angle, "1/180", 1},
+    {"Grad", angle, "1/180", 1},  // German
     {"turn", angle, "2", 1},
     {"turns", angle, "2", 1},
     {"rev", angle, "2", 1},
     {"rpm", turning, "1/30", 1},
+    {"r/min", turning, "1/30", 1},
+    {"U/min", turning, "1/30", 1},   // German
+    {"tr/min", turning, "1/30", 1},  // French
     {"N", {1, 1, -2, 0}, "1"},
     {"mN", {1, 1, -2, 0}, "1e-3"},
     {"kN", {1, 1, -2, 0}, "1e3"},
@@ -191,6 +195,13 @@ std::optional<MeasuredExactly> measured_exactly(std::string_view text) {
 }
 
 }  // namespace
+
+std::string known_units() {
+    std::string names;
+    for (const NamedUnit& unit : units)
+        if (!unit.factor.empty()) names += (names.empty() ? "" : ", ") + std::string(unit.name);
+    return names;
+}
 
 std::optional<Unit> unit_named(std::string_view text) {
     Unit unit;

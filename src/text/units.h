@@ -29,6 +29,9 @@ struct Unit {
 // is not a unit, or has more than 16 names.
 std::optional<Unit> unit_named(std::string_view text);
 
+// The named units, for messages: "kg, g, mg, …".
+std::string known_units();
+
 // A number before its unit: "24 cm", "33 1/3 rpm", "1/3 m", "800g". The value is the double nearest
 // to the written value; with π, nearest to within 1e-80 of the spacing of doubles.
 struct Measured {

@@ -42,6 +42,16 @@ TEST(IdleKeys, TrailsNeedAPanelWithPaths) {
               Keys{});
 }
 
+TEST(IdleKeys, UnitsBelongToANumberThatIsShown) {
+    const auto units = [](const std::string& list) {
+        return idle_in("units = " + list + "\n", "");
+    };
+    EXPECT_EQ(units(R"(["rpm", "deg", "ms", "mJ", "g cm²/s"])"), Keys{});
+    EXPECT_EQ(units(R"(["U/min", "Grad"])"), Keys{});
+    EXPECT_EQ(units(R"(["1/min"])"), Keys{"units"});  // a rate, but not of rotation
+    EXPECT_EQ(units(R"(["deg", "g cm²", "cm"])"), (Keys{"units", "units"}));
+}
+
 TEST(IdleKeys, PathOfAnAxisNeedsATop) {
     const std::string fading = "[trail]\naxis = \"fading\"\nlength_s = 2.0\n";
     EXPECT_EQ(idle_in(fading), Keys{"trail.axis"});

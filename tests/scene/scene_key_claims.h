@@ -118,9 +118,9 @@ inline const Claims claims_of_rows{
     {"language",
      {"language = \"fr\"\n" + a_scene, [](const Scene& s) { return s.language == "fr"; }}},
     {"units",
-     {"units = [\"rpm\", \"g cm²\"]\n" + a_scene,
+     {"units = [\"rpm\", \"g cm²/s\"]\n" + a_scene,
       [](const Scene& s) {
-          return s.units == std::vector<std::string>{"rpm", "g cm²"};
+          return s.units == std::vector<std::string>{"rpm", "g cm²/s"};
       }}},
     {"symbols.omega",
      {with("symbols", "omega = '\\Omega'"),

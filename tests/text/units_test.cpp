@@ -33,6 +33,10 @@ TEST(Units, ConvertToTheNearestDouble) {
     EXPECT_EQ(in("60 rpm", "rad/s"), 2.0 * pi);
     EXPECT_EQ(in("360 deg/s", "rad/s"), 2.0 * pi);
     EXPECT_EQ(in("1 turn/min", "rad/s"), in("1 rpm", "rad/s"));
+    for (const char* rpm : {"1 U/min", "1 tr/min", "1 r/min", "1 rev/min"})
+        EXPECT_EQ(in(rpm, "rad/s"), in("1 rpm", "rad/s")) << rpm;
+    EXPECT_EQ(in("180 Grad", "rad"), pi);
+    EXPECT_EQ(in("3 1/min", "1/s"), 0.05);  // no rate of rotation
     EXPECT_EQ(in("30 deg", "degrees"), 30.0);
     EXPECT_EQ(in("3 mN m", "N m"), 0.003);
     EXPECT_EQ(in("7 1/s", "1/s"), 7.0);

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <initializer_list>
 #include <span>
 #include <string>
@@ -13,6 +14,7 @@
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "text/nearest.h"
+#include "text/units.h"
 
 namespace poinsot {
 
@@ -44,6 +46,7 @@ class UnusedKeys {
         add_elements();
         add_panels();
         add_marks();
+        add_units();
         return std::move(idle_);
     }
 
@@ -184,6 +187,22 @@ class UnusedKeys {
                 add(key, "no panel here shows the body itself; add a panel \"object\"");
             if (scene_.marks[i].trail && (on == "space" || !any(takes_mark_trails)))
                 add(key + ".trail", "this mark does not move in the panels here");
+        }
+    }
+
+    void add_units() {
+        // Of live numbers and charts.
+        constexpr std::array<std::string_view, 5> shown{"s", "rad", "rad/s", "J", "kg m²/s"};
+        for (const std::string& name : scene_.units) {
+            const auto measures = [unit = unit_named(name)](std::string_view quantity) {
+                return unit->dimension == unit_named(quantity)->dimension;
+            };
+            if (std::none_of(shown.begin(), shown.end(), measures))
+                add("units",
+                    fmt::format("\"{}\" is a unit of none of the numbers shown, which are times, "
+                                "angles, rates of rotation (rad/s, deg/s, rpm), energies (J) and "
+                                "angular momenta (kg m²/s)",
+                                name));
         }
     }
 
