@@ -8,6 +8,7 @@
 
 #include "scene/scene_error.h"
 #include "text/nearest.h"
+#include "text/numbers.h"
 #include "text/printable.h"
 #include "text/units.h"
 #include "text/utf8.h"
@@ -27,6 +28,17 @@ std::string_view measured_example(std::string_view unit) {
     if (unit == "kg/m³") return "2.7 g/cm³";
     if (unit == "N m") return "3 mN m";
     return "2 1/s";
+}
+
+// The text with a decimal point in place of a comma between two digits: "9,5 rad/s".
+std::string with_decimal_point(std::string text) {
+    const auto is_digit = [&text](std::size_t at) {
+        return at < text.size() && text[at] >= '0' && text[at] <= '9';
+    };
+    const std::size_t comma = text.find(',');
+    if (comma != std::string::npos && comma > 0 && is_digit(comma - 1) && is_digit(comma + 1))
+        text[comma] = '.';
+    return text;
 }
 
 }  // namespace
@@ -51,6 +63,13 @@ double GivenValue::measured_number(const TomlValue& value, const std::string& na
         throw SceneError(value.where,
                          fmt::format("{} is \"{}\"; give a finite number", name, printable(given)));
     }
+    const std::string with_point = with_decimal_point(given);
+    const bool is_plain = number_of<double>(with_point).has_value();
+    if (with_point != given && (is_plain || measured(with_point)))
+        throw SceneError(
+            value.where,
+            fmt::format("{0} is \"{1}\"; numbers have a decimal point: write {2}{3}{2}", name,
+                        printable(given), is_plain ? "" : "\"", printable(with_point)));
     const auto other = measured(given);
     throw SceneError(
         value.where,
