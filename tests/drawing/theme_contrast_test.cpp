@@ -49,5 +49,20 @@ TEST(Contrast, ConfusableColoursAreReported) {
     })) << notes.front();
 }
 
+// A theme for black and white is one decision, not a dozen.
+TEST(Contrast, ThemesOfOneColourCauseOneNote) {
+    Scene scene = a_scene();
+    scene.theme = "print";
+    for (const char* role : {"polhode", "herpolhode", "momentum", "omega", "rho", "e1", "e2", "e3"})
+        scene.style.looks[role] = look(0.0, 0.0, 0.0);
+    scene.locations["style.polhode"] = {"a.toml", 7, 1};
+    const std::vector<std::string> notes = contrast_notes(scene, theme_of(scene));
+    ASSERT_EQ(notes.size(), 1u) << notes[1];
+    EXPECT_EQ(
+        notes[0],
+        "a.toml:7:1: style.polhode: polhode, herpolhode, momentum, omega, rho, e1, e2, e3 have "
+        "one colour; only their names and shapes tell them apart");
+}
+
 }  // namespace
 }  // namespace poinsot::style_tests

@@ -1,6 +1,7 @@
 #include "drawing/style/theme_contrast.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <optional>
@@ -98,6 +99,10 @@ class ContrastChecks {
             {"psi", "theta"},
             {"energy", "potential"}};
         for (const auto& [a, b] : pairs) ask_difference(a, b);
+        for (const OneColour& group : one_colour_)
+            notes_.push_back(
+                fmt::format("{}{}: {} have one colour; only their names and shapes tell them apart",
+                            scene_.where(group.key), group.key, fmt::join(group.roles, ", ")));
     }
 
     // Adds one line per pair, for the kind of colour vision with the smallest difference.
@@ -113,14 +118,41 @@ class ContrastChecks {
                                                 });
         const double apart = difference(worst);
         if (apart >= 1.0) return;
+        if (colour(a) == colour(b) && n_of_colour(colour(a)) > 2)
+            return add_to_one_colour(*key, a, b);
         notes_.push_back(
             fmt::format("{}{}: {} and {} hardly differ{}: {:.2f} of the just-noticeable difference",
                         scene_.where(*key), *key, a, b, worst.eye, apart));
     }
 
+    // How many of the scene's own roles have this colour.
+    int n_of_colour(const Colour& colour) {
+        int n = 0;
+        for (const auto& [role, look] : scene_.style.looks)
+            n += look.srgb && *look_of(theme_, role).colour == colour ? 1 : 0;
+        return n;
+    }
+
+    // A theme of one colour gets one note instead of one for each pair.
+    void add_to_one_colour(const std::string& key, std::string_view a, std::string_view b) {
+        auto group = std::find_if(one_colour_.begin(), one_colour_.end(),
+                                  [&](const OneColour& each) { return each.colour == colour(a); });
+        if (group == one_colour_.end()) group = one_colour_.insert(group, {colour(a), key, {}});
+        for (const std::string_view role : {a, b})
+            if (std::find(group->roles.begin(), group->roles.end(), role) == group->roles.end())
+                group->roles.push_back(role);
+    }
+
+    struct OneColour {
+        Colour colour;
+        std::string key;
+        std::vector<std::string_view> roles;
+    };
+
     const Scene& scene_;
     Theme theme_;
     std::vector<std::string> notes_;
+    std::vector<OneColour> one_colour_;
 };
 
 }  // namespace
