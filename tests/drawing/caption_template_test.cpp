@@ -65,6 +65,18 @@ TEST(CaptionTemplate, BringsUnitsWhereTheNameHasNone) {
     EXPECT_EQ(expand_live_text("{theta}", angle), "30\u00b0");
 }
 
+TEST(CaptionTemplate, GroupsTheDigitsOfLargeNumbers) {
+    const std::array<LiveValue, 3> large{{{"L", 367568.37, "g cm\u00b2/s", true},
+                                          {"n", -12345678.0},
+                                          {"t", 9.96667, "s", true, ".2f"}}};
+    EXPECT_EQ(expand_live_text("{L:.2f}", large, ","), "367\\,568,37~g~cm\u00b2/s");
+    EXPECT_EQ(expand_live_text("{n:.0f}", large), "\u221212\\,345\\,678");
+    EXPECT_EQ(expand_live_text("{n:.1e}", large), "\u22121.2e+07");
+    EXPECT_EQ(printed("{T:.0f} {T}~mJ"), "2~J 2500~mJ");  // four digits stay together
+    // A number may have a format of its own.
+    EXPECT_EQ(expand_live_text("{t}, {t:.0f}", large), "9.97~s, 10~s");
+}
+
 TEST(CaptionTemplate, ShowsANumberInTheUnitBesideIt) {
     // However it is written.
     for (const char* unit :

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include "construction/montgomery_phase.h"
+#include "drawing/stage/type/clock_text.h"
 #include "error/error.h"
+#include "scene/film_clock.h"
 #include "text/languages.h"
 #include "text/nearest.h"
 #include "text/units.h"
@@ -40,6 +42,8 @@ std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant
         values.push_back({name, value * shown.per_SI, shown.name, true});
     };
     add("t", instant.time_s, "s");
+    const ClockText clock(scene.film.start_s, film_end_time_s(scene));
+    values.back().format = clock.format_in(unit_shown(scene.units, "s").per_SI);
     add("omega_1", omega[0], "rad/s");
     add("omega_2", omega[1], "rad/s");
     add("omega_3", omega[2], "rad/s");

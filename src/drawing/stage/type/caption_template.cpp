@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cctype>
 #include <functional>
 #include <optional>
@@ -38,6 +39,18 @@ bool is_number_format(std::string_view rest) {
     return rest.empty() || rest == "e" || rest == "f" || rest == "g";
 }
 
+// Digits with thin spaces between thousands, if there are five or more before the decimal point.
+std::string in_groups(std::string number) {
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    const auto first = std::find_if(number.begin(), number.end(), is_digit);
+    const auto end = std::find_if_not(first, number.end(), is_digit);
+    const auto begin = static_cast<std::size_t>(first - number.begin());
+    auto at = static_cast<std::size_t>(end - number.begin());
+    if (at < begin + 5) return number;
+    while (at > begin + 3) number.insert(at -= 3, "\\,");
+    return number;
+}
+
 std::string formatted(double value, std::string_view format, std::string_view decimal_mark,
                       std::size_t column) {
     if (!is_number_format(format)) {
@@ -47,7 +60,7 @@ std::string formatted(double value, std::string_view format, std::string_view de
     }
     // A minus sign instead of a hyphen, as in printed formulas.
     std::string digits = with_decimal_mark(
-        fmt::format(fmt::runtime(fmt::format("{{:{}}}", format)), value), decimal_mark);
+        in_groups(fmt::format(fmt::runtime(fmt::format("{{:{}}}", format)), value)), decimal_mark);
     if (!digits.empty() && digits.front() == '-') digits.replace(0, 1, "\u2212");
     return digits;
 }
@@ -108,13 +121,14 @@ std::string replaced(std::string_view text, std::span<const LiveValue> values,
         }
         const std::string_view inside = text.substr(i + 1, close - i - 1);
         const std::string_view name = inside.substr(0, inside.find(':'));
-        const std::string_view format =
-            name.size() < inside.size() ? inside.substr(name.size() + 1) : "g";
+        const bool has_format = name.size() < inside.size();
         const LiveValue* found = find_row(values, name);
         if (found == nullptr) {
             throw InputError(fmt::format("caption column {}: no number called \"{}\"{}", i + 2,
                                          printable(name), choose_instead(name, names_of(values))));
         }
+        const std::string_view format =
+            has_format ? inside.substr(name.size() + 1) : std::string_view(found->format);
         out += printed({*found, format, text.substr(close + 1), i});
         i = close;
     }

@@ -14,6 +14,7 @@ struct LiveValue {
     double value = 0.0;
     std::string unit{};        // of the value: "deg/s"
     bool brings_unit = false;  // whether the unit is printed; it is not where the name says it
+    std::string format = "g";  // used where the text gives none
 };
 
 // Replaces every {name} or {name:FORMAT} outside $formulas$ by its number; FORMAT is as in C++20's

@@ -45,6 +45,13 @@ ClockText::ClockText(double first_s, double last_s) {
         (largest_s > 0.0 && largest_s / unit_.seconds < std::pow(10.0, 2 - most_digits));
 }
 
+std::string ClockText::format_in(double per_s) const {
+    if (with_exponent_) return "g";
+    const double n_decimals = std::ceil(n_decimals_ - std::log10(unit_.seconds * per_s) - 1e-9);
+    constexpr double most = 15.0;  // of a double
+    return fmt::format(".{}f", static_cast<int>(std::clamp(n_decimals, 0.0, most)));
+}
+
 std::string ClockText::at(double time_s) const {
     const double value = time_s / unit_.seconds;
     std::string digits =

@@ -17,6 +17,10 @@ class ClockText {
     // most eight; else a power of ten.
     std::string at(double time_s) const;
 
+    // The format of the same instants in a caption, in a unit of which a second has `per_s`: ".2f",
+    // as fine as the clock.
+    std::string format_in(double per_s) const;
+
  private:
     TimeUnit unit_;
     int n_decimals_ = 2;
