@@ -66,6 +66,34 @@ TEST(Layout, TitlesEndBeforeTheClockInUprightPictures) {
     EXPECT_LT(upright_share, wide_share);
 }
 
+// A heading that is the name of a thing follows the scene's own name for it.
+TEST(Layout, HeadingsHaveTheScenesOwnNames) {
+    Scene scene = free_scene(generic_moments, generic_omega, "space");
+    scene.language = "de";
+    scene.panels.push_back({});
+    scene.panels[1].kind = "plan";
+    scene.panels[1].column = 1;
+    scene.grid.columns = {1.0, 1.0};
+    const auto headings = [&scene] {
+        std::vector<std::string> found;
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(1.0);
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels)
+                if (label.rank == rank_of_headings) found.push_back(label.mask->source.text);
+        return found;
+    };
+    using Headings = std::vector<std::string>;
+    EXPECT_EQ(headings(), (Headings{"Invariable Ebene", "Herpolhodie"}));
+    scene.symbols.things["invariable-plane"] = "feste Ebene";
+    scene.symbols.things["herpolhode"] = "ähnliche Kurve";
+    EXPECT_EQ(headings(), (Headings{"Feste Ebene", "Ähnliche Kurve"}));
+    // A name that is left out leaves the heading; a title of the panel's own has precedence.
+    scene.symbols.things["invariable-plane"] = "";
+    scene.panels[1].title = "Von oben";
+    EXPECT_EQ(headings(), (Headings{"Invariable Ebene", "Von oben"}));
+}
+
 // In reading order, whatever the order of the list.
 TEST(Layout, LettersOfPanelsFollowTheirPlaces) {
     Scene scene = free_scene(generic_moments, generic_omega, "body");

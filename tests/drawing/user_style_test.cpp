@@ -100,6 +100,14 @@ TEST(UserStyle, SymbolsReplaceTheDefaultNames) {
     Scene shown = free_scene(moments, omega, "body");
     shown.symbols.omega = "\\nosuch";
     EXPECT_THROW(StagedScene(shown, 1.0), InputError);
+    // The message names the place of this symbol, here an option of the command line.
+    shown.locations["symbols"] = {"a.toml", 6, 2};
+    shown.locations["symbols.omega"] = {"--set", 0, 0};
+    try {
+        StagedScene(shown, 1.0);
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()).find("a.toml"), std::string::npos) << error.what();
+    }
     shown.symbols.omega = "x";
     EXPECT_NO_THROW(StagedScene(shown, 1.0));
 }
@@ -135,11 +143,15 @@ TEST(UserStyle, LiveNumbersUseTheRequestedUnits) {
     EXPECT_EQ(live("{L:.3f}"), fmt::format("{:.3f}~kg~m\u00b2/s", 2.9 * 2.0 * std::numbers::pi));
     EXPECT_EQ(live("{L:.3f}"), live("{momentum:.3f}"));
     instant.time_s = 1.5;
-    EXPECT_EQ(live("{t}"), "1.5~s");
+    EXPECT_EQ(live("{t}"), "1.50~s");  // as the clock
     scene.units = {"deg", "ms"};
     EXPECT_EQ(live("{omega:.0f}, {t}"), "360~deg/s, 1500~ms");
     scene.language = "de";
     EXPECT_EQ(live("{omega:.1f}, {time_s:.2f}~s"), "360,0~deg/s, 1,50~s");
+    scene.units = {"U/min", "g cm²/s"};
+    EXPECT_EQ(live("{omega_3:.1f}, {t}"), "60,0~U/min, 1,50~s");
+    // 2.9·2π kg m²/s, in groups of three digits.
+    EXPECT_EQ(live("{L:.2f}"), "182\\,212\\,373,91~g~cm²/s");
 }
 
 TEST(UserStyle, AUnitThatDoesNotBelongToItsNumberIsNotedWithItsPlace) {

@@ -114,6 +114,37 @@ std::string letter_of(const Scene& scene, const std::vector<PanelSpec>& specs, s
     return fmt::format("({}) ", static_cast<char>('a' + before));
 }
 
+// Rejects a symbol that cannot be set where it is given; formulas contain it later.
+void check_symbols(const Scene& scene, StageStore& store) {
+    const SymbolsSpec& own = scene.symbols;
+    const std::pair<const char*, const std::string&> symbols[] = {
+        {"omega", own.omega}, {"momentum", own.momentum},
+        {"rho", own.rho},     {"e1", own.e1},
+        {"e2", own.e2},       {"e3", own.e3}};
+    for (const auto& [name, symbol] : symbols)
+        if (!symbol.empty())
+            at_scene_key(scene, fmt::format("symbols.{}", name),
+                         [&, &text = symbol] { store.text().typesetter().measure(text, {}); });
+}
+
+// A name as a heading: with a capital letter.
+std::string capitalised(std::string name) {
+    const auto byte = [&name](std::size_t at) { return static_cast<unsigned char>(name[at]); };
+    if (!name.empty() && name[0] >= 'a' && name[0] <= 'z') name[0] -= 'a' - 'A';
+    // U+00E0 to U+00FE but the division sign: their capitals are 32 before them.
+    const bool is_latin =
+        name.size() > 1 && byte(0) == 0xc3 && byte(1) >= 0xa0 && byte(1) <= 0xbe && byte(1) != 0xb7;
+    if (is_latin) name[1] = static_cast<char>(byte(1) - 0x20);
+    return name;
+}
+
+// The title of a kind of panel. If it is the name of a thing, the scene may give the name.
+std::string title_of(const Scene& scene, const PanelKind& kind) {
+    const auto own = scene.symbols.things.find(std::string(kind.titled_after));
+    if (own != scene.symbols.things.end() && !own->second.empty()) return capitalised(own->second);
+    return std::string(phrase_in(scene.language, kind.title));
+}
+
 // Rejects cells that are too small to show anything.
 void check_free_space(const Scene& scene, const PanelBox& box, std::size_t panel) {
     constexpr int least_px = 8;
@@ -277,6 +308,7 @@ void check_named_elements(const Scene& scene, const std::set<std::string, std::l
 std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
     const Scene& scene = stage.scene;
     const StageOptions& options = stage.options;
+    check_symbols(scene, store);
     const std::vector<PanelSpec> specs = panels_of(stage);
     const std::vector<const PanelKind*> kinds = kinds_of(scene, specs);
 
@@ -319,8 +351,7 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
         if (specs.size() > 1)
             header = header_of(
                 panel, store,
-                letter_of(scene, specs, index) +
-                    spec.title.value_or(std::string(phrase_in(scene.language, kind.title))));
+                letter_of(scene, specs, index) + spec.title.value_or(title_of(scene, kind)));
         // Errors of a chart refer to its quantity.
         if (spec.quantity.empty())
             kind.make(panel, store);

@@ -58,6 +58,8 @@ struct PanelKind {
     // The direction to its camera in axes of its own, where that of [camera] would mean nothing;
     // null: the panel has the axes of [camera].
     Eigen::Vector3d (*own_direction)(const Panel& panel) = nullptr;
+    // The thing whose name the title is, one of named_things; empty: of none.
+    std::string_view titled_after{};
 };
 
 std::span<const PanelKind> panel_kinds();

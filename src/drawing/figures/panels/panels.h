@@ -50,7 +50,7 @@ inline constexpr PanelKind panel_rows[] = {
      keeps_momentum, needs_turning, make_space_panel,
      takes_elements | takes_direction_marks | takes_marks_on_ellipsoid | takes_marks_in_space |
          takes_mark_trails | takes_comparison | takes_names | takes_measured,
-     CameraUse::all},
+     CameraUse::all, nullptr, "invariable-plane"},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", body_axes_title, true,
      keeps_momentum, needs_turning, make_body_panel,
      takes_curves | takes_spiral | takes_marks_on_ellipsoid | takes_comparison | takes_names |
@@ -58,7 +58,8 @@ inline constexpr PanelKind panel_rows[] = {
      CameraUse::direction, principal_view_direction},
     {"plan", "the herpolhode on the plane, seen along its normal", herpolhode_title, true, rolls,
      needs_free_turning, make_plan_panel,
-     takes_herpolhode | takes_direction_marks | takes_azimuth | takes_names | takes_measured},
+     takes_herpolhode | takes_direction_marks | takes_azimuth | takes_names | takes_measured,
+     CameraUse::none, nullptr, "herpolhode"},
     {"momentum",
      "the sphere of constant |L| and the energy ellipsoid, which meet in the path of L in body "
      "axes",
