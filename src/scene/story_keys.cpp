@@ -82,8 +82,12 @@ std::span<const SceneKey> story_keys() {
              "how each value changes on the way from the previous keyframe that sets it")
             .from_list("easings")
             .checked_by(easing_named),
-        text("keyframes[].view", keyframe(&KeyframeSpec::view), R"("front")",
-             "named view, which supplies the camera values that this keyframe does not set")
+        text(
+            "keyframes[].view", keyframe(&KeyframeSpec::view), R"("front")",
+            "named view, which gives the azimuth, elevation, distance, field of view and aim "
+            "unless "
+            "this keyframe gives them itself; like all values of keyframes they hold until a later "
+            "keyframe changes them (\"lecture\" leads back to the usual view)")
             .from_list("views")
             .checked_by(camera_view_named),
         integer("keyframes[].panel", keyframe(&KeyframeSpec::panel), within(0, 999), "0",
