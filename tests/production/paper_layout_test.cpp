@@ -149,6 +149,23 @@ TEST(PaperLayout, TallPanelsStandAboveTheOthers) {
 }
 
 // Title > headings > names > numbers, each of one size in the whole figure, at any size of labels.
+// Names and axes have no room in a panel of two centimetres: a note says so.
+TEST(PaperLayout, NarrowPanelsAreNoted) {
+    const auto narrow = [](std::vector<std::string> overrides) {
+        const std::string file = (source_folder() / "scenes/four_views.toml").string();
+        std::vector<std::string> found;
+        for (const std::string& note : session_at_column(file, std::move(overrides)).notes)
+            if (note.find("narrowest panel") != std::string::npos) found.push_back(note);
+        return found;
+    };
+    EXPECT_TRUE(narrow({}).empty());  // two panels of 42.5 mm
+    const std::vector<std::string> notes = narrow({"grid.columns=[1.0, 3.0]"});
+    ASSERT_EQ(notes.size(), 1u);
+    EXPECT_NE(notes[0].find("on a page 85 mm wide, the narrowest panel is 21 mm wide"),
+              std::string::npos)
+        << notes[0];
+}
+
 TEST(PaperLayout, SizesOfTypeFollowOneHierarchy) {
     for (const double type_pt : {7.0, default_type_pt, 12.0})
         for (const char* name : {"separatrix", "heavy_top_cusp", "four_views", "stable_largest"}) {

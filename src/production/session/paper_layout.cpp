@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <iterator>
+#include <numeric>
 #include <optional>
 #include <utility>
 
@@ -75,6 +78,34 @@ double stack_panels(const PrintSize& paper, Scene& scene) {
     return all_px;
 }
 
+// The width of the narrowest panel in pixels.
+double narrowest_panel(const Scene& scene, const PrintSize& paper) {
+    const std::vector<double>& columns = scene.grid.columns;
+    const double all = std::accumulate(columns.begin(), columns.end(), 0.0);
+    double least = 1.0;
+    for (const PanelSpec& panel : scene.panels) {
+        const auto first =
+            columns.begin() + std::min<std::ptrdiff_t>(panel.column, std::ssize(columns));
+        const auto last = first + std::min<std::ptrdiff_t>(panel.columns, columns.end() - first);
+        least = std::min(least, std::accumulate(first, last, 0.0) / all);
+    }
+    return least * paper.width_px;
+}
+
+// Notes panels that are too narrow for their names and axes.
+void note_narrow_panels(const Scene& scene, const PrintSize& paper,
+                        std::vector<std::string>& notes) {
+    constexpr double least_ems = 10.0;  // 30 mm with labels of 8.5 points
+    const double narrowest_px = narrowest_panel(scene, paper);
+    if (narrowest_px >= std::min(least_ems * label_size * paper.line_scale, 1.0 * paper.width_px))
+        return;
+    const double mm_per_px = 1000.0 / paper.pixels_per_metre;
+    notes.push_back(fmt::format(
+        "on a page {:.4g} mm wide, the narrowest panel is {:.2g} mm wide; give a larger width, or "
+        "put the panels in more rows ([grid])",
+        mm_per_px * paper.width_px, mm_per_px * narrowest_px));
+}
+
 }  // namespace
 
 void lay_out_on_paper(const PrintChoices& print, const FontSource& fonts, Scene& scene,
@@ -83,7 +114,10 @@ void lay_out_on_paper(const PrintChoices& print, const FontSource& fonts, Scene&
     if (!paper) return;
     scene.film.width_px = paper->width_px;
     scene.film.height_px = paper->height_px;
-    if (!print.width_mm || print.height_mm) return;
+    if (!print.width_mm || print.height_mm) {
+        note_narrow_panels(scene, *paper, notes);
+        return;
+    }
     // Title, caption and charts have text whose size is fixed in points.
     const double px = paper->line_scale;
     int& height_px = scene.film.height_px;
@@ -95,6 +129,7 @@ void lay_out_on_paper(const PrintChoices& print, const FontSource& fonts, Scene&
             "pairs; --height-mm keeps the scene's grid",
             *print.width_mm));
     } else {
+        note_narrow_panels(scene, *paper, notes);
         height_px += rows_added_by_type(scene, fonts, paper->width_px, px, paper->least);
         height_px +=
             rows_added_by_charts(scene, paper->width_px, height_px - overlays_px, px, paper->least);
