@@ -18,6 +18,7 @@ constexpr std::string_view signature = "% Written by poinsot: ";
 constexpr std::string_view preamble = R"(%
 % In the preamble:             \usepackage{{graphicx}}, and xcolor or color for colours
 % Where the figure belongs:    \input{{{0}}}
+% In another folder, FOLDER:   \graphicspath{{{{FOLDER/}}}} in the preamble, and \input{{FOLDER/{0}}}
 %
 % To change the width, write \def\figurewidth{{0.8\linewidth}} before \input; the size of type stays.
 % To change the size of type, define \poinsotsize (one argument, in big points) before \input.
