@@ -40,6 +40,12 @@ void for_each_list(View& view, const Function& function) {
     function(view.labels);
 }
 
+// Something that is shown without its name.
+struct UnnamedThing {
+    std::string_view name;
+    bool is_in_sight = true;  // false: too little of it is seen; true: there is no room
+};
+
 // A whole video frame or still, or a part that is drawn separately.
 struct Drawing {
     int width_px = 0, height_px = 0;
@@ -50,8 +56,8 @@ struct Drawing {
     std::vector<View> views;
     // Text for which a page had no space: running text with formulas.
     std::vector<std::string> left_out{};
-    // What is shown without its name, since there is no room for it.
-    std::vector<std::string_view> unnamed{};
+    // What is shown without its name.
+    std::vector<UnnamedThing> unnamed{};
 };
 
 }  // namespace poinsot

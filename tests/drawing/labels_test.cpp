@@ -57,6 +57,47 @@ TEST_F(Labels, DoNotOverlap) {
     }
 }
 
+// Where a film's label fades, a still's is whole or absent, and a report says so.
+TEST_F(Labels, OfStillsAreWholeOrAbsent) {
+    LabelRules still = rules(2.0);
+    still.is_still = true;
+    int n_whole = 0, n_absent = 0, n_faded = 0;
+    for (double presence = 0.05; presence < 1.0; presence += 0.1)
+        for (const double x : {400.0, 799.0, 810.0, 825.0}) {  // the last two are outside
+            LabelRequest one = request(x, 300, 1, 0);
+            one.opacity = presence;
+            view.labels.clear();
+            place_labels({one}, rules(2.0), view);
+            const double faded = view.labels.empty() ? 0.0 : view.labels[0].opacity;
+            n_faded += faded > 0.0 && faded < 1.0;
+            view.labels.clear();
+            const auto absent = place_labels({one}, still, view);
+            if (faded < 0.5) {
+                EXPECT_TRUE(view.labels.empty());
+                EXPECT_EQ(absent.size(), faded > 0.0 ? 1u : 0u);
+                for (const UnplacedLabel& each : absent) EXPECT_FALSE(each.is_in_sight);
+                ++n_absent;
+            } else {
+                ASSERT_EQ(view.labels.size(), 1u);
+                EXPECT_EQ(view.labels[0].opacity, 1.0);
+                EXPECT_TRUE(absent.empty());
+                ++n_whole;
+            }
+        }
+    EXPECT_GT(n_whole, 5);
+    EXPECT_GT(n_absent, 5);
+    EXPECT_GT(n_faded, 20);
+    // Without room, a label is absent as a whole, too.
+    view.labels.clear();
+    LabelRules taken = still;
+    for (double y = 0.0; y < 600.0; y += 25.0)
+        taken.overlays.push_back({{400.0, y}, {400.0, 12.0}});
+    const auto without_room = place_labels({request(400, 300, 1, 0)}, taken, view);
+    EXPECT_TRUE(view.labels.empty());
+    ASSERT_EQ(without_room.size(), 1u);
+    EXPECT_TRUE(without_room[0].is_in_sight);
+}
+
 TEST_F(Labels, StayInsideTheView) {
     place_labels({request(799, 300, 1, 0), request(0, 0, -1, -1)}, rules(3.0), view);
     for (const Label& label : view.labels) {

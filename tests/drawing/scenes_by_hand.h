@@ -2,6 +2,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -71,7 +72,9 @@ struct StagedScene {
     Motion motion;
     Stage stage;
 
-    StagedScene(const Scene& scene_, double last_time_s, double line_scale = 0.0)
+    // `is_still`: only the last instant is drawn, as a picture of its own.
+    StagedScene(const Scene& scene_, double last_time_s, double line_scale = 0.0,
+                bool is_still = false)
         : scene(scene_),
           motion(problem_of(scene)),
           stage(scene, theme_of(scene), motion,
@@ -80,6 +83,8 @@ struct StagedScene {
                  .line_scale = line_scale,
                  .first_time_s = scene.film.start_s,
                  .last_time_s = last_time_s,
+                 .first_shown_s = is_still ? std::optional(last_time_s) : std::nullopt,
+                 .is_still = is_still,
                  .fonts = installed_fonts()}) {}
 };
 

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <deque>
 #include <map>
@@ -10,8 +11,10 @@
 #include <string>
 
 #include "drawing/stage/marks.h"
+#include "drawing/stage/type/labels.h"
 #include "scene/scene.h"
 #include "scenes_by_hand.h"
+#include "shapes/projection.h"
 #include "text/languages.h"
 
 namespace poinsot::thing_names_tests {
@@ -160,6 +163,35 @@ TEST(ThingNames, MoveSmoothly) {
     RecordProperty("largest_px", static_cast<int>(largest_px));
 }
 
+// In a film a name fades with its curve; a still has it or says that it is absent.
+TEST(ThingNames, OfStillsAreWholeOrReportedAsAbsent) {
+    const Scene scene = rolling_scene();
+    const StagedScene film(scene, 10.0);
+    int n_faded = 0, n_hidden = 0;
+    for (int k = 0; k <= 25; ++k) {
+        const double time_s = 0.4 * k;
+        for (const auto& [name, label] : names_in(film.stage.at(time_s)))
+            n_faded += label.opacity < 0.99;
+        const StagedScene still(scene, time_s, 0.0, true);
+        const Drawing drawing = still.stage.at(time_s);
+        const auto names = names_in(drawing);
+        std::map<std::string_view, bool> in_sight;
+        for (const UnnamedThing& thing : drawing.unnamed) in_sight[thing.name] = thing.is_in_sight;
+        for (const View& view : drawing.views)
+            for (const Label& label : view.labels) EXPECT_EQ(label.opacity, 1.0) << time_s;
+        for (const char* name : {"polhode", "herpolhode", "inertia-ellipsoid", "invariable-plane"})
+            EXPECT_NE(names.contains(name), in_sight.contains(name)) << name << " " << time_s;
+        for (const auto& [name, seen] : in_sight) n_hidden += seen ? 0 : 1;
+        // At the start both curves are points.
+        if (k == 0) {
+            EXPECT_FALSE(in_sight.at("polhode"));
+            EXPECT_FALSE(in_sight.at("herpolhode"));
+        }
+    }
+    EXPECT_GT(n_faded, 3);
+    EXPECT_GT(n_hidden, 3);
+}
+
 TEST(ThingNames, WithoutRoomAreReported) {
     Scene scene = rolling_scene();
     scene.film.width_px = 240;
@@ -167,7 +199,8 @@ TEST(ThingNames, WithoutRoomAreReported) {
     const StagedScene staged(scene, 10.0);
     const Drawing drawing = staged.stage.at(5.0);
     const auto names = names_in(drawing);
-    std::set<std::string_view> told(drawing.unnamed.begin(), drawing.unnamed.end());
+    std::set<std::string_view> told;
+    for (const UnnamedThing& thing : drawing.unnamed) told.insert(thing.name);
     for (const char* name : {"polhode", "herpolhode", "inertia-ellipsoid", "invariable-plane"})
         EXPECT_TRUE(told.contains(name) || (names.contains(name) && names.at(name).opacity >= 0.5))
             << name;

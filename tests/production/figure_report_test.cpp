@@ -65,6 +65,39 @@ TEST(FigureReport, MeasuresLinesTypeContrastAndMargins) {
     EXPECT_NE(words.find("left out: \"ω₂\""), std::string::npos) << words;
 }
 
+// What fading makes of a colour is what the reader sees.
+TEST(FigureReport, MeasuresTheContrastOfFadedTypeAndLines) {
+    TextCache types(installed_fonts());
+    Drawing drawing = page_with(types);
+    View& view = drawing.views[0];
+    view.labels[0].opacity = 0.5;  // black: light of 0.5 on white
+    EXPECT_NEAR(report_on(drawing, 0.5).type_contrast, 1.05 / 0.55, 1e-6);
+    view.curves[0].opacity = 0.8;
+    EXPECT_NEAR(report_on(drawing, 0.5).line_contrast, 1.05 / 0.25, 1e-6);
+    EXPECT_EQ(report_on(drawing, 0.5).hidden_contrast, 0.0) << "nothing hides a line";
+    view.ellipsoids.emplace_back();
+    view.curves[0].hidden_opacity = 0.25;
+    const FigureReport report = report_on(drawing, 0.5);
+    EXPECT_NEAR(report.hidden_contrast, 1.05 / 0.85, 1e-6);
+    EXPECT_NE(in_words(report).find("lines 4.2 : 1, pale lines behind bodies 1.24 : 1"),
+              std::string::npos)
+        << in_words(report);
+    view.curves[0].hidden = HiddenStyle::dashed;
+    EXPECT_EQ(report_on(drawing, 0.5).hidden_contrast, 0.0);
+}
+
+TEST(FigureReport, SaysWhichNamesAreAbsent) {
+    TextCache types(installed_fonts());
+    Drawing drawing = page_with(types);
+    drawing.unnamed = {{"herpolhode"}, {"polhode", false}};
+    EXPECT_NE(in_words(report_on(drawing, 0.5))
+                  .find("the name of herpolhode, the name of polhode (too little in sight)"),
+              std::string::npos);
+    // Another panel has the name.
+    drawing.views[0].labels[0].name = {"polhode", 0, ""};
+    EXPECT_EQ(in_words(report_on(drawing, 0.5)).find("polhode (too"), std::string::npos);
+}
+
 // Where a body hides a line, its dashes are thinner than the line.
 TEST(FigureReport, CountsTheThinnerDashesOfHiddenLines) {
     TextCache types(installed_fonts());

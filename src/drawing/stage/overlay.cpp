@@ -215,6 +215,12 @@ struct TimedText {
     }
 };
 
+// In a still, text is whole or absent.
+double presence_of(const TimedText& text, const StageContext& stage, const FrameInput& instant) {
+    const double presence = text.presence(instant.film_s);
+    return stage.options.is_still ? whole_or_absent(presence) : presence;
+}
+
 // One of [[captions]], set.
 struct TimedCaption : TimedText {
     const TimedCaptionSpec* spec = nullptr;
@@ -265,7 +271,7 @@ Drawer make_chapters(const StageContext& stage, StageStore& store, const WideHal
     const double top = below_title(scene, OverlayRoom(stage));
     return [&stage, halo, chapters, top](const FrameInput& instant, ViewBuilder& builder) {
         for (const Chapter& chapter : chapters) {
-            const double presence = chapter.presence(instant.film_s);
+            const double presence = presence_of(chapter, stage, instant);
             if (!(presence > 0.0) || chapter.type.mask->width == 0) continue;
             add_text(stage, chapter.type, margin(stage), top + chapter.type.baseline_px,
                      rank_of_caption, halo.presence(instant.film_s), builder);
@@ -305,7 +311,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store, const W
     return [&stage, halo, captions, style, foot, head, &text = std::as_const(store).text()](
                const FrameInput& instant, ViewBuilder& builder) {
         for (const TimedCaption& caption : captions) {
-            const double presence = caption.presence(instant.film_s);
+            const double presence = presence_of(caption, stage, instant);
             if (!(presence > 0.0)) continue;
             const TextBlock type =
                 caption.still ? *caption.still

@@ -71,6 +71,7 @@ LabelRules label_rules(const StageContext& context, const StageStore& store, con
     rules.halo = context.theme.halo;
     rules.margin_px = 3.0 * px_per_pt(context);
     rules.segment = store.unit_segment();
+    rules.is_still = context.options.is_still;
     for (const Label& label : over.labels)
         if (!label.mask->letters.empty()) rules.overlays.push_back(label_box(label));
     return rules;
@@ -103,8 +104,8 @@ struct Stage::Contents {
         overlays = make_overlays(context, store, panels);
         check_targets(context, store, panels);
         const StageOptions& of = context.options;
-        const bool is_still = of.first_shown_s && *of.first_shown_s == of.last_time_s;
-        if (!is_still) choose_sides_of_names();
+        const bool is_one_instant = of.first_shown_s && *of.first_shown_s == of.last_time_s;
+        if (!is_one_instant) choose_sides_of_names();
     }
 
     // From instants all over the film, whichever part of it is made.
@@ -203,13 +204,13 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
             view.background.alpha = 0.0;
         }
         rules.halo_px = 4.0 * panel.px;
-        for (const ShapeName& label : place_labels(builder.requests, rules, view)) {
-            if (const std::string_view of = name_of_label(label); !of.empty())
-                drawing.unnamed.push_back(of);
+        for (const UnplacedLabel& label : place_labels(builder.requests, rules, view)) {
+            if (const std::string_view of = name_of_label(label.name); !of.empty())
+                drawing.unnamed.push_back({of, label.is_in_sight});
         }
-        for (const std::string_view name :
+        for (const UnnamedThing& thing :
              place_thing_names(panel, contents_->names[i], rules.overlays, view))
-            drawing.unnamed.push_back(name);
+            drawing.unnamed.push_back(thing);
         for (Label& label : view.labels) label.colour = letter_colour(context.theme, label.colour);
         follow_line_rules(line_rules(context, contents_->store), view);
         drawing.views.push_back(std::move(view));

@@ -22,6 +22,8 @@ struct StageOptions {
     double first_time_s = 0.0;  // the instants that are drawn lie between these; histories begin
     double last_time_s = 0.0;   // with the first and are made up to the last
     std::optional<double> first_shown_s{};  // no instant before it is drawn; else the first
+    // A single picture: names and leaders are whole or absent, instead of fading as in a film.
+    bool is_still = false;
     double loop_s = 0.0;  // after which the picture is the same again, seconds of motion; 0:
                           // it never is
     // Cameras to use instead of those that frame the motion, by panel; empty: none. Moving cameras

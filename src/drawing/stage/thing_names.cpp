@@ -189,6 +189,7 @@ struct Spot {
     Eigen::Vector2d anchor_px;
     LabelBox box;
     double spread_px = 0.0;
+    bool has_leader = true;
 };
 
 // Where the name of a thing may stand: a direction in the picture, and a level, from 0 (near) on.
@@ -220,12 +221,14 @@ class Spots {
         if (opacity_ > 0.0 && !grown.empty()) outline_ = grown;
         double length_px = 0.0;
         for (const VisiblePoint& point : outline_) length_px += point.weight_px;
+        is_shown_ = opacity_ > 0.0;
         // The name of a curve that grows appears with it.
         if (plane_ == nullptr) opacity_ *= smooth_step(length_px / (60.0 * px_));
     }
 
+    // Whether the view has the thing, seen or hidden.
+    bool is_shown() const { return is_shown_; }
     double opacity() const { return opacity_; }
-    bool has_leader() const { return plane_ == nullptr; }
 
     std::optional<Spot> at(double angle_rad, double level) const {
         const Eigen::Vector2d way(std::cos(angle_rad), std::sin(angle_rad));
@@ -253,7 +256,7 @@ class Spots {
         const Eigen::Vector3d at = plane_->centre + radius * (way.x() * along + way.y() * down);
         if (projection.depth(at) <= projection.near_depth) return std::nullopt;
         const Eigen::Vector2d px = projection.place(at);
-        return Spot{at, px, {px, half_}};
+        return Spot{at, px, {px, half_}, 0.0, false};
     }
 
     const View& view_;
@@ -262,6 +265,7 @@ class Spots {
     Outline outline_;
     const Plane* plane_ = nullptr;
     double opacity_ = 0.0;
+    bool is_shown_ = false;
 };
 
 struct PlacedName {
@@ -365,15 +369,19 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
     return names;
 }
 
-std::vector<std::string_view> place_thing_names(const Panel& panel,
-                                                const std::vector<ThingName>& names,
-                                                const std::vector<LabelBox>& overlays, View& view) {
-    std::vector<std::string_view> left_out;
+std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vector<ThingName>& names,
+                                            const std::vector<LabelBox>& overlays, View& view) {
+    std::vector<UnnamedThing> left_out;
+    const auto shown = [&panel](double opacity) {
+        return panel.stage->options.is_still ? whole_or_absent(opacity) : opacity;
+    };
     std::optional<Surroundings> around;  // made for the first name that the view shows
     for (const ThingName& name : names) {
         if (name.type.mask->width == 0) continue;
         const Spots spots(view, *name.thing, name.type, panel.px);
-        if (!(spots.opacity() > 0.0)) continue;
+        const double seen = shown(std::min(1.0, spots.opacity()));
+        if (spots.is_shown() && seen < 0.5) left_out.push_back({name.thing->name, false});
+        if (!(seen > 0.0)) continue;
         if (!around) around = surroundings_of(view, overlays, margin_of(panel), true);
         const NameSide side = name.side ? *name.side : best_side([&](const NameSide& each) {
             const auto spot = spots.at(each.angle_rad, each.level);
@@ -381,22 +389,23 @@ std::vector<std::string_view> place_thing_names(const Panel& panel,
                         : std::numeric_limits<double>::infinity();
         });
         const auto placed = placed_at(spots, *name.thing, side, *around);
-        if (!placed || placed->room < 0.5) left_out.push_back(name.thing->name);
-        if (!placed || !(placed->room > 0.0)) continue;
+        const double room = placed ? shown(placed->room) : 0.0;
+        if (room < 0.5) left_out.push_back({name.thing->name});
+        if (!(room > 0.0)) continue;
         Label label;
         label.mask = name.type.mask;
         label.top_left_px = placed->spot.box.centre_px - placed->spot.box.half_px + name.offset_px;
         label.colour = name.colour;
         label.halo_colour = panel.stage->theme.halo;
         label.halo_px = 4.0 * panel.px;
-        label.opacity = placed->room * std::min(1.0, spots.opacity());
+        label.opacity = room * seen;
         label.rank = rank_of_things;
         label.at = placed->spot.at;
         label.name = {name.thing->name, 0, ""};
         view.labels.push_back(label);
         const LabelBox box = label_box(label);
         around->labels.push_back(box);
-        if (!spots.has_leader()) continue;
+        if (!placed->spot.has_leader) continue;
         const Leader leader{.at = placed->spot.at,
                             .from_px = placed->spot.anchor_px,
                             .to = box,
@@ -404,9 +413,10 @@ std::vector<std::string_view> place_thing_names(const Panel& panel,
                             .width_px = 1.6 * panel.px,
                             .name = {name.thing->name, 0, "leader"}};
         const double away_px = box.distance(leader.from_px);
-        add_leader(leader,
-                   label.opacity * smooth_step((away_px - 20.0 * panel.px) / (14.0 * panel.px)),
-                   panel.unit_segment, view);
+        add_leader(
+            leader,
+            label.opacity * shown(smooth_step((away_px - 20.0 * panel.px) / (14.0 * panel.px))),
+            panel.unit_segment, view);
     }
     return left_out;
 }

@@ -38,11 +38,10 @@ struct ThingName {
 std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store);
 
 // Adds the names of what the view shows to its labels. Its other labels are placed already;
-// `overlays` are boxes of text over all panels. Returns the things that are shown but whose names
-// have no room.
-std::vector<std::string_view> place_thing_names(const Panel& panel,
-                                                const std::vector<ThingName>& names,
-                                                const std::vector<LabelBox>& overlays, View& view);
+// `overlays` are boxes of text over all panels. Returns the things that are shown without their
+// names.
+std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vector<ThingName>& names,
+                                            const std::vector<LabelBox>& overlays, View& view);
 
 // A view whose labels are placed, without the names of things, and the boxes that are taken
 // besides: at first those of the text over all panels.

@@ -172,6 +172,7 @@ struct PictureRegions::Contents {
             span.last_time_s = *record.time_s;
             span.first_shown_s = record.time_s;
         }
+        span.is_still = record.time_s && record.names != fading_names;
         const PrintChoices print = print_of(record);
         if (record.page.empty())
             picture.emplace(session, span, print);

@@ -126,6 +126,7 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
     still.print.dpi = record.dpi;
     still.print.type_pt = record.type_pt;
     if (!record.journal.empty()) set_least_sizes(journal_named(record.journal), still.print);
+    still.names_fade = record.names == fading_names;
     still.bit_depth = record.bit_depth;
     if (!record.shading.empty()) still.vectors.shading = record.shading;
     if (!record.lettering.empty()) still.vectors.text = record.lettering;

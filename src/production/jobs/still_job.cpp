@@ -72,10 +72,12 @@ FilmTime moment_for(const Session& session, const StillRequest& request) {
 // The histories start with the film. They end at the instant, or with the film of which the picture
 // is a frame.
 PictureSpan span_of(const Session& session, const StillRequest& request, double time_s) {
-    if (request.frame) return whole_film(film_plan(session));
-    return {.first_time_s = std::min(film_plan(session).start_s, time_s),
-            .last_time_s = time_s,
-            .first_shown_s = time_s};
+    PictureSpan span{.first_time_s = std::min(film_plan(session).start_s, time_s),
+                     .last_time_s = time_s,
+                     .first_shown_s = time_s};
+    if (request.frame) span = whole_film(film_plan(session));
+    span.is_still = !request.names_fade;
+    return span;
 }
 
 // The pixels of a drawing of surfaces alone.
@@ -150,6 +152,7 @@ Record StillJob::record() const {
 
 void StillJob::add_moment(Record& record) const {
     record.time_s = moment_.time_s;
+    if (request_.names_fade) record.names = fading_names;
     if (!request_.frame) return;
     record.frame = request_.frame;
     record.film_frames = film_plan(session_).n_frames;

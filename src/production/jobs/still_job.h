@@ -29,6 +29,8 @@ struct StillRequest {
     // The picture is this frame of the film, with the film's histories and places of names; time_s
     // must be empty.
     std::optional<std::int64_t> frame{};
+    // Names fade as in the film, for a picture beside which the film is seen.
+    bool names_fade = false;
     std::vector<std::optional<Camera>> views{};  // as in StageOptions
 };
 

@@ -17,6 +17,9 @@
 
 namespace poinsot {
 
+// In Record::names: names fade as in the film.
+inline constexpr std::string_view fading_names = "fading";
+
 struct Record {
     std::string version;     // of poinsot
     std::string scene_name;  // the scene file's stem
@@ -40,6 +43,8 @@ struct Record {
     // Of slides: the number of frames of the whole film. `frame` is the number of a still's frame.
     // The first and last frames of a slide's film are encoded independently of the others.
     std::optional<std::int64_t> film_frames;
+    std::string
+        names;  // of a still that is a frame of the film: fading_names; empty: whole or absent
     std::string pixels;     // of a picture, hash; see image/pixels_xxh64.h
     std::string packets;    // of a film, hash; see output/film_packets.h
     std::string file;       // of a film, hash; see output/film_file_hash.h; a GIF needs none

@@ -130,6 +130,7 @@ constexpr RecordField field_table[] = {
     frames_field<&Record::run>("run"),
     number_field<&Record::frame>("frame"),
     number_field<&Record::film_frames>("film-frames"),
+    text_field<&Record::names>("names"),
     text_field<&Record::sheet>("sheet"),
     text_field<&Record::as_read>("scene-as-read"),
     text_field<&Record::pixels>("pixels-xxh64"),

@@ -41,6 +41,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.views = setting.views;
     options.fonts = session.fonts;
     options.first_shown_s = span.first_shown_s;
+    options.is_still = span.is_still;
     options.loop_s = session.loop ? session.loop->loop_s : 0.0;
     // In pixels of the rendered picture, which is `samples` times as large as the final one.
     options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
@@ -62,19 +63,28 @@ void tell_stage_notes(const Stage& stage, const ProgressSink& progress) {
 
 void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments,
                   const ProgressSink& progress) {
-    std::set<std::string_view> unnamed, named;
+    std::set<std::string_view> no_room, out_of_sight, named;
     for (const FilmTime& moment : moments) {
         const Drawing drawing = stage.at(moment);
-        unnamed.insert(drawing.unnamed.begin(), drawing.unnamed.end());
+        for (const UnnamedThing& thing : drawing.unnamed)
+            (thing.is_in_sight ? no_room : out_of_sight).insert(thing.name);
         for (const View& view : drawing.views)
             for (const Label& label : view.labels) named.insert(name_of_label(label.name));
     }
-    std::erase_if(unnamed, [&named](std::string_view name) { return named.contains(name); });
-    if (unnamed.empty()) return;
-    progress.say(
-        fmt::format("note: no room for the name of {}: make the picture larger or the camera "
-                    "nearer, or say in `names` which names to show",
-                    fmt::join(unnamed, ", ")));
+    std::erase_if(no_room, [&](std::string_view name) { return named.contains(name); });
+    std::erase_if(out_of_sight, [&](std::string_view name) {
+        return named.contains(name) || no_room.contains(name);
+    });
+    if (!no_room.empty())
+        progress.say(
+            fmt::format("note: no room for the name of {}: make the picture larger or the camera "
+                        "nearer, or say in `names` which names to show",
+                        fmt::join(no_room, ", ")));
+    if (!out_of_sight.empty())
+        progress.say(fmt::format(
+            "note: no name for {}, of which too little is in sight: choose another {}camera, or "
+            "say in `names` which names to show",
+            fmt::join(out_of_sight, ", "), moments.size() == 1 ? "instant or " : ""));
 }
 
 PictureBound bound_of(const Session& session, const Stage& stage, int samples) {

@@ -18,6 +18,7 @@ struct PictureSpan {
     double first_time_s = 0.0;
     double last_time_s = 0.0;
     std::optional<double> first_shown_s{};  // no picture is earlier; else the first
+    bool is_still = false;                  // as in StageOptions
 };
 
 // The span of a whole film.
@@ -50,7 +51,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
 // them.
 void tell_stage_notes(const Stage& stage, const ProgressSink& progress);
 
-// Reports names that have no room at any of these instants.
+// Reports names that are drawn at none of these instants, and why.
 void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments,
                   const ProgressSink& progress);
 

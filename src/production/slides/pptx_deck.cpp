@@ -92,6 +92,7 @@ void draw_posters(const Session& session, const PosterFrames& posters, const Sli
         StillRequest still;
         still.output = aside.file(name).string();
         still.frame = frame;
+        still.names_fade = true;
         StillJob(Session(session), std::move(still)).draw(renderer, writer, {});
     }
     writer.finish();

@@ -126,6 +126,7 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
         StillRequest still;
         still.output = aside.file(slide_file(i, suffix)).string();
         still.frame = slides[i].last_frame;
+        still.names_fade = !is_vector_name(still.output);
         still.print = print;
         StillJob(Session(of), std::move(still)).draw(renderer, writer, {});
     };

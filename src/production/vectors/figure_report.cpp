@@ -4,7 +4,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
+#include <string_view>
 
+#include "colour/srgb.h"
+#include "drawing/stage/marks.h"
 #include "drawing/style/colour_vision.h"
 #include "production/session/print_size.h"
 #include "shapes/projection.h"
@@ -19,12 +23,22 @@ void lower(double& least, double value) {
     if (value > 0.0 && (!(least > 0.0) || value < least)) least = value;
 }
 
-// The contrast of a colour with the end of the background's gradient that is more like it.
-double contrast_with(const Background& page, const Colour& colour) {
-    return std::min(contrast(colour, page.top), contrast(colour, page.bottom));
+// The contrast of ink with the end of the background's gradient that is more like it. The page
+// shines through ink that is not opaque, in linear light.
+double contrast_with(const Background& page, const Colour& ink, double opacity) {
+    const auto blended = [opacity](double over, double under) {
+        return srgb_from_linear(opacity * linear_from_srgb(over) +
+                                (1.0 - opacity) * linear_from_srgb(under));
+    };
+    const auto on = [&](const Colour& under) {
+        return contrast({blended(ink.r, under.r), blended(ink.g, under.g), blended(ink.b, under.b)},
+                        under);
+    };
+    return std::min(on(page.top), on(page.bottom));
 }
 
-// Shapes below the first opacity are ignored; contrast is measured only of lines above the second.
+// Shapes below the first opacity are ignored. Lines over the figure, such as leaders, cursors and
+// rules of charts, are pale by intention: their contrast is measured only above the second.
 constexpr double visible = 0.2, opaque = 0.95;
 
 void measure_type(const Drawing& drawing, const View& view, double pt_per_px,
@@ -39,7 +53,8 @@ void measure_type(const Drawing& drawing, const View& view, double pt_per_px,
         lower(report.least_type_pt, pt * em_px);
         for (const MaskLetter& letter : label.mask->letters)
             if (letter.em_px < full * em_px) lower(report.least_script_pt, pt * letter.em_px);
-        lower(report.type_contrast, contrast_with(drawing.background, label.colour));
+        lower(report.type_contrast,
+              contrast_with(drawing.background, label.colour, std::min(label.opacity, 1.0)));
         const Eigen::Vector2d corner =
             label.top_left_px + Eigen::Vector2d(label.mask->width_px(), label.mask->height_px());
         report.margin_pt = std::min({report.margin_pt, pt_per_px * label.top_left_px.minCoeff(),
@@ -50,21 +65,28 @@ void measure_type(const Drawing& drawing, const View& view, double pt_per_px,
 
 void measure_lines(const Drawing& drawing, const View& view, double pt_per_px,
                    FigureReport& report) {
-    const auto see = [&](const Colour& colour, double opacity) {
-        if (opacity >= opaque)
-            lower(report.line_contrast, contrast_with(drawing.background, colour));
+    const bool has_solids = !view.ellipsoids.empty() || !view.planes.empty() ||
+                            !view.cones.empty() || !view.meshes.empty();
+    const auto see = [&](const auto& line, bool turns_pale) {
+        const double opacity = std::min(line.opacity, 1.0);
+        const bool is_in_space = line.occlusion == Occlusion::by_solids;
+        if (is_in_space || opacity >= opaque)
+            lower(report.line_contrast, contrast_with(drawing.background, line.colour, opacity));
+        const double behind = opacity * line.hidden_opacity;
+        if (is_in_space && turns_pale && has_solids && behind > 0.0)
+            lower(report.hidden_contrast, contrast_with(drawing.background, line.colour, behind));
     };
     for (const Curve& curve : view.curves) {
         if (curve.geometry == nullptr || curve.opacity < visible) continue;
         const bool thins = curve.hidden == HiddenStyle::dashed && !curve.stands_for_hidden;
         lower(report.least_line_pt,
               pt_per_px * curve.width_px * (thins ? curve.hidden_share : 1.0));
-        see(curve.colour, curve.opacity);
+        see(curve, curve.hidden == HiddenStyle::dimmed);
     }
     for (const Arrow& arrow : view.arrows) {
         if (arrow.opacity < visible) continue;
         lower(report.least_line_pt, pt_per_px * arrow.shaft_px);
-        see(arrow.colour, arrow.opacity);
+        see(arrow, true);
         for (const Eigen::Vector3d& end : {arrow.tail, arrow.tip}) {
             const Projected seen = project(view, end);
             if (!(seen.depth > 0.0)) continue;
@@ -95,8 +117,15 @@ FigureReport report_on(const Drawing& drawing, double pt_per_px) {
     }
     for (const std::string& text : drawing.left_out)
         report.left_out.push_back(fmt::format("\"{}\"", plain_text(text)));
-    for (const std::string_view name : drawing.unnamed)
-        report.left_out.push_back(fmt::format("the name of {}", name));
+    std::set<std::string_view> named;
+    for (const View& view : drawing.views)
+        for (const Label& label : view.labels) named.insert(name_of_label(label.name));
+    for (const UnnamedThing& thing : drawing.unnamed) {
+        // Another panel may have the name.
+        if (named.contains(thing.name)) continue;
+        report.left_out.push_back(fmt::format("the name of {}{}", thing.name,
+                                              thing.is_in_sight ? "" : " (too little in sight)"));
+    }
     return report;
 }
 
@@ -110,9 +139,12 @@ std::string in_words(const FigureReport& report) {
     words +=
         fmt::format("least type: {}; sub- and superscripts: {}\n",
                     or_none(report.least_type_pt, " pt"), or_none(report.least_script_pt, " pt"));
-    words +=
-        fmt::format("least contrast with the page: type {}, lines {}\n",
-                    or_none(report.type_contrast, " : 1"), or_none(report.line_contrast, " : 1"));
+    words += fmt::format(
+        "least contrast with the page: type {}, lines {}{}\n",
+        or_none(report.type_contrast, " : 1"), or_none(report.line_contrast, " : 1"),
+        report.hidden_contrast > 0.0
+            ? fmt::format(", pale lines behind bodies {:.3g} : 1", report.hidden_contrast)
+            : "");
     words += fmt::format("least margin of type and arrows: {:.3g} pt\n", report.margin_pt);
     std::string left_out;
     for (const std::string& one : report.left_out)

@@ -233,7 +233,8 @@ void add_leader_of(const LabelRequest& request, const Label& label, double befor
     const LabelBox box = label_box(label);
     const double distance = (box.nearest(request.anchor_px) - request.anchor_px).norm();
     const double height = 2.0 * box.half_px.y();
-    const double presence = smooth_step((distance - before_px - 0.35 * height) / (0.4 * height));
+    double presence = smooth_step((distance - before_px - 0.35 * height) / (0.4 * height));
+    if (rules.is_still) presence = whole_or_absent(presence);
     add_leader({.at = *request.at,
                 .from_px = request.anchor_px,
                 .to = box,
@@ -245,15 +246,18 @@ void add_leader_of(const LabelRequest& request, const Label& label, double befor
 
 }  // namespace
 
-std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
-                                    const LabelRules& rules, View& view) {
-    std::vector<ShapeName> left_out;
+std::vector<UnplacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                        const LabelRules& rules, View& view) {
+    std::vector<UnplacedLabel> left_out;
     const std::vector<Shaft> shafts = shafts_of(view);
     // What labels are moved off: text that is placed already.
     std::vector<LabelBox> fixed = rules.overlays;
     for (const Label& label : view.labels) fixed.push_back(label_box(label));
     std::vector<LabelBox> boxes;
     std::vector<double> gaps;  // requested distance between the named point and the label
+    const auto shown = [&rules](double opacity) {
+        return rules.is_still ? whole_or_absent(opacity) : opacity;
+    };
     boxes.reserve(requests.size());
     gaps.reserve(requests.size());
     for (const LabelRequest& request : requests) {
@@ -287,9 +291,10 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
                 const double nearness = between.cwiseQuotient(sum).norm();
                 // NaN for two omitted labels.
                 if (!(nearness < 1.0)) continue;
-                const Eigen::Vector2d push =
-                    0.5 * (1.0 - nearness) * between.cwiseQuotient(sum).cwiseProduct(sum) /
-                    std::max(nearness, 1e-3) * requests[i].opacity * requests[j].opacity;
+                const Eigen::Vector2d push = 0.5 * (1.0 - nearness) *
+                                             between.cwiseQuotient(sum).cwiseProduct(sum) /
+                                             std::max(nearness, 1e-3) * shown(requests[i].opacity) *
+                                             shown(requests[j].opacity);
                 boxes[i].centre_px -= 0.5 * push;
                 boxes[j].centre_px += 0.5 * push;
             }
@@ -316,7 +321,8 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
         label.halo_px = rules.halo_px;
         label.name = requests[i].name;
         label.at = requests[i].at;
-        label.opacity = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
+        const double present = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
+        label.opacity = shown(present);
         // What cannot be moved apart: the later label fades out.
         const LabelBox placed{corner + boxes[i].half_px, boxes[i].half_px};
         const double asked = label.opacity;
@@ -332,7 +338,10 @@ std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
             label.opacity *= 1.0 - other.opacity * smooth_step(-placed.distance(other) /
                                                                (0.2 * boxes[i].half_px.y()));
         }
-        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back(requests[i].name);
+        label.opacity = shown(label.opacity);
+        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back({requests[i].name});
+        if (rules.is_still && present > 0.0 && !(asked > 0.0))
+            left_out.push_back({requests[i].name, false});
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
         fixed.push_back(label_box(label));

@@ -142,13 +142,25 @@ struct LabelRules {
     double margin_px = 6.0;  // from the edges of the view
     const CurveGeometry* segment = nullptr;
     std::vector<LabelBox> overlays{};
+    bool is_still = false;  // labels and leaders are whole or absent
 };
+
+// The opacity in a still of a label or leader that fades in a film.
+inline double whole_or_absent(double opacity) { return opacity < 0.5 ? 0.0 : 1.0; }
+
+// A requested label that is not drawn, or less than half.
+struct UnplacedLabel {
+    ShapeName name;
+    bool is_in_sight = true;  // false: what it names has faded out or left the view
+};
+
 // Adds the requested labels to the view: each is placed, moved off the shafts of arrows that it
 // does not name, moved apart from labels that it overlaps and off the text in `overlays` and in the
 // view, and kept inside the view. Labels that end up away from their requested position get
-// leaders: lines along `segment` (from the origin to x; null: no leaders). Returns the
-// names of those that fade out because there is no room beside arrowheads and other labels.
-std::vector<ShapeName> place_labels(const std::vector<LabelRequest>& requests,
-                                    const LabelRules& rules, View& view);
+// leaders: lines along `segment` (from the origin to x; null: no leaders). Returns those
+// that fade out because there is no room beside arrowheads and other labels, and in a still also
+// those that what they name takes along as it fades out.
+std::vector<UnplacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                        const LabelRules& rules, View& view);
 
 }  // namespace poinsot
