@@ -192,6 +192,36 @@ TEST(ThingNames, OfStillsAreWholeOrReportedAsAbsent) {
     EXPECT_GT(n_hidden, 3);
 }
 
+// The line of a name ends at its thing, and touches no other label, which it would seem to name.
+TEST(ThingNames, HaveLeadersThatTouchNoOtherLabel) {
+    Scene scene = free_scene({0.052, 0.043, 0.011}, {2.0, 9.0, 4.0}, "space");
+    scene.names.reset();
+    scene.film.width_px = 1016;  // 86 mm at 300 dpi
+    scene.film.height_px = 571;
+    int n_leaders = 0;
+    for (int k = 1; k <= 20; ++k) {
+        const StagedScene still(scene, 0.2 * k, 300.0 / 72.0 / 4.0, true);
+        const Drawing drawing = still.stage.at(0.2 * k);
+        const View& view = drawing.views.front();
+        for (const Curve& curve : view.curves) {
+            if (curve.name.part != "leader" || curve.name.element == "axes") continue;
+            const bool is_of_thing = std::find(named_things.begin(), named_things.end(),
+                                               curve.name.element) != named_things.end();
+            if (!is_of_thing) continue;
+            ++n_leaders;
+            const Eigen::Vector2d from = project(view, curve.placement.translation()).px;
+            const Eigen::Vector2d to =
+                project(view, curve.placement * Eigen::Vector3d::UnitX().eval()).px;
+            for (const Label& label : view.labels)
+                if (label.name.element != curve.name.element) {
+                    EXPECT_LT(label_box(label).length_inside(from, to), 2.0)
+                        << curve.name.element << " at " << 0.2 * k;
+                }
+        }
+    }
+    EXPECT_GT(n_leaders, 5);
+}
+
 TEST(ThingNames, WithoutRoomAreReported) {
     Scene scene = rolling_scene();
     scene.film.width_px = 240;

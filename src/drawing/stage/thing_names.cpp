@@ -172,7 +172,16 @@ double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing
         for (const Ellipsoid& ellipsoid : view.ellipsoids) {
             if (ellipsoid.opacity < 0.4) continue;
             const double nearness = nearness_to_ellipsoid(view, ellipsoid, box.centre_px);
-            cost += 1.2 * ellipsoid.presence * smooth_step((1.25 - nearness) / 0.3);
+            double on_body = smooth_step((1.25 - nearness) / 0.3);
+            // The end of a long name may lie on the body, too.
+            if (ellipsoid.name.element != thing.element)
+                for (const double side : {-1.0, 1.0}) {
+                    const Eigen::Vector2d end_px =
+                        box.centre_px + Eigen::Vector2d(side * box.half_px.x(), 0.0);
+                    const double end = nearness_to_ellipsoid(view, ellipsoid, end_px);
+                    on_body = std::max(on_body, smooth_step((1.05 - end) / 0.15));
+                }
+            cost += 1.2 * ellipsoid.presence * on_body;
         }
     // On another thing's cone it would be read as that cone's name.
     for (const Cone& cone : view.cones) {
@@ -229,6 +238,16 @@ class Spots {
     // Whether the view has the thing, seen or hidden.
     bool is_shown() const { return is_shown_; }
     double opacity() const { return opacity_; }
+    // The visible point of the thing that is nearest to a box; null if there is none.
+    const VisiblePoint* nearest(const LabelBox& box) const {
+        const auto far = [&box](const VisiblePoint& point) {
+            return (box.nearest(point.px) - point.px).squaredNorm();
+        };
+        const auto found = std::min_element(
+            outline_.begin(), outline_.end(),
+            [&far](const VisiblePoint& a, const VisiblePoint& b) { return far(a) < far(b); });
+        return found == outline_.end() ? nullptr : &*found;
+    }
 
     std::optional<Spot> at(double angle_rad, double level) const {
         const Eigen::Vector2d way(std::cos(angle_rad), std::sin(angle_rad));
@@ -252,7 +271,10 @@ class Spots {
         along.normalize();
         Eigen::Vector3d down = plane_->normal.cross(along);
         if (down.dot(projection.down) < 0.0) down = -down;
-        const double radius = plane_->radius * plane_->fade_from * (0.95 - 0.25 * level);
+        // The second place is outside of the first, where the plane begins to fade; the last one
+        // is under the body.
+        const double share = level > 1.0 ? 0.95 - 0.25 * level : 0.95 + 0.3 * level;
+        const double radius = plane_->radius * plane_->fade_from * share;
         const Eigen::Vector3d at = plane_->centre + radius * (way.x() * along + way.y() * down);
         if (projection.depth(at) <= projection.near_depth) return std::nullopt;
         const Eigen::Vector2d px = projection.place(at);
@@ -289,11 +311,24 @@ double preference_cost(const NamedThing& thing, double angle, double level) {
            0.25 * (0.5 + 0.5 * from_preferred / std::numbers::pi) + 0.45 * level;
 }
 
+// A leader that touches another label would name that label's thing.
+double leader_cost(const Spot& spot, const Surroundings& around) {
+    if (!spot.has_leader) return 0.0;
+    const double height = 2.0 * spot.box.half_px.y();
+    const Eigen::Vector2d end_px = spot.box.nearest(spot.anchor_px);
+    double cost = 0.0;
+    for (const LabelBox& other : around.labels) {
+        const double touched_px = other.length_inside(spot.anchor_px, end_px);
+        cost += 3.0 * other.opacity * smooth_step(touched_px / (0.5 * height));
+    }
+    return cost;
+}
+
 double cost_at(const Spot& spot, const NamedThing& thing, const NameSide& side,
                const Surroundings& around) {
     const double spread = 2.0 * smooth_step(spot.spread_px / (4.0 * spot.box.half_px.y()) - 0.5);
     return preference_cost(thing, side.angle_rad, side.level) + spread +
-           cost_of(spot.box, around, thing);
+           cost_of(spot.box, around, thing) + leader_cost(spot, around);
 }
 
 // The side with the least sum of costs; `cost` of a side: infinite if it has no place.
@@ -406,8 +441,10 @@ std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vecto
         const LabelBox box = label_box(label);
         around->labels.push_back(box);
         if (!placed->spot.has_leader) continue;
-        const Leader leader{.at = placed->spot.at,
-                            .from_px = placed->spot.anchor_px,
+        // A name that was moved by hand may be nearer to another point of its thing.
+        const VisiblePoint* const nearest = name.offset_px.isZero() ? nullptr : spots.nearest(box);
+        const Leader leader{.at = nearest != nullptr ? nearest->at : placed->spot.at,
+                            .from_px = nearest != nullptr ? nearest->px : placed->spot.anchor_px,
                             .to = box,
                             .colour = name.colour,
                             .width_px = 1.6 * panel.px,
