@@ -392,6 +392,7 @@ TEST(VectorStill, LatexSetsTheTextOfAFigureWithoutAny) {
     for (const char* part : {"\\includegraphics[width=\\unitlength]{fig.pdf}", "\\begin{picture}",
                              "The invariable plane", "\\rho", "\\sqrt{2T}"})
         EXPECT_TRUE(contains(tex, part)) << part;
+    EXPECT_TRUE(contains(tex, "\\graphicspath{{FOLDER/}} in the preamble, and \\input{FOLDER/fig}"));
     // It may replace its own file, but not another's.
     EXPECT_EQ(run_program_in(folder, still + "fig.pdf").code, 0);
     folder.write("paper.tex", "\\documentclass{article}\n");
@@ -446,6 +447,21 @@ TEST(VectorStill, AJournalDeterminesWidthAndSmallestSizes) {
         folder, "still '" + scene_path("football") + "' --width-mm 50 --height-mm 50 -o d.pdf");
     EXPECT_EQ(small.code, 0) << small.err;
     EXPECT_TRUE(contains(small.err, "note: no room for the name of ")) << small.err;
+}
+
+// Here the polhode is behind the body: its name would be white on white.
+TEST(VectorStill, ANameThatHasFadedIsAbsentAndReported) {
+    const ScratchFolder folder;
+    const ProgramRun run = run_program_in(
+        folder, "still '" + scene_path("generic") + "' --journal aps --time 9.6 --text latex -o a.pdf");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const std::string tex = text_of(folder.path() / "a.tex");
+    EXPECT_FALSE(contains(tex, "polhode}}}%\n")) << tex;
+    EXPECT_TRUE(contains(tex, "herpolhode"));
+    EXPECT_FALSE(contains(tex, "\\color[rgb]{1,1,1}"));
+    EXPECT_TRUE(contains(run.err, "note: no name for polhode, of which too little is in sight"))
+        << run.err;
+    EXPECT_TRUE(contains(run.err, "the name of polhode (too little in sight)")) << run.err;
 }
 
 // The author's caption says what title, caption and clock say; the report says what to check.
