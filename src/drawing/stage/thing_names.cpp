@@ -192,13 +192,18 @@ double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing
     return cost;
 }
 
+// How much of a leader is drawn over a distance: none where the name is beside its thing.
+double leader_share(double away_px, double px) {
+    return smooth_step((away_px - 20.0 * px) / (14.0 * px));
+}
+
 // A place for a name: the point that it names, and the centre of its box.
 struct Spot {
     Eigen::Vector3d at;
     Eigen::Vector2d anchor_px;
     LabelBox box;
     double spread_px = 0.0;
-    bool has_leader = true;
+    double leader = 0.0;  // how much of a leader is drawn to the box, 0…1
 };
 
 // Where the name of a thing may stand: a direction in the picture, and a level, from 0 (near) on.
@@ -238,6 +243,7 @@ class Spots {
     // Whether the view has the thing, seen or hidden.
     bool is_shown() const { return is_shown_; }
     double opacity() const { return opacity_; }
+    bool has_leader() const { return plane_ == nullptr; }
     // The visible point of the thing that is nearest to a box; null if there is none.
     const VisiblePoint* nearest(const LabelBox& box) const {
         const auto far = [&box](const VisiblePoint& point) {
@@ -257,8 +263,9 @@ class Spots {
         // Beyond the line through the point across the way.
         const double reach = half_.dot(way.cwiseAbs());
         const double gap = (9.0 + 40.0 * level) * px_;
-        return Spot{
-            point->at, point->px, {point->px + (gap + reach) * way, half_}, point->spread_px};
+        const LabelBox box{point->px + (gap + reach) * way, half_};
+        return Spot{point->at, point->px, box, point->spread_px,
+                    leader_share(box.distance(point->px), px_)};
     }
 
  private:
@@ -278,7 +285,7 @@ class Spots {
         const Eigen::Vector3d at = plane_->centre + radius * (way.x() * along + way.y() * down);
         if (projection.depth(at) <= projection.near_depth) return std::nullopt;
         const Eigen::Vector2d px = projection.place(at);
-        return Spot{at, px, {px, half_}, 0.0, false};
+        return Spot{at, px, {px, half_}};
     }
 
     const View& view_;
@@ -313,13 +320,13 @@ double preference_cost(const NamedThing& thing, double angle, double level) {
 
 // A leader that touches another label would name that label's thing.
 double leader_cost(const Spot& spot, const Surroundings& around) {
-    if (!spot.has_leader) return 0.0;
+    if (!(spot.leader > 0.0)) return 0.0;
     const double height = 2.0 * spot.box.half_px.y();
     const Eigen::Vector2d end_px = spot.box.nearest(spot.anchor_px);
     double cost = 0.0;
     for (const LabelBox& other : around.labels) {
         const double touched_px = other.length_inside(spot.anchor_px, end_px);
-        cost += 3.0 * other.opacity * smooth_step(touched_px / (0.5 * height));
+        cost += 3.0 * spot.leader * other.opacity * smooth_step(touched_px / (0.5 * height));
     }
     return cost;
 }
@@ -440,7 +447,7 @@ std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vecto
         view.labels.push_back(label);
         const LabelBox box = label_box(label);
         around->labels.push_back(box);
-        if (!placed->spot.has_leader) continue;
+        if (!spots.has_leader()) continue;
         // A name that was moved by hand may be nearer to another point of its thing.
         const VisiblePoint* const nearest = name.offset_px.isZero() ? nullptr : spots.nearest(box);
         const Leader leader{.at = nearest != nullptr ? nearest->at : placed->spot.at,
@@ -450,10 +457,8 @@ std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vecto
                             .width_px = 1.6 * panel.px,
                             .name = {name.thing->name, 0, "leader"}};
         const double away_px = box.distance(leader.from_px);
-        add_leader(
-            leader,
-            label.opacity * shown(smooth_step((away_px - 20.0 * panel.px) / (14.0 * panel.px))),
-            panel.unit_segment, view);
+        add_leader(leader, label.opacity * shown(leader_share(away_px, panel.px)),
+                   panel.unit_segment, view);
     }
     return left_out;
 }
