@@ -196,7 +196,7 @@ void write_film(const AlphaFormat& format, FrameEntries& log, const OutputPlan& 
     AtomicFile file(plan.path);
     libav::Muxer muxer(format.container, file.descriptor(), plan.path, file.aside());
     describe_stream(*muxer.stream(), format, plan, has_alpha(format, log));
-    set_language(*muxer.stream(), plan);
+    set_language(muxer, *muxer.stream(), plan);
     av_dict_set(&muxer.context()->metadata, "poinsot", record.c_str(), 0);
     add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
     SubtitleTrack subtitles(muxer, format.subtitles, plan, n_frames);

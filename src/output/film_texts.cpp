@@ -31,8 +31,15 @@ void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapter
     }
 }
 
-void set_language(AVStream& stream, const OutputPlan& plan) {
-    if (!plan.language.empty()) av_dict_set(&stream.metadata, "language", plan.language.c_str(), 0);
+void set_language(const libav::Muxer& muxer, AVStream& stream, const OutputPlan& plan) {
+    if (plan.language.empty()) return;
+    // MP4 has the terminological codes of ISO 639-2, WebM the bibliographic ones, and QuickTime
+    // numbers for which FFmpeg has a list.
+    std::string code = plan.language;
+    const std::string_view container = muxer.context()->oformat->name;
+    if (code == "deu" && container != "mp4") code = "ger";
+    if (code == "fra" && container == "webm") code = "fre";
+    av_dict_set(&stream.metadata, "language", code.c_str(), 0);
 }
 
 // One row "KIND NUMBER … LENGTH TEXT" each, with a text of LENGTH bytes of any content. Language:
@@ -171,7 +178,7 @@ SubtitleTrack::SubtitleTrack(libav::Muxer& muxer, AVCodecID codec, const OutputP
     if (left_.empty()) return;
     std::reverse(left_.begin(), left_.end());
     stream_ = muxer.add_stream();
-    set_language(*stream_, plan);
+    set_language(muxer, *stream_, plan);
     stream_->time_base = {1, 1000};
     AVCodecParameters& parameters = *stream_->codecpar;
     parameters.codec_type = AVMEDIA_TYPE_SUBTITLE;

@@ -18,7 +18,7 @@ void add_chapters(AVFormatContext& context, std::span<const FilmChapter> chapter
                   const FrameRate& rate);
 
 // Tags a track with the film's language, before the header is written.
-void set_language(AVStream& stream, const OutputPlan& plan);
+void set_language(const libav::Muxer& muxer, AVStream& stream, const OutputPlan& plan);
 
 // Converts a plan's language, chapters and subtitles to text stored with an unfinished film, and
 // back into a plan; other text gives none.

@@ -207,7 +207,7 @@ void write_mp4(FrameEntries& log, const OutputPlan& plan, std::int64_t n_frames)
     AtomicFile file(plan.path);
     libav::Muxer muxer("mp4", file.descriptor(), plan.path, file.aside());
     describe_stream(*muxer.stream(), plan, header_of(log.settings()));
-    set_language(*muxer.stream(), plan);
+    set_language(muxer, *muxer.stream(), plan);
     av_dict_set(&muxer.context()->metadata, "poinsot", record.c_str(), 0);
     add_chapters(*muxer.context(), first_chapters(plan.chapters, n_frames), plan.rate);
     SubtitleTrack subtitles(muxer, AV_CODEC_ID_MOV_TEXT, plan, n_frames);
