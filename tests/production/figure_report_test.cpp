@@ -30,6 +30,7 @@ Drawing page_with(TextCache& types) {
     Curve faint = line;  // a rule of a chart
     faint.colour = {0.9, 0.9, 0.9};
     faint.opacity = 0.4;
+    faint.occlusion = Occlusion::none;
     view.curves.push_back(faint);
     Label word;
     word.mask = types.set("word", {.size_px = 20.0, .mode = TypeMode::text}).mask;

@@ -28,11 +28,13 @@ TEST(ConservedStart, RefusesContradictions) {
 }
 
 TEST(ConservedStart, RefusesADecimalCommaByName) {
-    EXPECT_EQ(refusal(a_body + "[start]\nomega_rad_s = [\"9,5 rad/s\", 1, 2]\n"),
-              "scenes/a.toml:5:16: omega_rad_s[0] is \"9,5 rad/s\"; numbers have a decimal point: "
-              "write \"9.5 rad/s\"");
-    EXPECT_EQ(refusal(a_body + "[start]\nenergy_J = \"2,5\"\n"),
-              "scenes/a.toml:5:12: energy_J is \"2,5\"; numbers have a decimal point: write 2.5");
+    EXPECT_EQ(
+        refusal(a_body + "[start]\nomega_rad_s = [\"9,5 rad/s\", 1, 2]\n"),
+        "scenes/a.toml:4:16: start.omega_rad_s[0] is \"9,5 rad/s\"; numbers have a decimal point: "
+        "write \"9.5 rad/s\"");
+    EXPECT_EQ(
+        refusal(a_body + "[start]\nenergy_J = \"2,5\"\n"),
+        "scenes/a.toml:4:12: start.energy_J is \"2,5\"; numbers have a decimal point: write 2.5");
     EXPECT_NE(refusal(a_body + "[start]\nenergy_J = \"2,5 rads\"\n").find("not a number with"),
               std::string::npos);
 }

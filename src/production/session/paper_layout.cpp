@@ -101,7 +101,7 @@ void note_narrow_panels(const Scene& scene, const PrintSize& paper,
         return;
     const double mm_per_px = 1000.0 / paper.pixels_per_metre;
     notes.push_back(fmt::format(
-        "on a page {:.4g} mm wide, the narrowest panel is {:.2g} mm wide; give a larger width, or "
+        "on a page {:.3g} mm wide, the narrowest panel is {:.2g} mm wide; give a larger width, or "
         "put the panels in more rows ([grid])",
         mm_per_px * paper.width_px, mm_per_px * narrowest_px));
 }
