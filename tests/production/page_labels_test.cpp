@@ -59,7 +59,7 @@ void look_at(const Drawing& drawing, double px_per_pt, const std::string& where,
         for (const Label& label : view.labels)
             if (label.opacity >= 0.5 && !label.mask->letters.empty()) labels.push_back(&label);
     faults.n_labels += static_cast<int>(labels.size());
-    faults.n_unnamed += static_cast<int>(drawing.unnamed.size());
+    for (const UnnamedThing& thing : drawing.unnamed) faults.n_unnamed += thing.is_in_sight ? 1 : 0;
     const auto fault = [&](const std::string& what) { faults.lines.push_back(where + what); };
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const Box box = box_of_label(*labels[i]);
