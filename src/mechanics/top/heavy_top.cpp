@@ -56,7 +56,8 @@ struct HeavyTop::Phase {
 // α and β up to a common positive factor and without the phases e^{i rate t}, and their rates.
 struct HeavyTop::Factors {
     Complex value[2];
-    Complex rate[2];  // of the value and of the regular part of the phase
+    Complex slope[2];  // the value's own rate
+    Complex rate[2];   // the same with the regular part of the phase
 };
 
 HeavyTop::Phase HeavyTop::phase_at(double time_s) const {
@@ -98,6 +99,7 @@ HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
         for (int which = 0; which < 2; ++which) {
             const TopFactor& factor = series_.factor[which];
             result.value[which] = factor.lower_amplitude;
+            result.slope[which] = 0.0;
             result.rate[which] = Complex(0.0, factor.regular_rate) * factor.lower_amplitude;
         }
         return result;
@@ -131,11 +133,12 @@ HeavyTop::Factors HeavyTop::factors_at(const Phase& phase) const {
                        theta1 ? factor.theta1_im : factor.theta2_im, even ? m.even_cos : m.odd_cos,
                        even ? m.even_sin : m.odd_sin, even ? 0 : 1, curvature, series_.n_terms);
         const double phase_rate = factor.regular_rate + lambda * factor.cell_rate;
-        const Complex rate =
-            lambda * series_.argument_per_u * sum.slope + Complex(0.0, phase_rate) * sum.value;
+        const Complex slope = lambda * series_.argument_per_u * sum.slope;
+        const Complex rate = slope + Complex(0.0, phase_rate) * sum.value;
         const double first = upper ? factor.upper_amplitude[1] : 1.0;
         const double second = upper ? factor.upper_amplitude[0] : factor.lower_amplitude;
         result.value[which] = second * (first * sum.value);
+        result.slope[which] = second * (first * slope);
         result.rate[which] = second * (first * rate);
     }
     return result;
@@ -188,29 +191,43 @@ void HeavyTop::fit_start(std::complex<double> omega_transverse) {
 RotationState HeavyTop::state_from(double time_s, const Phase& phase,
                                    const Factors& factors) const {
     Complex value[2];
-    Complex rate[2];
+    Complex slope[2];
+    Complex turn[2];
     for (int which = 0; which < 2; ++which) {
         const TopFactor& factor = series_.factor[which];
         DoubleDouble angle = factor.rate * phase.elapsed;
         if (!series_.steady) angle = angle + factor.cell_rate * phase.r;
-        const Complex turn = unit_phase(angle) * start_phase_[which] *
-                             quarter_turns(series_.steady ? 0 : factor.winding * phase.quarter);
-        value[which] = turn * factors.value[which];
-        rate[which] = turn * factors.rate[which];
+        turn[which] = unit_phase(angle) * start_phase_[which] *
+                      quarter_turns(series_.steady ? 0 : factor.winding * phase.quarter);
+        value[which] = factors.value[which];
+        slope[which] = factors.slope[which];
     }
     if (series_.reversed) {
         // q = q' i⁻¹: α = β' and β = −α' for the body turned back about e1.
         std::swap(value[0], value[1]);
-        std::swap(rate[0], rate[1]);
+        std::swap(slope[0], slope[1]);
+        std::swap(turn[0], turn[1]);
     }
 
-    // ω1 + iω2 = 2 (ᾱ dβ/dt − β dᾱ/dt); the norm's own rate drops out. One of α and β is never
-    // small, so that an underflow of the other's square is harmless.
-    const double norm = std::sqrt(std::norm(value[0]) + std::norm(value[1]));
-    const Complex alpha = value[0] / norm;
-    const Complex beta = value[1] / norm;
-    const Complex omega =
-        2.0 * (std::conj(alpha) * (rate[1] / norm) - beta * (std::conj(rate[0]) / norm));
+    // ω1 + iω2 = 2 (ᾱ dβ/dt − β dᾱ/dt); the norm's own rate drops out. The phases are common
+    // factors, and their rates a sum: what cancels is little. One of α and β is never small, so
+    // that an underflow of the other's square is harmless.
+    const auto length = [](const Complex(&pair)[2]) {
+        return std::sqrt(std::norm(pair[0]) + std::norm(pair[1]));
+    };
+    const Complex turned[2] = {turn[0] * value[0], turn[1] * value[1]};
+    const double norm = length(turned);
+    const Complex alpha = turned[0] / norm;
+    const Complex beta = turned[1] / norm;
+    // The phases' own lengths are 1 but for rounding, which does not enter ω's terms.
+    const double norm_before = length(value);
+    for (int which = 0; which < 2; ++which) {
+        value[which] /= norm_before;
+        slope[which] /= norm_before;
+    }
+    const Complex within = std::conj(value[0]) * slope[1] - value[1] * std::conj(slope[0]) +
+                           Complex(0.0, series_.phase_rate) * (std::conj(value[0]) * value[1]);
+    const Complex omega = 2.0 * std::conj(turn[0]) * turn[1] * within;
 
     RotationState state;
     state.time_s = time_s;

@@ -42,6 +42,7 @@ struct TopSeries {
     DoubleDouble quarter_u;  // K; infinite on the separatrix
     int quarter_start = 0;
     double argument_per_u = 1.0;  // π/2K or π/2K'
+    double phase_rate = 0.0;      // of both factors together, without ±(ω3 − a)/2
     double nome = 0.0;            // complementary, of the hyperbolic series
     TopFactor factor[2];
 };

@@ -55,6 +55,9 @@ void TopSetup::solve(const TopAtStart& given) {
     } else {
         fill_nutating(series);
     }
+    series.phase_rate =
+        (regular_rate + lambda * (series.factor[0].cell_rate + series.factor[1].cell_rate))
+            .rounded();
     fill_public(given);
     top.start_[0] = {given.qw.rounded(), given.qz.rounded()};
     top.start_[1] = {given.qx.rounded(), given.qy.rounded()};
@@ -64,6 +67,7 @@ void TopSetup::solve(const TopAtStart& given) {
 void TopSetup::set_rate(TopFactor& factor, int which, const WideDouble& regular) {
     const WideDouble rate = regular + (which == 0 ? half_spin : WideDouble(-half_spin));
     factor.regular_rate = regular.rounded();
+    regular_rate = regular_rate + regular;
     factor.rate = double_double(rate);
     angle_rate[which] = 2 * rate;
     if (factor.zero) angle_rate[which] = 0;

@@ -14,6 +14,7 @@ struct TopSetup {
     WideDouble half_spin = 0;           // (ω3 − a)/2
     WideDouble angle_rate[2] = {0, 0};  // mean rates of φ+ψ and φ−ψ
     WideDouble lambda = 0, quarter = 0;
+    WideDouble regular_rate = 0;  // of both factors
 
     explicit TopSetup(HeavyTop& filled) : top(filled) {}
 

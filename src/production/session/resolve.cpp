@@ -109,9 +109,9 @@ ResolvedScene resolve(const Scene& given, const SessionRequest& request,
     const std::string key = key_of("motion", scene.method);
     // Stepping may take long, and a wrong name is known without it.
     if (request.draws && (is_stepped(scene.method) || scene.beside))
-        check_scene_names(scene, resolved.theme, at_key_of_error(scene, key, "film", [&] {
-                              return Motion(at_start_of(problem));
-                          }));
+        at_key_of_error(scene, key, "film", [&] {
+            check_scene_names(scene, resolved.theme, Motion(at_start_of(problem)));
+        });
     double estimate_s = at_key_of_error(scene, key, "film", [&] { return estimated_s(problem); });
     if (scene.beside) {
         MotionProblem other = problem;
