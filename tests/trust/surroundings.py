@@ -44,13 +44,13 @@ MAKES = {
     "jobs.mp4": "render scene.toml --jobs 2",
 }
 LIMITS = {"v": resource.RLIMIT_AS, "d": resource.RLIMIT_DATA, "s": resource.RLIMIT_STACK}
-# In kB. The address space of the program and its libraries alone is some 60,000 kB.
+# In kB. The program and its libraries alone take 60,000 kB of address space, and a stack of 16 kB is too small to start any.
 FEW = [("v", 225_000, "a.png"), ("v", 409_600, "a.mp4"), ("v", 500_000, "a.png"), ("v", 80_000, "a.pdf"), ("d", 50_000, "a.mp4"),
        ("s", 64, "a.mp4"), ("s", 64, "a.toml"), ("s", 512, "a.mp4")]
 MANY = {"v": [80_000, 100_000, 153_600, 200_000, 225_000, 250_000, 275_000, 300_000, 325_000, 358_400, 409_600, 450_000, 480_000, 500_000,
               525_000, 550_000, 575_000, 600_000, 650_000, 700_000, 800_000, 1_000_000],
         "d": [5_000, 10_000, 20_000, 35_000, 50_000, 75_000, 100_000, 125_000, 150_000, 200_000, 250_000, 400_000],
-        "s": [16, 32, 64, 128, 256, 511, 512, 1024, 4096, 1_000_000]}
+        "s": [32, 64, 128, 256, 511, 512, 1024, 4096, 1_000_000]}
 
 
 class Surroundings:
