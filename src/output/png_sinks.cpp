@@ -5,6 +5,8 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
+#include <system_error>
 #include <vector>
 
 #include "error/error.h"
@@ -35,6 +37,20 @@ std::filesystem::path lock_path_of(const OutputPlan& plan) {
         plan.part ? fmt::format(".{}-of-{}.part", plan.part->number, plan.part->n_parts) : ".part");
 }
 
+// Before anything is drawn: throws as check_aside does for the temporary file of any frame.
+void check_asides_of_frames(const std::filesystem::path& pattern) {
+    const std::filesystem::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
+    constexpr std::string_view suffix = ".part";
+    std::error_code error;
+    for (std::filesystem::directory_iterator at(folder, error);
+         !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
+        const std::string name = at->path().filename().string();
+        if (!name.starts_with('.') || !name.ends_with(suffix)) continue;
+        const std::string frame = name.substr(1, name.size() - 1 - suffix.size());
+        if (is_frame_of(frame, pattern)) check_aside(pattern.parent_path() / frame);
+    }
+}
+
 // Writes as many frames at a time as there are threads. Each frame is written atomically, so an
 // interrupted sequence leaves complete frames, and another run can continue it.
 class PngSequenceSink : public FrameSink {
@@ -46,8 +62,7 @@ class PngSequenceSink : public FrameSink {
           encoders_(static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads
                                                                       : usual_threads)),
           there_(frames_that_are_there()) {
-        for (std::int64_t k = 0; k < plan_.n_frames; ++k)
-            check_aside(frame_name(plan_.path, first_number_ + k));
+        check_asides_of_frames(plan_.path);
         // A killed run may have left temporary files of frames that are now kept.
         for (const std::int64_t k : there_)
             remove_left_aside(frame_name(plan_.path, first_number_ + k));
