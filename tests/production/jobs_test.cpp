@@ -60,7 +60,7 @@ TEST(FilmJob, ReportsItsFramesInOrderAndItsBoundAtTheEnd) {
     EXPECT_EQ(heard.words[0], "a 3");
     EXPECT_EQ(heard.words[1], "1");
     EXPECT_EQ(heard.words[3], "3");
-    EXPECT_EQ(heard.words[4], "made " + (folder / "a.md5").string());
+    EXPECT_EQ(heard.words[4], "made " + (folder / "a.md5").string() + " (0.3 s of film)");
     EXPECT_EQ(heard.words[5].rfind("within ", 0), 0u) << heard.words[5];
 }
 
