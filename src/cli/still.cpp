@@ -158,6 +158,9 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
         still.print = request.print;
         still.bit_depth = choices.bit_depth;
         still.vectors = choices.vectors;
+        // A picture of the film's size is the film's frame; one for paper is a figure.
+        still.names_fade =
+            !is_vector_name(still.output) && !request.print.width_mm && !request.print.height_mm;
         StillJob(Session(session), std::move(still))
             .draw(renderer, writer, i == 0 ? progress : without_notes);
     }
