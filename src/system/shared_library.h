@@ -2,6 +2,7 @@
 #pragma once
 
 #include <dlfcn.h>
+#include <sys/resource.h>
 
 #include <string>
 #include <string_view>
@@ -24,10 +25,12 @@ class SharedLibrary {
         // memory in static TLS block" and others.
         const bool is_missing = why.find("cannot open shared object file") != why.npos &&
                                 why.find("No such file") != why.npos;
-        if (!is_missing)
-            throw EnvironmentError(std::string("cannot load ") + file + ": " + std::string(why) +
-                                   "; if memory is limited (ulimit -v, -d), raise the limit");
-        throw EnvironmentError(std::string("cannot open ") + file + "; install " + what_to_install);
+        if (is_missing)
+            throw EnvironmentError(std::string("cannot open ") + file + "; install " +
+                                   what_to_install);
+        throw EnvironmentError(std::string("cannot load ") + file + ": " + std::string(why) +
+                               (memory_is_limited() ? "; raise the limit of memory (ulimit -v, -d)"
+                                                    : std::string("; install ") + what_to_install));
     }
 
     template <class Function>
@@ -38,6 +41,12 @@ class SharedLibrary {
     }
 
  private:
+    static bool memory_is_limited() {
+        rlimit limit{};
+        return (getrlimit(RLIMIT_AS, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY) ||
+               (getrlimit(RLIMIT_DATA, &limit) == 0 && limit.rlim_cur != RLIM_INFINITY);
+    }
+
     void* handle_;
     std::string file_;
 };
