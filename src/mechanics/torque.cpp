@@ -103,11 +103,14 @@ double RotationDynamics::greatest_free_omega(const Eigen::Vector3d& momentum) co
     // greatest at one of the ends, where the middle or an outer component vanishes.
     std::array<int, 3> axis{0, 1, 2};
     std::sort(axis.begin(), axis.end(), [&](int i, int j) { return moments_[i] < moments_[j]; });
-    const Eigen::Vector3d inverse(1.0 / moments_[axis[0]], 1.0 / moments_[axis[1]],
-                                  1.0 / moments_[axis[2]]);
-    const Eigen::Vector3d squares(momentum[axis[0]] * momentum[axis[0]],
-                                  momentum[axis[1]] * momentum[axis[1]],
-                                  momentum[axis[2]] * momentum[axis[2]]);
+    // In a unit near the least moment, a power of two, so that squares neither over- nor underflow.
+    const int exponent = std::ilogb(moments_[axis[0]]);
+    Eigen::Vector3d inverse, squares;
+    for (int i = 0; i < 3; ++i) {
+        inverse[i] = 1.0 / std::ldexp(moments_[axis[i]], -exponent);
+        const double scaled = std::ldexp(momentum[axis[i]], -exponent);
+        squares[i] = scaled * scaled;
+    }
     const double spread = inverse[0] - inverse[2];
     const double now = squares.dot(inverse.cwiseProduct(inverse));
     if (!(spread > 0.0)) return std::sqrt(now);
