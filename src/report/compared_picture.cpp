@@ -336,8 +336,9 @@ DisplayMatrix without_place(DisplayMatrix display) {
 
 // What two films say of colours, where both say something.
 bool name_different_colours(const std::string& a, const std::string& b) {
-    constexpr std::string_view unknown = "unknown";
-    const auto says_none = [](const std::string& name) { return name.empty() || name == unknown; };
+    const auto says_none = [](const std::string& name) {
+        return name.empty() || name == "unknown";
+    };
     return !says_none(a) && !says_none(b) && a != b;
 }
 
