@@ -54,7 +54,7 @@ Motion::Motion(const MotionProblem& problem, const StopCheck& stop)
     : problem_(problem), solution_(solve(problem, stop)) {}
 
 RotationState Motion::at(double time_s) const {
-    const RotationState state =
+    RotationState state =
         std::visit([=](const auto& solution) { return solution.at(time_s); }, solution_);
     check_result(state);
     return state;
@@ -62,7 +62,7 @@ RotationState Motion::at(double time_s) const {
 
 MotionSample Motion::sample(double time_s, const Quantities& wanted) const {
     const FreeRotation* free = free_rotation();
-    const MotionSample sample =
+    MotionSample sample =
         free != nullptr
             ? free->sample(time_s, wanted)
             : std::visit([=](const auto& solution) { return solution.sample(time_s, wanted); },
