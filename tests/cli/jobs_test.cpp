@@ -55,9 +55,9 @@ TEST_F(JobParts, AreRenderedByOneRunAtATime) {
             folder_, "\"$1\" render a.toml -q --jobs 2" + large_size + "-o '" + output +
                          "' & first=$!; for i in $(seq 3000); do [ -e '" + held +
                          "' ] && [ -n \"$(pgrep -P $first)\" ] && break; sleep 0.05; done; "
-                         "\"$1\" render a.toml -q --jobs 1" +
+                         "kill -STOP $first; \"$1\" render a.toml -q --jobs 1" +
                          large_size + "-o '" + output +
-                         "'; echo $? >code; kill -INT $first; wait $first");
+                         "'; echo $? >code; kill -CONT $first; kill -INT $first; wait $first");
         EXPECT_EQ(bytes("code"), "3\n") << output << done.err;
         EXPECT_NE(done.err.find("another run"), std::string::npos) << done.err;
     }
