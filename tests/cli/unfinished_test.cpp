@@ -170,9 +170,10 @@ TEST(Slides, OfAnotherRunAreNamedInTheRefusal) {
                                    "while [ ! -e ." +
                                    name +
                                    ".held ] && kill -0 $first; do sleep "
-                                   "0.01; done\n\"$1\" render a.toml -q " +
+                                   "0.01; done\nkill -STOP $first; \"$1\" render a.toml -q " +
                                    output +
-                                   "; echo $? >code; kill -INT $first; wait $first; rm -rf ." +
+                                   "; echo $? >code; kill -CONT $first; kill -INT $first; "
+                                   "wait $first; rm -rf ." +
                                    name + ".*");
         const ProgramRun done = run_program_in(folder, "", "bash script");
         EXPECT_EQ(text_of(folder.path() / "code"), "3\n") << done.err;
