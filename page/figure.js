@@ -175,6 +175,8 @@ class Figure {
       length_s: loaded.film_length_s, frames_per_s: loaded.frames_per_s, loops: loaded.loops,
       stops: loaded.stops, chapters: loaded.chapters,
     });
+    // Where the scene is seen first, until somebody moves the film.
+    if (this.film.untouched && loaded.opens_at_s > 0) this.film.at_s = loaded.opens_at_s;
     this.hooks.loaded();
   }
 

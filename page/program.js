@@ -14,12 +14,12 @@
  *   `size`: of the largest component of a vector.
  * @typedef {{title: string, caption: string, language: string,
  *   theme: {name: string, background: string, text: string}, first_time_s: number,
- *   last_time_s: number, film_length_s: number, loops: boolean, frames_per_s: number,
+ *   last_time_s: number, film_length_s: number, opens_at_s: number, loops: boolean, frames_per_s: number,
  *   width: number, height: number, regime: string, notes: string[],
  *   panels: Panel[], chapters: {at_s: number, title: string}[],
  *   stops: {at_s: number, title: string, loop_s: number|null, note: string}[],
  *   controls: Control[], elements: {name: string, summary: string, overlay: boolean, offered: boolean, shown: boolean}[]}} Loaded
- *   Chapters and stops are at seconds of the film; the other times are the motion's.
+ *   Chapters, stops and opens_at_s are at seconds of the film; the other times are the motion's.
  * @typedef {{time_s: number, omega_body: number[], space_from_body: number[],
  *   herpolhode: number[], angles?: number[]}} Digits
  *   `angles`: θ, φ and ψ of a heavy top, rad.

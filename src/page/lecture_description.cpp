@@ -126,6 +126,12 @@ std::string Lecture::description() const {
     // A loop goes on until it meets its beginning.
     const double last_s =
         film_.loop_s > 0.0 ? film_.clock.time_at(film_.length_s) : film_.last_time_s();
+    // A film that waits at stops is seen from its beginning; any other opens as its still, with its
+    // curves drawn.
+    const double opens_at_s =
+        scene.stops.empty() && scene.film.still_s
+            ? film_.clock.film_second_of(*scene.film.still_s).value_or(0.0)
+            : 0.0;
     return JsonObject()
         .add("title", plain_text(scene.title))
         .add("caption", plain_text(scene.caption))
@@ -138,6 +144,7 @@ std::string Lecture::description() const {
         .add("first_time_s", film_.time_of(0))
         .add("last_time_s", last_s)
         .add("film_length_s", film_.length_s)
+        .add("opens_at_s", opens_at_s)
         .add("loops", film_.loop_s > 0.0)
         .add("frames_per_s", film_.rate.per_second())
         .add("width", scene.film.width_px)

@@ -68,10 +68,16 @@ def palette(picture, small, colours=COLOURS, most_bytes=MOST_BYTES):
 
 
 def draw_first(program):
-    """Draws the README's pictures: the default scene, and the same for paper."""
+    """Draws the README's pictures: the default scene as a loop without its caption, and the same for paper."""
     scene = str(ROOT / "scenes" / "generic.toml")
-    subprocess.run([program, "render", scene, "--portable", "--size", "400x226", "--fps", "10", "--set", "film.duration_s=10.5",
-                    "-q", "-o", str(README_PICTURES / "rolling.gif")], check=True)
+    with tempfile.TemporaryDirectory() as folder:
+        # Three turns about L in four polhode periods need the smallest change of the start, 0.03 % of |ω|.
+        loop = pathlib.Path(folder) / "loop.toml"
+        text, n = re.subn(r"^duration_s = .*$", 'loop = "3/4"\nlength_s = 9.0', pathlib.Path(scene).read_text(), flags=re.M)
+        assert n == 1, "scenes/generic.toml says how long its film is"
+        loop.write_text(text)
+        subprocess.run([program, "render", str(loop), "--portable", "--size", "480x270", "--fps", "15", "--set", "caption=", "-q",
+                        "-o", str(README_PICTURES / "rolling.gif")], check=True)
     with tempfile.TemporaryDirectory() as folder:
         picture = pathlib.Path(folder) / "print.png"
         subprocess.run([program, "still", scene, "--portable", "--theme", "print", "--width-mm", "85", "--dpi", "144", "-q",
