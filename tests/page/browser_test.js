@@ -53,6 +53,22 @@ check('starts by itself, draws, and then rests', async (browser) => {
   await tab.close();
 });
 
+check('opens as its still, and plays from the beginning', async (browser) => {
+  const free = '[body]\nmoments_kg_m2 = [3, 2, 1.5]\n[start]\nomega_rad_s = [1, 0.5, 0.2]\n';
+  const film = free + '[film]\nstart_s = 1\nduration_s = 9\nstill_s = 6\n';
+  const stop = film + '[[stops]]\nat_s = 3\ntitle = "Wait"\n';
+  for (const [name, text, at_s] of [['opened', film, 5], ['stopped', stop, 0]]) {
+    const {tab, faults} = await opened_file(browser, page_of(program, scene_file(name, text), path.join(folder, `${name}.html`)));
+    await ready(tab);
+    assert.equal(await film_s(tab), at_s);
+    await tab.evaluate('poinsot.play()');
+    await until(tab, 'poinsot.film_s > 0.05');
+    assert.ok((await film_s(tab)) < at_s || at_s === 0);
+    assert.deepEqual(faults, []);
+    await tab.close();
+  }
+});
+
 check('shows the title as text', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);
