@@ -109,8 +109,14 @@ Image difference_picture(const StoredPicture& expected, const StoredPicture& act
 
 // The differences as a layer over either picture: transparent where the pictures are equal; from
 // amber (one level) to red (16 levels and more) where they differ; blue where anti-aliasing
-// explains the difference; grey in ignored regions; red where only one of them has pixels.
-Image difference_layer(const StoredPicture& expected, const StoredPicture& actual,
-                       const CompareLimits& limits, std::span<const PictureRegion> ignored);
+// explains the difference; grey in ignored regions; red where only one of them has pixels. If some
+// pixels differ by more than a level, those that differ by less are transparent and counted.
+struct DifferenceLayer {
+    Image image;
+    std::int64_t n_faint_left_out = 0;
+};
+DifferenceLayer difference_layer(const StoredPicture& expected, const StoredPicture& actual,
+                                 const CompareLimits& limits,
+                                 std::span<const PictureRegion> ignored);
 
 }  // namespace poinsot

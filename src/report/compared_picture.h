@@ -2,6 +2,7 @@
 // test results and exit codes follow from the outcomes.
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <optional>
@@ -46,7 +47,8 @@ std::string_view name_of(Outcome outcome);
 // The pictures of a pair that the report shows, as addresses in its page; empty: none.
 struct ShownPictures {
     std::string expected, actual, difference;
-    std::string strip;  // of films: rows of expected | difference × 16 | actual
+    std::int64_t n_faint_left_out = 0;  // pixels that `difference` does not show
+    std::string strip;                  // of films: rows of expected | difference × 16 | actual
 };
 
 struct ComparedPicture {

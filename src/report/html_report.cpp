@@ -68,6 +68,8 @@ std::string object_of(const ComparedPicture& picture, bool approves) {
     add("expected", picture.shown.expected);
     add("actual", picture.shown.actual);
     add("difference", picture.shown.difference);
+    if (picture.shown.n_faint_left_out > 0)
+        object += fmt::format(R"(,"faint":{})", picture.shown.n_faint_left_out);
     add("strip", picture.shown.strip);
     if (picture.film && !picture.shown.strip.empty()) {
         std::vector<std::string> frames;

@@ -146,9 +146,11 @@ void ReportPictures::add(ComparedPicture& picture, const PicturePair& pair) {
     ShownPictures& shown = picture.shown;
     shown.expected = one("expected", picture.expected, pair.expected);
     shown.actual = one("actual", picture.actual, pair.actual);
-    const Image layer = difference_layer(pair.expected, pair.actual, pair.limits, pair.ignored);
+    const DifferenceLayer layer =
+        difference_layer(pair.expected, pair.actual, pair.limits, pair.ignored);
     shown.difference = put(picture.name, "difference",
-                           single_file_ ? layer_thumbnail(layer, thumbnail_px) : layer);
+                           single_file_ ? layer_thumbnail(layer.image, thumbnail_px) : layer.image);
+    shown.n_faint_left_out = layer.n_faint_left_out;
     if (!pair.strip.empty())
         shown.strip = put(picture.name, "strip", film_strip(pair.strip, strip_px));
 }

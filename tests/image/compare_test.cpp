@@ -275,9 +275,8 @@ TEST(DifferenceLayer, ShowsEachPixelForItsReason) {
     limits.antialiasing = true;
     const PictureRegion ignored{0, 0, 5, 5};
     const Image layer =
-        difference_layer(stored(half_plane(17.1)), stored(after), limits, {&ignored, 1});
+        difference_layer(stored(half_plane(17.1)), stored(after), limits, {&ignored, 1}).image;
     EXPECT_EQ(layer.at(25, 10), (Rgba8{0, 0, 0, 0}));
-    EXPECT_EQ(layer.at(30, 3), (Rgba8{255, 176, 0, 255}));
     EXPECT_EQ(layer.at(35, 3), (Rgba8{217, 0, 54, 255}));
     EXPECT_EQ(layer.at(17, 10), (Rgba8{30, 110, 255, 255}));
     EXPECT_EQ(layer.at(4, 4).a, 110);
@@ -287,9 +286,34 @@ TEST(DifferenceLayer, ShowsEachPixelForItsReason) {
     EXPECT_EQ(small.at(35 / 4, 0), (Rgba8{217, 0, 54, 255}));
     // Of pictures of different sizes, what only one of them has is red.
     const Image sizes = difference_layer(stored(filled(4, 3, {1, 1, 1, 255})),
-                                         stored(filled(3, 3, {1, 1, 1, 255})), limits, {});
+                                         stored(filled(3, 3, {1, 1, 1, 255})), limits, {})
+                            .image;
     EXPECT_EQ(sizes.at(3, 1), (Rgba8{217, 0, 54, 255}));
     EXPECT_EQ(sizes.at(2, 1), (Rgba8{0, 0, 0, 0}));
+}
+
+TEST(DifferenceLayer, LeavesOutPixelsThatDifferByALevelOnlyBesideClearerOnes) {
+    const auto stored = [](const Image& image) {
+        StoredPicture picture;
+        picture.image = image;
+        return picture;
+    };
+    const Image before = filled(8, 8, {100, 100, 100, 255});
+    Image faint = before;
+    faint.set(1, 2, {101, 100, 100, 255});
+    faint.set(5, 2, {100, 99, 100, 255});
+    const CompareLimits limits = CompareLimits::exact();
+    const DifferenceLayer alone = difference_layer(stored(before), stored(faint), limits, {});
+    EXPECT_EQ(alone.n_faint_left_out, 0);
+    EXPECT_EQ(alone.image.at(1, 2), (Rgba8{255, 176, 0, 255}));
+    EXPECT_EQ(alone.image.at(5, 2), (Rgba8{255, 176, 0, 255}));
+
+    Image clear = faint;
+    clear.set(6, 6, {103, 100, 100, 255});
+    const DifferenceLayer beside = difference_layer(stored(before), stored(clear), limits, {});
+    EXPECT_EQ(beside.n_faint_left_out, 2);
+    EXPECT_EQ(beside.image.at(1, 2), (Rgba8{0, 0, 0, 0}));
+    EXPECT_EQ(beside.image.at(6, 6).a, 255);
 }
 
 // Flat pictures have no variance: SSIM is (2ab + C1)/(a² + b² + C1).
