@@ -112,6 +112,17 @@ TEST(HtmlPage, AllowsItsOwnScriptsAndNoConnections) {
     EXPECT_EQ(page.find("href=\"http"), std::string::npos);
 }
 
+// A picture inside the page, which its policy allows: the blue polhode on the ellipsoid and the
+// orange herpolhode below it.
+TEST(HtmlPage, HasAnIconOfItsOwn) {
+    const std::string page = html_page(a_page());
+    const std::string icon = between(page, "<link rel=\"icon\" href=\"", "\"");
+    EXPECT_EQ(icon.rfind("data:image/svg+xml,%3Csvg ", 0), 0u);
+    EXPECT_EQ(n_of(icon, "%3Cellipse "), 3);
+    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
+    EXPECT_NE(policy.find("img-src data:"), std::string::npos);
+}
+
 TEST(HtmlPage, CarriesEveryScriptOfThePage) {
     const std::string page = html_page(a_page());
     const std::string workbench = html_workbench(a_page(), {}, "{}");

@@ -6,7 +6,9 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
 #include "error/error.h"
 #include "image/alpha.h"
@@ -32,9 +34,6 @@ constexpr std::size_t most_page_bytes = 1'200'000;
 constexpr int poster_widths_px[] = {960, 640, 480, 320};
 constexpr std::size_t most_poster_bytes = 64'000;
 
-// Width of a picture in the gallery.
-constexpr int thumbnail_px = 240;
-
 std::string hex(const Colour& colour) {
     const auto level = [](double share) {
         return static_cast<int>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
@@ -56,8 +55,10 @@ Scene read_again(const SceneRequest& request, PageContents& contents) {
 
 // A picture of the scene at the instant of its still.
 std::vector<std::uint8_t> still_png(const SceneRequest& request, PageContents& contents,
-                                    LazyRenderer& renderer, int width_px) {
+                                    LazyRenderer& renderer, int width_px,
+                                    const std::vector<std::string>& changes = {}) {
     SceneRequest small = request;
+    small.overrides.insert(small.overrides.end(), changes.begin(), changes.end());
     const int height_px =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width_px) *
                                                  contents.height_px / contents.width_px)));
@@ -105,6 +106,10 @@ void need_module() {
 
 }  // namespace
 
+std::vector<std::string> thumbnail_overrides() {
+    return {"overlays=false", "labels=false", "type_scale=0.25"};
+}
+
 void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
                 const ProgressSink& progress) {
     need_module();
@@ -136,8 +141,9 @@ void write_workbench(const std::vector<SceneRequest>& scenes, const std::string&
     std::optional<PageContents> first;
     for (const SceneRequest& request : scenes) {
         PageContents contents = contents_of(request);
-        GalleryScene scene{contents.scene_name, contents.title, contents.scene_text, contents.files,
-                           still_png(request, contents, renderer, thumbnail_px)};
+        GalleryScene scene{
+            contents.scene_name, contents.title, contents.scene_text, contents.files,
+            still_png(request, contents, renderer, thumbnail_px, thumbnail_overrides())};
         gallery.push_back(std::move(scene));
         if (!first) {
             contents.poster_png = still_png(request, contents, renderer, poster_widths_px[1]);

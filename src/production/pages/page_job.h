@@ -16,6 +16,11 @@ namespace poinsot {
 void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
                 const ProgressSink& progress);
 
+// A picture of the gallery is an icon: its text would be smaller than anybody can read, and type of
+// the least scale is not drawn at this width.
+inline constexpr int thumbnail_px = 240;
+std::vector<std::string> thumbnail_overrides();
+
 // Writes the workbench with these scenes in its gallery, of which it opens the first.
 // `schema_file`: the JSON Schema of scenes. Throws as write_page does.
 void write_workbench(const std::vector<SceneRequest>& scenes, const std::string& schema_file,

@@ -1,0 +1,47 @@
+// Pages and the workbench as files: the pictures of the workbench's gallery.
+#include "production/pages/page_job.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "drawing/stage/stage.h"
+#include "places.h"
+#include "production/session/picture_setting.h"
+#include "production/session/session.h"
+#include "scene/files/load_scene.h"
+#include "typeset/files/installed_fonts.h"
+
+namespace poinsot {
+namespace {
+
+// Text in a picture as small as a thumb's nail is dust.
+TEST(Gallery, ThumbnailsHaveNoLetters) {
+    int n_scenes = 0, n_shapes = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
+        if (entry.path().extension() != ".toml") continue;
+        std::vector<std::string> overrides = thumbnail_overrides();
+        overrides.push_back(fmt::format("film.size={}x{}", thumbnail_px, thumbnail_px * 9 / 16));
+        SessionRequest request;
+        request.fonts = installed_fonts();
+        const Session session = session_of(load_scene(entry.path(), overrides), request);
+        const double time_s = session.scene.film.start_s;
+        const Drawing drawing = stage_of(session, {.first_time_s = time_s, .last_time_s = time_s},
+                                         setting_of(session.scene, request.print))
+                                    .at(time_s);
+        for (const View& view : drawing.views) {
+            for (const Label& label : view.labels)
+                EXPECT_TRUE(label.mask == nullptr || label.mask->letters.empty())
+                    << entry.path() << " " << label.mask->source.text;
+            n_shapes += static_cast<int>(view.curves.size() + view.arrows.size() +
+                                         view.ellipsoids.size() + view.meshes.size());
+        }
+        ++n_scenes;
+    }
+    EXPECT_GT(n_scenes, 40);
+    EXPECT_GT(n_shapes, 10 * n_scenes);
+}
+
+}  // namespace
+}  // namespace poinsot
