@@ -1,4 +1,5 @@
 // Celestial bodies. The sources of their numbers are in the table in named_objects.cpp.
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -14,6 +15,33 @@ namespace {
 // Half-axes of a spheroid with this equatorial radius and flattening.
 Eigen::Vector3d spheroid(double equatorial_m, double flattening) {
     return {equatorial_m, equatorial_m, equatorial_m * (1.0 - flattening)};
+}
+
+// Craters and rubble on an ellipsoid. Their places follow a spiral over the sphere, their sizes
+// repeat in threes: no map, but a surface that looks like rock from every side.
+TriangleMesh cratered(const Eigen::Vector3d& half_axes_m, int n_craters, double first_rad) {
+    constexpr double golden_rad = 2.399963229728653;
+    TriangleMesh mesh = ellipsoid_mesh(Eigen::Vector3d::Ones(), 32);
+    for (Eigen::Vector3d& vertex : mesh.vertices) {
+        const Eigen::Vector3d at = vertex.normalized();
+        double height = 0.010 * std::sin(7.0 * at.x() + 2.0) * std::sin(8.0 * at.y()) +
+                        0.008 * std::sin(13.0 * at.z() + 9.0 * at.x());
+        for (int i = 0; i < n_craters; ++i) {
+            const double z = 1.0 - (2.0 * i + 1.0) / n_craters;
+            const double turn = first_rad + golden_rad * i;
+            const double ring = std::sqrt(1.0 - z * z);
+            const Eigen::Vector3d middle(ring * std::cos(turn), ring * std::sin(turn), z);
+            const double radius_rad = 0.17 + 0.08 * (i * 7 % 3);
+            const double depth = 0.22 * radius_rad;
+            const double from_middle =
+                std::acos(std::clamp(middle.dot(at), -1.0, 1.0)) / radius_rad;
+            // A bowl with a raised rim.
+            if (from_middle < 1.0) height -= depth * (1.0 - from_middle * from_middle);
+            height += 0.3 * depth * std::exp(-std::pow((from_middle - 1.0) / 0.3, 2));
+        }
+        vertex = ((1.0 + height) * vertex).cwiseProduct(half_axes_m);
+    }
+    return mesh;
 }
 
 double volume_of(const Eigen::Vector3d& half_axes_m) {
@@ -76,12 +104,15 @@ std::vector<ObjectPart> toutatis() {
             half_width_squared(body_m, z) > half_width_squared(head_m, z - head_z_m);
         (body_is_wider ? low : high) = z;
     }
-    return centred({{"body", cut_ellipsoid(body_m, low, true), {0.56, 0.52, 0.47}, density_kg_m3},
-                    {"head",
-                     placed(cut_ellipsoid(head_m, low - head_z_m, false),
-                            Eigen::Affine3d(Eigen::Translation3d(0.0, 0.0, head_z_m))),
-                     {0.64, 0.58, 0.50},
-                     density_kg_m3}});
+    constexpr std::array<double, 3> rock{0.58, 0.54, 0.49}, pale_rock{0.64, 0.59, 0.52};
+    const Eigen::Affine3d to_head(Eigen::Translation3d(0.0, 0.0, head_z_m));
+    return centred(
+        {{"body", cut_ellipsoid(body_m, low, true), rock, density_kg_m3, PartUse::mass_only},
+         {"head", placed(cut_ellipsoid(head_m, low - head_z_m, false), to_head), pale_rock,
+          density_kg_m3, PartUse::mass_only},
+         {"surface of the body", cratered(body_m, 17, 0.4), rock, 1.0, PartUse::look_only},
+         {"surface of the head", placed(cratered(head_m, 9, 1.9), to_head), pale_rock, 1.0,
+          PartUse::look_only}});
 }
 
 }  // namespace poinsot::object_makers

@@ -1,6 +1,7 @@
 // Everyday objects. The sources of their numbers are in the table in named_objects.cpp.
 #include <array>
 #include <cmath>
+#include <functional>
 #include <numbers>
 #include <utility>
 
@@ -22,6 +23,65 @@ TriangleMesh box_between(const Eigen::Vector3d& low_m, const Eigen::Vector3d& hi
 std::vector<ProfilePoint> rectangle(double inner_m, double outer_m, double height_m) {
     const double h = 0.5 * height_m;
     return {{inner_m, -h}, {outer_m, -h}, {outer_m, h}, {inner_m, h}};
+}
+
+// Parallel strings: how many, and how far apart.
+struct Strings {
+    int n = 0;
+    double apart_m = 0.0;
+};
+
+// The strings of a racket, between the inner sides of its hoop.
+std::vector<TriangleMesh> strings_in(const EllipticBar& hoop, double hoop_z_m, const Strings& along,
+                                     const Strings& across, double radius_m) {
+    const double inside_y_m = hoop.half_axis_y_m - hoop.half_width_in_plane_m;
+    const double inside_z_m = hoop.half_axis_z_m - hoop.half_width_in_plane_m;
+    std::vector<TriangleMesh> strings;
+    for (int i = 0; i < along.n; ++i) {
+        const double y = along.apart_m * (i - 0.5 * (along.n - 1));
+        const double z = inside_z_m * std::sqrt(1.0 - std::pow(y / inside_y_m, 2));
+        strings.push_back(placed(cylinder_mesh(radius_m, 2.0 * z, 8),
+                                 Eigen::Affine3d(Eigen::Translation3d(0.0, y, hoop_z_m))));
+    }
+    for (int i = 0; i < across.n; ++i) {
+        const double z = across.apart_m * (i - 0.5 * (across.n - 1));
+        const double y = inside_y_m * std::sqrt(1.0 - std::pow(z / inside_z_m, 2));
+        strings.push_back(
+            straight_bar({0.0, -y, hoop_z_m + z}, {0.0, y, hoop_z_m + z}, radius_m, radius_m));
+    }
+    return strings;
+}
+
+// A surface of revolution near a height: its radius and the slope of its radius.
+struct Meridian {
+    std::function<double(double z_m)> radius_m;
+    double slope(double z_m) const {
+        constexpr double step_m = 1e-4;
+        return (radius_m(z_m + step_m) - radius_m(z_m - step_m)) / (2.0 * step_m);
+    }
+};
+
+// A box on the outside of a surface of revolution, on the side of −x, half sunk into it.
+TriangleMesh box_on(const Meridian& surface, double z_m, double width_m, double length_m,
+                    double thickness_m) {
+    const Eigen::Vector3d outward = Eigen::Vector3d(-1.0, 0.0, -surface.slope(z_m)).normalized();
+    Eigen::Affine3d placement = Eigen::Affine3d::Identity();
+    placement.linear().col(0) = outward;
+    placement.linear().col(1) = -Eigen::Vector3d::UnitY();
+    placement.linear().col(2) = outward.cross(placement.linear().col(1));
+    placement.translation() = Eigen::Vector3d(-surface.radius_m(z_m), 0.0, z_m);
+    return placed(box_mesh({thickness_m, width_m, length_m}), placement);
+}
+
+// The laces of a football along one of its seams: eight stitches over a cord.
+TriangleMesh laces_on(const Meridian& ball) {
+    std::vector<TriangleMesh> laces;
+    constexpr double apart_m = 0.014;
+    for (int i = 0; i < 8; ++i)
+        laces.push_back(box_on(ball, apart_m * (i - 3.5), 0.030, 0.0055, 0.0060));
+    for (int i = 0; i < 9; ++i)
+        laces.push_back(box_on(ball, apart_m * (i - 4.0), 0.0055, 1.1 * apart_m, 0.0050));
+    return joined(laces);
 }
 
 }  // namespace
@@ -51,7 +111,7 @@ std::vector<ObjectPart> racket() {
     constexpr EllipticBar hoop{0.1285, 0.170, 0.0115, 0.0060};
     constexpr double hoop_z_m = length_m - hoop.half_axis_z_m - hoop.half_width_in_plane_m;
     // Visible on white paper and on a dark slide.
-    constexpr std::array<double, 3> frame{0.20, 0.38, 0.68};
+    constexpr std::array<double, 3> frame{0.60, 0.24, 0.28};
 
     const Eigen::Affine3d to_hoop(Eigen::Translation3d(0.0, 0.0, hoop_z_m));
     TriangleMesh ring = placed(elliptic_ring(hoop), to_hoop);
@@ -66,24 +126,12 @@ std::vector<ObjectPart> racket() {
                                       0.010, 0.0060));
     }
 
-    // Sixteen strings along the racket and nineteen across, 1.3 mm thick, between the inner sides
-    // of the hoop.
-    constexpr double string_radius_m = 0.00065;
-    constexpr double inside_y_m = hoop.half_axis_y_m - hoop.half_width_in_plane_m;
-    constexpr double inside_z_m = hoop.half_axis_z_m - hoop.half_width_in_plane_m;
-    std::vector<TriangleMesh> strings;
-    for (int i = 0; i < 16; ++i) {
-        const double y = 0.0125 * (i - 7.5);
-        const double z = inside_z_m * std::sqrt(1.0 - std::pow(y / inside_y_m, 2));
-        strings.push_back(placed(cylinder_mesh(string_radius_m, 2.0 * z, 8),
-                                 Eigen::Affine3d(Eigen::Translation3d(0.0, y, hoop_z_m))));
-    }
-    for (int i = 0; i < 19; ++i) {
-        const double z = 0.0155 * (i - 9);
-        const double y = inside_y_m * std::sqrt(1.0 - std::pow(z / inside_z_m, 2));
-        strings.push_back(straight_bar({0.0, -y, hoop_z_m + z}, {0.0, y, hoop_z_m + z},
-                                       string_radius_m, string_radius_m));
-    }
+    // Sixteen strings along the racket and nineteen across, 1.3 mm thick. They are narrower than a
+    // pixel of most pictures, so half as many are drawn, twice as thick.
+    const std::vector<TriangleMesh> strings =
+        strings_in(hoop, hoop_z_m, {16, 0.0125}, {19, 0.0155}, 0.00065);
+    const std::vector<TriangleMesh> thick_strings =
+        strings_in(hoop, hoop_z_m, {8, 0.0250}, {10, 0.0295}, 0.0013);
 
     std::vector<ObjectPart> parts;
     const auto add = [&](double mass_kg, ObjectPart part) {
@@ -93,7 +141,10 @@ std::vector<ObjectPart> racket() {
     add(0.0314, {"throat", joined(throat), frame});
     add(0.1357,
         {"handle", octagonal_prism(0.029, 0.033, 0.008, 0.0, handle_length_m), {0.30, 0.28, 0.27}});
-    add(0.0170, {"strings", joined(strings), {0.93, 0.91, 0.80}});
+    constexpr std::array<double, 3> gut{0.70, 0.66, 0.52};
+    add(0.0170, {"strings", joined(strings), gut});
+    parts.back().use = PartUse::mass_only;
+    parts.push_back({"thick strings", joined(thick_strings), gut, 1.0, PartUse::look_only});
     return centred(std::move(parts));
 }
 
@@ -154,28 +205,44 @@ std::vector<ObjectPart> football() {
         profile.push_back(meridian(thickness_m, angle));
     }
     profile[n_steps + 1].radius_m = profile.back().radius_m = 0.0;
-    // Four panels in two alternating shades.
+    // Four panels in two alternating shades, lighter than leather, so that the axes stand out.
     constexpr int facets = 64;
-    return of_mass({{"panels", sectors(profile, 4, even_sector, facets), {0.48, 0.24, 0.12}},
-                    {"other panels", sectors(profile, 4, odd_sector, facets), {0.40, 0.19, 0.10}}},
-                   mass_kg);
+    std::vector<ObjectPart> parts =
+        of_mass({{"panels", sectors(profile, 4, even_sector, facets), {0.71, 0.45, 0.28}},
+                 {"other panels", sectors(profile, 4, odd_sector, facets), {0.62, 0.36, 0.21}}},
+                mass_kg);
+    const Meridian surface{
+        [&](double z_m) { return meridian(0.0, std::acos(-z_m / half_length_m)).radius_m; }};
+    parts.push_back({"laces", laces_on(surface), {0.96, 0.95, 0.92}, 1.0, PartUse::look_only});
+    return parts;
 }
 
 // Axis along z, the hollow side up: a flat well and a rising rim. One sixteenth of the rim carries
 // the medallion.
 std::vector<ObjectPart> plate() {
     constexpr double porcelain_kg_m3 = 2400.0;
-    constexpr std::array<double, 3> white{0.94, 0.94, 0.92};
+    constexpr std::array<double, 3> white{0.86, 0.86, 0.84};
     const std::vector<ProfilePoint> well{{0.0, 0.0},      {0.080, 0.0},    {0.095, 0.004},
                                          {0.095, 0.0095}, {0.082, 0.0055}, {0.0, 0.0055}};
     const std::vector<ProfilePoint> rim{
         {0.095, 0.004}, {0.1325, 0.020}, {0.1335, 0.0225}, {0.1320, 0.0245}, {0.095, 0.0095}};
     const auto medallion = [](int sector) { return sector == 0; };
     const auto others = [](int sector) { return sector != 0; };
+    // A line on the rim and a foot ring, which are thinner than the model's weight is known.
+    constexpr double in_m = 0.1225, out_m = 0.1280, proud_m = 0.0005;
+    const auto upper_m = [](double r) { return 0.0095 + (r - 0.095) * 0.015 / 0.037; };
+    const std::vector<ProfilePoint> line{{in_m, upper_m(in_m) - proud_m},
+                                         {out_m, upper_m(out_m) - proud_m},
+                                         {out_m, upper_m(out_m) + proud_m},
+                                         {in_m, upper_m(in_m) + proud_m}};
+    const std::vector<ProfilePoint> foot{
+        {0.066, -0.004}, {0.072, -0.004}, {0.074, 0.002}, {0.064, 0.002}};
     return centred(
         {{"well", welded(revolved_ring(well)), white, porcelain_kg_m3},
          {"rim", sectors(rim, 16, others), white, porcelain_kg_m3},
-         {"medallion", sectors(rim, 16, medallion), {0.70, 0.10, 0.12}, porcelain_kg_m3}});
+         {"medallion", sectors(rim, 16, medallion), {0.70, 0.10, 0.12}, porcelain_kg_m3},
+         {"line", sectors(line, 16, others), {0.24, 0.36, 0.56}, 1.0, PartUse::look_only},
+         {"foot", revolved_ring(foot), {0.72, 0.69, 0.64}, 1.0, PartUse::look_only}});
 }
 
 // Axis along z; twelve sectors make the rotation visible.

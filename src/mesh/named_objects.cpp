@@ -79,6 +79,7 @@ BodyProperties properties_of(std::span<const ObjectPart> parts) {
     std::vector<DensePart> dense;
     dense.reserve(parts.size());
     for (const ObjectPart& part : parts) {
+        if (part.use == PartUse::look_only) continue;
         dense.push_back({mass_properties(part.mesh), part.density_kg_m3});
     }
     return body_of_parts(dense);
@@ -88,7 +89,8 @@ namespace object_makers {
 
 std::vector<ObjectPart> of_mass(std::vector<ObjectPart> parts, double mass_kg) {
     double volume_m3 = 0.0;
-    for (const ObjectPart& part : parts) volume_m3 += mass_properties(part.mesh).volume_m3;
+    for (const ObjectPart& part : parts)
+        if (part.use != PartUse::look_only) volume_m3 += mass_properties(part.mesh).volume_m3;
     for (ObjectPart& part : parts) part.density_kg_m3 = mass_kg / volume_m3;
     return parts;
 }

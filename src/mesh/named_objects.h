@@ -11,12 +11,17 @@
 
 namespace poinsot {
 
+// A body's surface as it is seen may be finer or coarser than what determines its mass: laces on a
+// ball, craters on an asteroid.
+enum class PartUse { mass_and_look, mass_only, look_only };
+
 // One closed surface of uniform density and colour, in the body's axes.
 struct ObjectPart {
     std::string_view name;
     TriangleMesh mesh;             // m
     std::array<double, 3> srgb{};  // sRGB-encoded, 0…1
     double density_kg_m3 = 1.0;
+    PartUse use = PartUse::mass_and_look;
 };
 
 // A row of the table of objects. The principal axes of a body with any symmetry lie along x, y, z:
@@ -35,7 +40,7 @@ std::span<const NamedObject> named_objects();
 // one.
 const NamedObject& object_named(std::string_view name);
 
-// Mass, centre of mass and inertia of all parts together, in kg, m and kg m².
+// Mass, centre of mass and inertia of all parts with mass together, in kg, m and kg m².
 BodyProperties properties_of(std::span<const ObjectPart> parts);
 
 }  // namespace poinsot

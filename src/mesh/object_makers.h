@@ -28,7 +28,7 @@ std::vector<ObjectPart> torus();
 std::vector<ObjectPart> earth();
 std::vector<ObjectPart> toutatis();
 
-// Sets one common density of the parts so that their total mass is mass_kg.
+// Sets one common density of the parts with mass so that their total mass is mass_kg.
 std::vector<ObjectPart> of_mass(std::vector<ObjectPart> parts, double mass_kg);
 
 // Moves the parts so that their common centre of mass is the origin.

@@ -27,7 +27,8 @@ Thing thing_named(std::string_view name) {
     const std::vector<ObjectPart> parts = object_named(name).make();
     Thing thing;
     thing.properties = properties_of(parts);
-    for (const ObjectPart& part : parts) thing.surfaces.push_back({part.mesh, part.srgb});
+    for (const ObjectPart& part : parts)
+        if (part.use != PartUse::mass_only) thing.surfaces.push_back({part.mesh, part.srgb});
     return thing;
 }
 

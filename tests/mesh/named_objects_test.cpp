@@ -40,7 +40,7 @@ TEST_P(NamedObjects, HaveClosedParts) {
         EXPECT_GT(part.density_kg_m3, 0.0) << part.name;
         EXPECT_TRUE(names.insert(part.name).second) << part.name;
         for (const double c : part.srgb) EXPECT_TRUE(c >= 0.0 && c <= 1.0) << part.name;
-        n_triangles += part.mesh.triangles.size();
+        if (part.use != PartUse::mass_only) n_triangles += part.mesh.triangles.size();
     }
     EXPECT_LE(n_triangles, 20000u);
 }
@@ -90,6 +90,38 @@ TEST(NamedObjectMoments, OfSymmetricBodiesAreEqualInPairs) {
     const Eigen::Vector3d sphere = moments_of("sphere");
     EXPECT_EQ(sphere.x(), sphere.y());
     EXPECT_EQ(sphere.y(), sphere.z());
+}
+
+// What is only seen has no mass, and what has mass but is not seen is drawn otherwise.
+TEST(NamedObjectParts, OfLookAloneChangeNoMoment) {
+    int n_looks = 0;
+    for (const NamedObject& object : named_objects()) {
+        auto parts = object.make();
+        const BodyProperties whole = properties_of(parts);
+        n_looks +=
+            static_cast<int>(std::ranges::count(parts, PartUse::look_only, &ObjectPart::use));
+        std::erase_if(parts, [](const ObjectPart& part) { return part.use == PartUse::look_only; });
+        EXPECT_EQ(properties_of(parts).inertia_kg_m2, whole.inertia_kg_m2) << object.name;
+        EXPECT_EQ(properties_of(parts).mass_kg, whole.mass_kg) << object.name;
+    }
+    EXPECT_EQ(n_looks, 6);  // laces, line and foot of the plate, strings, two lobes of Toutatis
+}
+
+// The laces lie on the football's surface, half sunk into it, on one side of it.
+TEST(NamedObjectParts, OfTheFootballHaveLacesOnOneSeam) {
+    const auto parts = object_named("football").make();
+    const auto laces = std::ranges::find(parts, std::string_view("laces"), &ObjectPart::name);
+    ASSERT_NE(laces, parts.end());
+    constexpr double girth_radius_m = 21.125 * 0.0254 / (2.0 * pi);
+    double most = 0.0;
+    for (const Eigen::Vector3d& v : laces->mesh.vertices) {
+        EXPECT_LT(v.x(), -0.06);
+        EXPECT_LT(std::abs(v.y()), 0.0151);
+        EXPECT_LT(std::abs(v.z()), 0.07);
+        most = std::max(most, v.head<2>().norm());
+    }
+    EXPECT_GT(most, girth_radius_m + 0.002);
+    EXPECT_LT(most, girth_radius_m + 0.005);
 }
 
 // Closed forms; the error of the facets is below 2e-6.
