@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 
 #include "panels_by_hand.h"
 #include "scenes_by_hand.h"
@@ -50,6 +51,38 @@ TEST(BodyPanel, OmegaIsOnTheBoldPolhodeAndMomentumIsNormal) {
         EXPECT_LT(view.dots[0].at.normalized().cross(view.arrows[4].tip.normalized()).norm(),
                   1e-14);
     }
+}
+
+// Each thin polhode has the colour of the axis that it encircles: its points have no zero of this
+// component, and zeros of both others.
+TEST(BodyPanel, FamiliesHaveTheColoursOfTheirAxes) {
+    const StagedScene staged(free_scene(generic_moments, generic_omega, "body"), 10.0);
+    const Drawing drawing = staged.stage.at(2.0);
+    const Theme& theme = staged.stage.context().theme;
+    const Eigen::Matrix3d axes = view_of(drawing).ellipsoids[0].half_axes;
+    std::array<int, 3> n{};
+    for (const Curve& curve : view_of(drawing).curves) {
+        for (int i = 0; i < 3; ++i) {
+            if (!(curve.colour == Colour(theme.axes[i]))) continue;
+            ++n[static_cast<std::size_t>(i)];
+            Eigen::Vector3d least = Eigen::Vector3d::Constant(1e300), most = -least;
+            for (const Eigen::Vector3d& point : drawn_points(curve)) {
+                const Eigen::Vector3d u = axes.inverse() * point;
+                least = least.cwiseMin(u);
+                most = most.cwiseMax(u);
+            }
+            for (int j = 0; j < 3; ++j)
+                EXPECT_EQ(least[j] * most[j] > 0.0, j == i) << i << " " << j;
+        }
+    }
+    // Largest and smallest moment; no polhode encircles the axis of the middle one.
+    int middle = 0;
+    for (int i = 1; i < 3; ++i)
+        if ((generic_moments[i] - generic_moments.minCoeff()) *
+                (generic_moments[i] - generic_moments.maxCoeff()) !=
+            0.0)
+            middle = i;
+    for (int i = 0; i < 3; ++i) EXPECT_EQ(n[static_cast<std::size_t>(i)] > 3, i != middle) << i;
 }
 
 TEST(BodyPanel, SymmetricBodiesHaveNoSeparatrix) {

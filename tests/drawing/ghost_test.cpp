@@ -153,7 +153,7 @@ TEST(Ghost, PlotNamesTheCurvesThatStayInIt) {
     const std::vector<std::string> near = names_of(0.01), far = names_of(1.0);
     for (const char* const name : {"T", "L"}) {
         EXPECT_TRUE(has(near, name) && has(far, name)) << name;
-        const std::string of_euler = std::string("{") + name + "}_{\\mathrm{euler}}";
+        const std::string of_euler = std::string("{") + name + "}_{\\mathrm{Euler}}";
         EXPECT_TRUE(has(near, of_euler)) << name;
         EXPECT_FALSE(has(far, of_euler)) << name;  // T and L grow to more than 100 times
     }
@@ -189,6 +189,23 @@ TEST(Ghost, AxisOfATopIsThatOfTheComparisonMethod) {
     EXPECT_LE((path.geometry->points[static_cast<std::size_t>(path.last)] - e3).norm(), 0.2);
 }
 
+// The path of ρ's component perpendicular to L, in units of the greatest one of the exact motion,
+// with the T of the start.
+TEST(Ghost, HerpolhodeInThePlanIsThatOfTheComparisonMethod) {
+    const StagedBeside staged(free_scene(moments, omega, "plan"), euler);
+    const Drawing drawing = staged.stage.at(6.0);
+    const Curve& path = last_grey_curve(staged, drawing);
+    const Eigen::Vector3d end = path.geometry->points[static_cast<std::size_t>(path.last)];
+    const Eigen::Vector3d momentum = moments.cwiseProduct(omega);
+    const RotationState state = staged.beside.at(6.0);
+    const Eigen::Vector3d rho =
+        state.space_from_body * state.omega_body / std::sqrt(omega.dot(momentum));
+    const double perpendicular = rho.cross(momentum.normalized()).norm();
+    const double outer = staged.stage.context().rolling->polhode.annulus().outer;
+    EXPECT_NEAR(end.norm(), perpendicular / outer, 0.03);
+    EXPECT_EQ(end.z(), 0.0);
+}
+
 TEST(Ghost, IsAbsentWithoutAComparisonMotion) {
     const StagedScene staged(free_scene(moments, omega, "space"), 10.0);
     EXPECT_EQ(staged.stage.at(1.0).views[0].ellipsoids.size(), 1u);
@@ -198,7 +215,8 @@ TEST(Ghost, IsAbsentWithoutAComparisonMotion) {
 }
 
 TEST(Ghost, IsRejectedByPanelsThatCannotShowIt) {
-    EXPECT_THROW(StagedBeside(free_scene(moments, omega, "plan"), euler), InputError);
+    const Scene scene = top_scene({.theta_rad = 0.7, .omega3_rad_s = 8.0}, "potential");
+    EXPECT_THROW(StagedBeside(scene, {"rk4", 0.2, {}, {}}), InputError);
 }
 
 TEST(Ghost, DivergingMethodDrawsNoLineToInfinity) {

@@ -304,7 +304,7 @@ TEST(LectureClaims, MatterAtTheContactIsAtRest) {  // page 13
         double factor = 0.0;
         int n = 0;
         for (const Arrow& arrow : view.arrows) {
-            if (!(arrow.colour == lecture.theme().potential)) continue;
+            if (!(arrow.colour == lecture.theme().mark)) continue;
             EXPECT_NEAR(form(view.ellipsoids.front(), arrow.tail), 1.0, 1e-13);
             const Vector3d expected = omega.normalized().cross(arrow.tail);
             const Vector3d velocity = arrow.tip - arrow.tail;

@@ -400,7 +400,8 @@ Drawer make_velocity(const Panel& panel, StageStore& store) {
                 (axes.transpose() * along).cwiseQuotient(picture.half_axes);
             return Eigen::Vector3d(along / scaled.norm());
         };
-        const LineStyle& colour = panel.stage->theme.potential;
+        // The subject of a picture of rolling, in a colour that the figure has nowhere else.
+        const LineStyle& colour = panel.stage->theme.mark;
         constexpr int n = 9;
         constexpr double per_distance = 0.42;
         constexpr int named = n / 2;
@@ -408,15 +409,19 @@ Drawer make_velocity(const Panel& panel, StageStore& store) {
             const Eigen::Vector3d point = surface(std::numbers::pi * k / n);
             const double distance = (point - point.dot(axis) * axis).norm();
             Arrow arrow = arrow_between(panel, point, point + per_distance * distance * sideways,
-                                        colour, 0.7);
+                                        colour, 1.1);
             arrow.hidden_opacity = 0.8;
             builder.view.arrows.push_back(arrow);
-            builder.view.dots.push_back(dot_at(panel, point, colour, 3.0));
+            builder.view.dots.push_back(dot_at(panel, point, colour, 4.0));
             if (k == named) wish_at_tip(panel, arrow, type, builder);
         }
-        // On the side to which the matter above moves: away from the names of L and ω.
-        wish_beside(panel, rho, rho - 1.5 * sideways - picture.normal, rest_type, colour, builder);
-        builder.requests.back().gap_px = 14.0 * panel.px;
+        // Beyond the contact, as seen from the foot of L, and clear of the curves: at the end of a
+        // leader.
+        wish_beside(panel, rho, picture.foot(instant) - 0.5 * picture.normal, rest_type, colour,
+                    builder);
+        LabelRequest& rest = builder.requests.back();
+        rest.away = Eigen::Vector2d(rest.away.x() < 0.0 ? -0.85 : 0.85, 0.53);
+        rest.gap_px = 44.0 * panel.px;
     };
 }
 

@@ -74,8 +74,8 @@ inline constexpr Element element_rows[] = {
     {"turn", "the rotation from the given axes to the principal axes", never_shown, attitude_too,
      make_turn},
     {"period-turn",
-     "the principal axes at the start of the film, and the turn about L to where they are one "
-     "polhode period later",
+     "the principal axis that is farthest from L at the start of the film, and its turn about L to "
+     "where it is one polhode period later",
      never_shown, attitude_too, make_period_turn},
     {"half-axes", "the half-axes 1/√I1, 1/√I2, 1/√I3 of the ellipsoid", never_shown, attitude_too,
      make_half_axes},

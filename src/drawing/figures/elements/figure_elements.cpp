@@ -42,14 +42,14 @@ Drawer make_given_axes(const Panel& panel, StageStore& store) {
 
 namespace {
 
-// Arcs about the axis of a turn from each of three points, the columns, to where the turn takes it,
+// Arcs about the axis of a turn from each of some points, the columns, to where the turn takes it,
 // with a name at the longest.
-void add_turn_of_axes(const Panel& panel, const Eigen::Matrix3d& from_points,
+void add_turn_of_axes(const Panel& panel, const Eigen::Matrix3Xd& from_points,
                       const Eigen::AngleAxisd& turn, const LineStyle& colour, const TextBlock& type,
                       ViewBuilder& builder) {
     double longest = 0.0;
     Eigen::Vector3d middle = turn.axis();
-    for (int i = 0; i < 3; ++i) {
+    for (Eigen::Index i = 0; i < from_points.cols(); ++i) {
         const Eigen::Vector3d tip = from_points.col(i);
         const Eigen::Vector3d centre = tip.dot(turn.axis()) * turn.axis();
         const Eigen::Vector3d from = tip - centre;
@@ -96,8 +96,9 @@ Drawer make_turn(const Panel& panel, StageStore& store) {
     };
 }
 
-// The principal axes at the start of the film, and their turn about L in one polhode period, as
-// angles from 0 to a whole turn. Throws InputError for a motion without such a period.
+// The principal axis that is farthest from L, at the start of the film, and its turn about L in one
+// polhode period, as an angle from 0 to a whole turn. All axes turn by the same angle; three arcs
+// would look like three. Throws InputError for a motion without such a period.
 Drawer make_period_turn(const Panel& panel, StageStore& store) {
     const StageContext& stage = *panel.stage;
     const std::optional<MontgomeryPhase> phase = montgomery_phase(stage.motion.motion().problem());
@@ -117,24 +118,29 @@ Drawer make_period_turn(const Panel& panel, StageStore& store) {
     start.state = stage.motion.sample(stage.film_first_s, attitude_too).state;
     Eigen::Matrix3d axes = picture_of(panel).principal_axes(start);
     for (int i = 0; i < 3; ++i) axes.col(i) *= picture_of(panel).half_axes[i] + axis_overhang;
+    Eigen::Index widest = 0;
+    const Eigen::Vector3d normal = picture_of(panel).normal;
+    for (Eigen::Index i = 1; i < 3; ++i)
+        if (axes.col(i).cross(normal).norm() > axes.col(widest).cross(normal).norm()) widest = i;
     std::string name = "\\Delta\\varphi";
     if (n_whole != 0.0) {
         name += n_whole > 0.0 ? " - " : " + ";
         if (std::abs(n_whole) > 1.0) name += fmt::format("{}\\cdot", std::abs(n_whole));
         name += "360°";
     }
+    name += with_decimal_mark(fmt::format(" = {:.2f}°", angle_rad * 180.0 / std::numbers::pi),
+                              decimal_mark_in_formula(stage.scene.language));
     const TextBlock type = set_label(panel, store, name, 0.85);
-    return [&panel, axes, turn, type](const FrameInput&, ViewBuilder& builder) {
-        for (int i = 0; i < 3; ++i) {
-            Curve line = line_between(panel, Eigen::Vector3d::Zero(), axes.col(i),
-                                      panel.stage->theme.axes[i], 3.0);
-            line.opacity = 0.7;
-            line.hidden_opacity = 0.45;
-            builder.view.curves.push_back(line);
-        }
-        // Inside of the arrows' heads.
+    const Eigen::Vector3d axis = axes.col(widest);
+    const LineStyle& ink = stage.theme.axes[static_cast<std::size_t>(widest)];
+    return [&panel, axis, turn, type, ink](const FrameInput&, ViewBuilder& builder) {
+        Curve line = line_between(panel, Eigen::Vector3d::Zero(), axis, ink, 3.0);
+        line.opacity = 0.7;
+        line.hidden_opacity = 0.45;
+        builder.view.curves.push_back(line);
+        // Inside of the arrow's head.
         constexpr double reach = 0.9;
-        add_turn_of_axes(panel, reach * axes, turn, panel.stage->theme.angles[1], type, builder);
+        add_turn_of_axes(panel, reach * axis, turn, panel.stage->theme.angles[1], type, builder);
     };
 }
 

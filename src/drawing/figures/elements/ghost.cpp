@@ -75,10 +75,22 @@ void add_ghost_path(const GhostPath& ghost, const FrameInput& instant, ViewBuild
     builder.view.curves.back().last = ghost.path.index_at(instant.time_s);
 }
 
+std::string comparison_name(const StageContext& stage) {
+    std::string name = stage.comparison->motion().problem().method.name;
+    // Euler's name, and abbreviations.
+    if (name == "euler") name.front() = 'E';
+    for (const std::string_view letters : {"rk4", "dmv", "rkmk4"})
+        if (name == letters)
+            for (char& letter : name)
+                if (letter >= 'a' && letter <= 'z') letter = static_cast<char>(letter - 'a' + 'A');
+    return name;
+}
+
 TextBlock set_ghost_label(const Panel& panel, StageStore& store, std::string_view symbol,
                           double scale) {
-    const std::string& method = panel.stage->comparison->motion().problem().method.name;
-    return set_label(panel, store, fmt::format("{}_{{\\mathrm{{{}}}}}", symbol, method), scale);
+    return set_label(panel, store,
+                     fmt::format("{}_{{\\mathrm{{{}}}}}", symbol, comparison_name(*panel.stage)),
+                     scale);
 }
 
 void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const TextBlock& type,
@@ -94,8 +106,9 @@ Drawer make_ghost(const Panel& panel, StageStore& store) {
     Ellipsoid ellipsoid = ellipsoid_of(panel);
     ellipsoid.colour = panel.stage->theme.ghost;
     ellipsoid.line_colour = panel.stage->theme.ghost;
-    ellipsoid.opacity = 0.22;
-    ellipsoid.section_px = 1.6 * panel.px;
+    // Only its outline, so that nobody takes the two for a nut and its shell.
+    ellipsoid.opacity = 0.02;
+    ellipsoid.section_px = 0.0;
     ellipsoid.ruling_px = 0.0;
     ellipsoid.casts_shadow = false;
     const TextBlock type = set_ghost_label(panel, store, "\\boldsymbol{\\omega}");

@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <string>
 #include <string_view>
 
 #include "construction/timed_path.h"
@@ -27,7 +28,11 @@ GhostPath ghost_path(const Panel& panel, StageStore& store,
 // Adds the path up to this instant.
 void add_ghost_path(const GhostPath& ghost, const FrameInput& instant, ViewBuilder& builder);
 
-// Sets a symbol of the ghost with the method's name as its index: "ω" with "euler".
+// The method of the comparison motion as pictures name it: "Euler", "RK4", "midpoint".
+// Precondition: the stage has a comparison motion.
+std::string comparison_name(const StageContext& stage);
+
+// Sets a symbol of the ghost with this name as its index: "ω" with "Euler".
 TextBlock set_ghost_label(const Panel& panel, StageStore& store, std::string_view symbol,
                           double scale = 0.85);
 

@@ -17,10 +17,11 @@ namespace poinsot {
 namespace {
 
 // More dots would run into each other, and each takes time; the line joins all rows.
-constexpr std::size_t most_dots = 400;
-constexpr double dot_px = 3.4;
-constexpr double track_px = 1.5;
-constexpr double track_opacity = 0.9;
+constexpr std::size_t most_dots = 160;
+constexpr double dot_px = 3.0;
+constexpr double rim_px = 1.1;
+constexpr double track_px = 1.3;
+constexpr double track_opacity = 0.7;
 constexpr double behind = 0.3;  // opacity of what the ellipsoid or the plane hides
 
 // Moves what is drawn towards the eye by some pixels, along the lines of sight, so that its place
@@ -89,8 +90,9 @@ Drawer measured_track(const Panel& panel, StageStore& store,
         stretches.push_back(std::move(stretch));
     }
     const bool whole = stage.options.loop_s > 0.0;  // a loop has no first instant
-    return [&panel, placement, dots, stretches, ink, whole](const FrameInput& instant,
-                                                            ViewBuilder& builder) {
+    const Colour stage_halo = stage.theme.halo;
+    return [&panel, placement, dots, stretches, ink, stage_halo, whole](const FrameInput& instant,
+                                                                        ViewBuilder& builder) {
         const Eigen::Affine3d place =
             raised(panel, builder.view.camera, 1.5 * dot_px * panel.px) * placement(instant);
         for (const MeasuredStretch& stretch : stretches) {
@@ -103,8 +105,10 @@ Drawer measured_track(const Panel& panel, StageStore& store,
         }
         for (const MeasuredDot& dot : dots) {
             if (!whole && dot.time_s > instant.time_s) break;
-            Dot shown = dot_at(panel, place * dot.at, ink, dot_px);
-            shown.rim_px = 0.0;  // rims would cover the colour of dots so small
+            // Open: the exact curve is seen through rings that stand side by side.
+            Dot shown = dot_at(panel, place * dot.at, stage_halo, dot_px);
+            shown.rim_colour = ink;
+            shown.rim_px = rim_px * panel.px;
             shown.hidden_opacity = behind;
             builder.view.dots.push_back(shown);
         }

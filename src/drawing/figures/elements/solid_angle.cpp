@@ -59,9 +59,9 @@ Drawer make_solid_angle(const Panel& panel, StageStore& store) {
         const auto at = [&](double share) -> Eigen::Vector3d {
             return std::cos(share * reach_rad) * axis + std::sin(share * reach_rad) * outward;
         };
-        Curve arc = arc_between(panel, at(begins[static_cast<std::size_t>(k % 8)]), end, ink, 1.8);
+        Curve arc = arc_between(panel, at(begins[static_cast<std::size_t>(k % 8)]), end, ink, 1.2);
         arc.on_surface = first_ellipsoid;
-        arc.opacity = 0.85;
+        arc.opacity = 0.6;
         arc.hidden_opacity = 0.14;
         arcs.push_back(arc);
         if (k % 8 == 4) middles.push_back(at(0.55));

@@ -50,8 +50,8 @@ const CurveGeometry* keep_polhode(const Panel& panel, StageStore& store, const P
 }
 
 // A thin line of the family; the mirror image of a polhode is a polhode, since F(ρ) = F(−ρ).
-Curve thin(const Panel& panel, const CurveGeometry* geometry) {
-    Curve curve = curve_of(panel, geometry, panel.stage->theme.polhode, 1.9);
+Curve thin(const Panel& panel, const CurveGeometry* geometry, const LineStyle& ink) {
+    Curve curve = curve_of(panel, geometry, ink, 1.9);
     curve.opacity = 0.85;
     curve.hidden_opacity = 0.16;
     curve.on_surface = first_ellipsoid;
@@ -110,7 +110,10 @@ std::vector<Curve> family_of(const Panel& panel, StageStore& store) {
             rho[high] = std::sin(u) / std::sqrt(I[high]);
             const Polhode polhode(inertia, inertia.body_from_principal() * rho);
             if (polhode.kind() == Polhode::Kind::point) continue;
-            const Curve curve = thin(panel, keep_polhode(panel, store, polhode));
+            // The two kinds are told apart by the colours of the axes that they encircle.
+            const auto axis = static_cast<std::size_t>(polhode.encircled_axis());
+            const Curve curve =
+                thin(panel, keep_polhode(panel, store, polhode), panel.stage->theme.axes[axis]);
             curves.push_back(curve);
             curves.push_back(mirror_image(curve));
         }
@@ -152,7 +155,7 @@ std::vector<Curve> motion_of(const Panel& panel, StageStore& store) {
     const Polhode& polhode = panel.stage->rolling->polhode;
     if (polhode.kind() == Polhode::Kind::point) return curves;
     const CurveGeometry* geometry = keep_polhode(panel, store, polhode);
-    curves.push_back(mirror_image(thin(panel, geometry)));
+    curves.push_back(mirror_image(thin(panel, geometry, panel.stage->theme.polhode)));
     Curve curve = curve_of(panel, geometry, panel.stage->theme.polhode, 4.6);
     curve.hidden_opacity = 0.72;
     curve.on_surface = first_ellipsoid;

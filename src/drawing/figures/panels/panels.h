@@ -58,7 +58,8 @@ inline constexpr PanelKind panel_rows[] = {
      CameraUse::direction, principal_view_direction},
     {"plan", "the herpolhode on the plane, seen along its normal", herpolhode_title, true, rolls,
      needs_free_turning, make_plan_panel,
-     takes_herpolhode | takes_direction_marks | takes_azimuth | takes_names | takes_measured,
+     takes_herpolhode | takes_direction_marks | takes_azimuth | takes_comparison | takes_names |
+         takes_measured,
      CameraUse::none, nullptr, "herpolhode"},
     {"momentum",
      "the sphere of constant |L| and the energy ellipsoid, which meet in the path of L in body "

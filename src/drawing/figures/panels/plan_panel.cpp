@@ -14,6 +14,7 @@
 
 #include "drawing/figures/elements/direction_marks.h"
 #include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/measured_points.h"
 #include "drawing/figures/elements/trail.h"
 #include "drawing/stage/fade.h"
@@ -64,7 +65,34 @@ PlanScale scale_of(const Panel& panel) {
     return scale;
 }
 
-void aim_from_above(Panel& panel) {
+// ρ of the comparison motion from the foot of L, in the plan.
+Eigen::Vector3d contact_beside(const Panel& panel, const PlanScale& scale,
+                               const RotationState& state) {
+    const ConstructionPicture& picture = *panel.stage->rolling;
+    Eigen::Vector3d at =
+        scale.plan_from_space * picture.construction.contact_space(state) * scale.plan_per_rho;
+    at.z() = 0.0;
+    return at;
+}
+
+// The radius of what the plan shows, in radii of the annulus: a comparison motion may leave it.
+double reach_of(const Panel& panel, const PlanScale& scale) {
+    const StageContext& stage = *panel.stage;
+    double reach = 1.0;
+    if (!stage.comparison) return reach;
+    constexpr double farthest = 2.0;
+    constexpr int n_looks = 256;
+    for (int k = 0; k <= n_looks; ++k) {
+        const double t =
+            stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n_looks;
+        const RotationState state = stage.comparison->sample(t, attitude_too).state;
+        const double radius = contact_beside(panel, scale, state).norm();
+        if (radius <= farthest) reach = std::max(reach, radius);
+    }
+    return reach;
+}
+
+void aim_from_above(Panel& panel, double reach) {
     const double margin_px = 26.0 * panel.px + 0.5 * label_size * panel.type_px + panel.header_px;
     const double room_px =
         std::max(0.4 * std::min(panel.box.width_px, panel.box.height_px),
@@ -74,7 +102,7 @@ void aim_from_above(Panel& panel) {
     camera.target = Eigen::Vector3d::Zero();
     camera.up = Eigen::Vector3d::UnitY();
     camera.orthographic = true;
-    camera.height_units = 2.0 * panel.box.height_px / room_px;
+    camera.height_units = 2.0 * reach * panel.box.height_px / room_px;
     aim(panel, camera);
 }
 
@@ -148,6 +176,20 @@ Curve circle_of(const Panel& panel, double radius) {
     return circle;
 }
 
+// The path of the comparison motion's contact point. Empty without one.
+Drawer beside_on_plane(Panel& panel, StageStore& store, const PlanScale& scale) {
+    if (!panel.stage->comparison) return [](const FrameInput&, ViewBuilder&) {};
+    panel.shows_comparison = true;
+    GhostPath ghost = ghost_path(
+        panel, store,
+        [&panel, scale](const RotationState& state) { return contact_beside(panel, scale, state); },
+        3.0);
+    ghost.curve.occlusion = Occlusion::none;
+    return [ghost](const FrameInput& instant, ViewBuilder& builder) {
+        add_ghost_path(ghost, instant, builder);
+    };
+}
+
 // The measured motion on the plane. Empty without one.
 Drawer measured_on_plane(const Panel& panel, StageStore& store, const PlanScale& scale) {
     const StageContext& stage = *panel.stage;
@@ -170,8 +212,8 @@ Drawer measured_on_plane(const Panel& panel, StageStore& store, const PlanScale&
 
 void make_plan_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = false, .herpolhode = true, .euler_angles = false};
-    aim_from_above(panel);
     const PlanScale scale = scale_of(panel);
+    aim_from_above(panel, reach_of(panel, scale));
     panel.herpolhode_radius = 1.0;
 
     std::vector<Curve> circles;
@@ -189,8 +231,9 @@ void make_plan_panel(Panel& panel, StageStore& store) {
     foot.occlusion = Occlusion::none;
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}", 0.85);
     const Plane plane = plane_of(panel);
+    const Drawer beside = beside_on_plane(panel, store, scale);
     const Drawer measured = measured_on_plane(panel, store, scale);
-    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane, measured](
+    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane, beside, measured](
                      const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
         builder.view.planes.push_back(plane);
@@ -208,6 +251,8 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         radius.occlusion = Occlusion::none;
         builder.view.curves.push_back(radius);
         name_shapes("radius", builder);
+        beside(instant, builder);
+        name_shapes("drift", builder);
         if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
             builder.view.curves.push_back(timed->ring->curve);
         } else if (timed) {

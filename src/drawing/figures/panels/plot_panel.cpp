@@ -32,9 +32,9 @@ constexpr Phrase measured_word{"measured", "gemessen", "mesuré", "medido", "mis
 
 constexpr double curve_width = 3.4;
 
-// Lines of the comparison motion are thinner and paler.
-constexpr double beside_width = 2.0;
-constexpr double beside_opacity = 0.6;
+// Lines of the comparison motion are thinner.
+constexpr double beside_width = 2.2;
+constexpr double beside_opacity = 0.9;
 
 // The measured motion is drawn over the exact one. More rows than this are closer than pixels.
 constexpr double measured_width = 2.2;
@@ -172,9 +172,8 @@ class PlotMaker {
             names_.push_back(set(name));
             // Residuals of both motions have the same name: the title says which lines are which.
             if (comparison_ && !quantity_->decades)
-                names_beside_.push_back(
-                    set(fmt::format("{{{}}}_{{\\mathrm{{{}}}}}", name,
-                                    panel_->stage->comparison->motion().problem().method.name)));
+                names_beside_.push_back(set(fmt::format("{{{}}}_{{\\mathrm{{{}}}}}", name,
+                                                        comparison_name(*panel_->stage))));
         }
     }
 
@@ -242,8 +241,7 @@ class PlotMaker {
                       fmt::format("${}$", named_label(quantity_->curves[place.first_curve].label)),
                       unit_name, place.y.exponent)
                 : axis_title(named_title(quantity_->title), unit_name, place.y.exponent);
-        std::string thin_lines =
-            comparison_ ? stage.comparison->motion().problem().method.name : "";
+        std::string thin_lines = comparison_ ? comparison_name(stage) : "";
         if (!measured_.empty())
             thin_lines += fmt::format("{}{}", thin_lines.empty() ? "" : ", ",
                                       phrase_in(stage.scene.language, measured_word));
