@@ -20,6 +20,7 @@ struct MaskLetter {
     std::uint32_t glyph = 0;                           // glyph number in the font
     double x_px = 0.0, baseline_px = 0.0;
     double em_px = 0.0;
+    int tint = 0;
 };
 
 // A filled rectangle of typeset text, such as the bar of a fraction.
@@ -46,6 +47,7 @@ struct GlyphMask {
     int width = 0, height = 0;
     int samples = 1;
     std::vector<std::uint8_t> coverage;  // row 0 is the top
+    std::vector<std::uint8_t> tints;     // 1…: see Label::inks; 0: the label's own; empty: all 0
     std::vector<MaskLetter> letters;     // the glyphs in the mask
     std::vector<MaskRule> rules;
     SetText source;
@@ -55,12 +57,15 @@ struct GlyphMask {
     int height_px() const { return samples * height; }
 };
 
+constexpr std::size_t most_inks = 16;
+
 // Typeset text placed in pixels of the whole picture, drawn over everything else in its view.
 struct Label {
     const GlyphMask* mask = nullptr;
     Eigen::Vector2d top_left_px =
         Eigen::Vector2d::Zero();  // picture pixels, y down; whole pixels keep the text sharp
     Colour colour;
+    std::vector<Colour> inks;  // colours of the tints 1, 2, … of the mask; at most most_inks
     Colour halo_colour{1.0, 1.0, 1.0};
     double halo_px = 0.0;
     bool over_figure = false;  // whether the shapes of another view may run under it

@@ -187,7 +187,7 @@ ShapedRun FontFile::shape(std::span<const char32_t> characters) {
     run.glyphs.reserve(n);
     for (unsigned i = 0; i < n; ++i) {
         run.glyphs.push_back({infos[i].codepoint, run.advance + positions[i].x_offset,
-                              static_cast<double>(positions[i].y_offset)});
+                              static_cast<double>(positions[i].y_offset), infos[i].cluster});
         run.advance += positions[i].x_advance;
     }
     return run;

@@ -31,7 +31,8 @@ struct GlyphMetrics {
 
 struct ShapedGlyph {
     GlyphId glyph = 0;
-    double x = 0.0, y = 0.0;  // font units from the start of the run
+    double x = 0.0, y = 0.0;    // font units from the start of the run
+    std::size_t character = 0;  // its (first) character in the run
 };
 
 struct ShapedRun {

@@ -62,6 +62,7 @@ void add_missing_box(TypeBox& box, double size_px) {
 TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px) {
     TypeBox box;
     std::vector<char32_t> part;
+    std::vector<int> tints;
     FontFile* part_font = nullptr;
     const auto flush = [&] {
         if (part.empty()) return;
@@ -69,13 +70,14 @@ TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px)
         const ShapedRun shaped = part_font->shape(part);
         for (const ShapedGlyph& glyph : shaped.glyphs) {
             const GlyphMetrics& metrics = part_font->metrics(glyph.glyph);
-            box.glyphs.push_back(
-                {part_font, glyph.glyph, box.width + glyph.x * scale, glyph.y * scale, scale});
+            box.glyphs.push_back({part_font, glyph.glyph, box.width + glyph.x * scale,
+                                  glyph.y * scale, scale, tints[glyph.character]});
             box.height = std::max(box.height, (metrics.height + glyph.y) * scale);
             box.depth = std::max(box.depth, (metrics.depth - glyph.y) * scale);
         }
         box.width += shaped.advance * scale;
         part.clear();
+        tints.clear();
     };
     FontFile& face = text(family, run.face);
     for (const LabelCharacter& character : run.characters) {
@@ -90,6 +92,7 @@ TypeBox FontSet::set_text(const TextRun& run, TextFamily family, double size_px)
             continue;
         }
         part.push_back(code);
+        tints.push_back(character.tint);
     }
     flush();
     return box;

@@ -325,19 +325,22 @@ TallForms KeptFont::tall_forms(GlyphId glyph) const {
 
 ShapedRun KeptFont::shape(std::span<const char32_t> characters) const {
     std::vector<GlyphId> glyphs;
-    for (const char32_t character : characters) {
-        const GlyphId glyph = script_glyph(character, 0).value_or(0);
+    std::vector<std::size_t> firsts;  // the first character of each
+    for (std::size_t i = 0; i < characters.size(); ++i) {
+        const GlyphId glyph = script_glyph(characters[i], 0).value_or(0);
         const auto ligature =
             glyphs.empty() ? ligatures_.end() : ligatures_.find({glyphs.back(), glyph});
-        if (ligature == ligatures_.end())
+        if (ligature == ligatures_.end()) {
             glyphs.push_back(glyph);
-        else
+            firsts.push_back(i);
+        } else {
             glyphs.back() = ligature->second;
+        }
     }
     ShapedRun run;
     run.glyphs.reserve(glyphs.size());
     for (std::size_t i = 0; i < glyphs.size(); ++i) {
-        run.glyphs.push_back({glyphs[i], run.advance, 0.0});
+        run.glyphs.push_back({glyphs[i], run.advance, 0.0, firsts[i]});
         run.advance += metrics(glyphs[i]).advance;
         if (i + 1 == glyphs.size()) break;
         const auto left = classes_.find(glyphs[i]), right = classes_.find(glyphs[i + 1]);

@@ -11,6 +11,7 @@ namespace poinsot {
 struct LabelCharacter {
     char32_t code = 0;
     int column = 1;
+    int tint = 0;  // of a term (caption_terms.h); 0: none
 };
 
 // The faces of running text.
@@ -48,6 +49,7 @@ struct MathAtom {
     Kind kind = Kind::group;
     AtomClass atom_class = AtomClass::ord;
     int column = 1;
+    int tint = 0;  // of a term, with its scripts; 0: none
     char32_t symbol = 0;
     char32_t open = 0, close = 0;
     double space_mu = 0.0;  // in 1/18 em

@@ -46,7 +46,9 @@ class FormulaSetter {
                 made.back().box.width += space;
             }
             before = &classes[i];
-            const TypeBox set = with_scripts(atom, style);
+            TypeBox set = with_scripts(atom, style);
+            if (atom.tint != 0)
+                for (PlacedGlyph& placed : set.glyphs) placed.tint = atom.tint;
             TypeBox& box = made.back().box;
             box.place(set, box.width, 0.0);
             box.width += set.width;

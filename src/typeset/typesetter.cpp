@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 #include "typeset/caption_layout.h"
@@ -44,7 +45,9 @@ GlyphRun set_type(std::string_view text, const TypeStyle& style, FontSet& fonts)
         const MathStyle display{MathStyle::Level::display, false};
         return {set_formula(atoms, display, style.size_px, fonts), atoms.empty() ? 0 : 1};
     }
-    SetCaption caption = set_caption(parse_caption(text), style, fonts);
+    Caption parsed = parse_caption(text);
+    if (style.terms != nullptr) tint_terms(*style.terms, parsed);
+    SetCaption caption = set_caption(parsed, style, fonts);
     return {std::move(caption.box), caption.n_lines};
 }
 
@@ -131,6 +134,25 @@ void rasterise(const TypeBox& box, TypesetMask& mask) {
     }
 }
 
+// The tint of each pixel that a tinted glyph covers more than all others do.
+void tint(const TypeBox& box, TypesetMask& mask) {
+    std::set<int> tints;
+    for (const PlacedGlyph& placed : box.glyphs) tints.insert(placed.tint);
+    tints.erase(0);
+    if (tints.empty() || mask.coverage.empty()) return;
+    mask.tints.resize(mask.coverage.size());
+    for (const int tint : tints) {
+        TypeBox of_tint;
+        for (const PlacedGlyph& placed : box.glyphs)
+            if (placed.tint == tint) of_tint.glyphs.push_back(placed);
+        TypesetMask alone{static_cast<const TypeExtent&>(mask), {}, {}, {}, {}};
+        rasterise(of_tint, alone);
+        for (std::size_t k = 0; k < mask.coverage.size(); ++k)
+            if (2 * alone.coverage[k] > mask.coverage[k])
+                mask.tints[k] = static_cast<std::uint8_t>(tint);
+    }
+}
+
 }  // namespace
 
 struct Typesetter::State {
@@ -151,12 +173,13 @@ const std::vector<char32_t>& Typesetter::missing() const { return state_->fonts.
 TypesetMask Typesetter::set(std::string_view text, const TypeStyle& style) const {
     GlyphRun type = set_type(text, style, state_->fonts);
     align_rules(type.box);
-    TypesetMask mask{extent_of(type), {}, {}, {}};
+    TypesetMask mask{extent_of(type), {}, {}, {}, {}};
     rasterise(type.box, mask);
+    tint(type.box, mask);
     for (const PlacedGlyph& placed : type.box.glyphs)
         mask.glyphs.push_back({&placed.font->file(), placed.glyph, placed.x - mask.left_px,
                                mask.baseline_px - placed.y,
-                               placed.px_per_unit * placed.font->units_per_em()});
+                               placed.px_per_unit * placed.font->units_per_em(), placed.tint});
     for (const PlacedRule& rule : type.box.rules)
         if (rule.width > 0.0)
             mask.rules.push_back({rule.x - mask.left_px, mask.baseline_px - rule.y - rule.thickness,

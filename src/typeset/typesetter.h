@@ -7,6 +7,7 @@
 #include <string_view>
 #include <vector>
 
+#include "typeset/caption_terms.h"
 #include "typeset/font_source.h"
 #include "typeset/label_error.h"
 
@@ -27,6 +28,7 @@ struct TypeStyle {
     double max_width_px = 0.0;  // captions are wrapped at spaces to this width; 0: no wrapping
     TypeAlignment alignment = TypeAlignment::left;
     double line_spacing = 1.3;  // distance of baselines, in ems; increased for tall lines
+    const std::vector<CaptionTerm>* terms = nullptr;  // of captions, which get tints
     bool operator==(const TypeStyle&) const = default;
 };
 
@@ -49,6 +51,7 @@ struct SetGlyph {
     std::uint32_t glyph = 0;
     double x_px = 0.0, baseline_px = 0.0;
     double em_px = 0.0;
+    int tint = 0;  // of a term; 0: none
 };
 
 struct SetRule {
@@ -57,6 +60,7 @@ struct SetRule {
 
 struct TypesetMask : TypeExtent {
     std::vector<std::uint8_t> coverage;  // width × height, row 0 is the top, 255: inside
+    std::vector<std::uint8_t> tints;     // of the same pixels; empty: all 0
     std::vector<SetGlyph> glyphs;        // the glyphs of the mask, in reading order
     std::vector<SetRule> rules;
 };

@@ -1,5 +1,6 @@
 #include "vector/lettering.h"
 
+#include <algorithm>
 #include <iterator>
 #include <utility>
 
@@ -34,18 +35,32 @@ Page with_outlined_type(Page page) {
             items.push_back(std::move(item));
             continue;
         }
+        // Each colour is filled on its own.
         Path letters;
-        for (const PlacedLetter& letter : type->letters)
-            letters.add(placed(fonts.of(*letter.font_file).outline(letter.glyph), letter));
+        std::vector<Fill> fills{{type->rules, type->ink, false}};
+        for (const PlacedLetter& letter : type->letters) {
+            const Path outline = placed(fonts.of(*letter.font_file).outline(letter.glyph), letter);
+            const Colour colour = letter.colour.value_or(type->ink.colour);
+            const auto of_colour = std::find_if(fills.begin(), fills.end(), [&](const Fill& fill) {
+                return std::get<PaperInk>(fill.paint).colour == colour;
+            });
+            Fill& fill =
+                of_colour != fills.end()
+                    ? *of_colour
+                    : fills.emplace_back(Fill{{}, PaperInk{colour, type->ink.alpha}, false});
+            fill.path.add(outline);
+            letters.add(outline);
+        }
         letters.add(type->rules);
         if (type->halo.alpha > 0.0 && type->halo_pt > 0.0) {
             Stroke halo;
-            halo.path = letters;
+            halo.path = std::move(letters);
             halo.ink = type->halo;
             halo.width_pt = 1.5 * type->halo_pt;
             items.emplace_back(std::move(halo));
         }
-        items.emplace_back(Fill{std::move(letters), type->ink, false});
+        for (Fill& fill : fills)
+            if (!fill.path.steps.empty()) items.emplace_back(std::move(fill));
     }
     page.items = std::move(items);
     return page;

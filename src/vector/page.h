@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <variant>
 #include <vector>
@@ -102,6 +103,7 @@ struct PlacedLetter {
     std::uint32_t glyph = 0;
     double x_pt = 0.0, y_pt = 0.0;
     double em_pt = 10.0;
+    std::optional<Colour> colour{};  // in place of that of the text's ink
 };
 
 // The text of the letters and their position, for programs that typeset them again.

@@ -94,16 +94,17 @@ class PdfWriter {
 
     void operator()(const Type& type) {
         if (type.halo.alpha > 0.0 && type.halo_pt > 0.0) draw_halo(type);
-        set_ink(type.ink);
-        // Runs of letters of one font and size.
+        // Runs of letters of one font, size and colour.
         for (std::size_t from = 0; from < type.letters.size();) {
             std::size_t to = from;
             while (to < type.letters.size() && is_one_run(type.letters[from], type.letters[to]))
                 ++to;
+            set_ink({type.letters[from].colour.value_or(type.ink.colour), type.ink.alpha});
             show(type, from, to);
             from = to;
         }
         if (type.rules.steps.empty()) return;
+        set_ink(type.ink);
         trace(type.rules);
         cairo_set_fill_rule(cairo_, CAIRO_FILL_RULE_WINDING);
         cairo_fill(cairo_);
@@ -135,7 +136,7 @@ class PdfWriter {
 
  private:
     static bool is_one_run(const PlacedLetter& a, const PlacedLetter& b) {
-        return *a.font_file == *b.font_file && a.em_pt == b.em_pt;
+        return *a.font_file == *b.font_file && a.em_pt == b.em_pt && a.colour == b.colour;
     }
 
     void trace(const Path& path) {

@@ -241,11 +241,18 @@ class SvgWriter {
             FontFace& font = fonts_.of(*letter.font_file);
             if (font.character(letter.glyph) == 0) {
                 // A glyph without a character is drawn as a path.
-                any_shape = true;
                 Eigen::Affine2d map = Eigen::Affine2d::Identity();
                 map.translation() = Eigen::Vector2d(letter.x_pt, letter.y_pt);
                 map.linear() *= letter.em_pt;
-                shapes.add(font.outline(letter.glyph), map);
+                if (letter.colour) {
+                    PathData own;
+                    own.add(font.outline(letter.glyph), map);
+                    body() += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", hex(*letter.colour),
+                                          own.take());
+                } else {
+                    any_shape = true;
+                    shapes.add(font.outline(letter.glyph), map);
+                }
                 ++from;
                 continue;
             }
@@ -413,7 +420,7 @@ class SvgWriter {
         for (; to < type.letters.size(); ++to) {
             const PlacedLetter& letter = type.letters[to];
             if (*letter.font_file != *first.font_file || letter.em_pt != first.em_pt ||
-                rounded(letter.y_pt) != rounded(first.y_pt))
+                letter.colour != first.colour || rounded(letter.y_pt) != rounded(first.y_pt))
                 break;
             const char32_t c = font.character(letter.glyph);
             if (c == 0 || (c > 0xffff && to > from)) break;
@@ -437,8 +444,10 @@ class SvgWriter {
             }
         }
         if (letters.empty()) return to;
-        body() += fmt::format("<text class=\"{}\" font-size=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n",
-                              used.name, number(first.em_pt), places, number(first.y_pt),
+        const std::string fill =
+            first.colour ? fmt::format(" fill=\"{}\"", hex(*first.colour)) : "";
+        body() += fmt::format("<text class=\"{}\"{} font-size=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n",
+                              used.name, fill, number(first.em_pt), places, number(first.y_pt),
                               escaped(letters));
         return to;
     }

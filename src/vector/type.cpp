@@ -27,9 +27,16 @@ void draw_label(const Canvas& canvas, const Label& label) {
         pt * mask.source.baseline_px,
         label.held_at,
         pt * mask.source.max_width_px};
-    for (const MaskLetter& letter : mask.letters)
-        type.letters.push_back({letter.font_file, letter.glyph, corner.x() + pt * letter.x_px,
-                                corner.y() + pt * letter.baseline_px, pt * letter.em_px});
+    for (const MaskLetter& letter : mask.letters) {
+        type.letters.push_back({letter.font_file,
+                                letter.glyph,
+                                corner.x() + pt * letter.x_px,
+                                corner.y() + pt * letter.baseline_px,
+                                pt * letter.em_px,
+                                {}});
+        if (letter.tint > 0 && static_cast<std::size_t>(letter.tint) <= label.inks.size())
+            type.letters.back().colour = label.inks[static_cast<std::size_t>(letter.tint) - 1];
+    }
     for (const MaskRule& rule : mask.rules)
         type.rules.add_rectangle(corner + pt * Eigen::Vector2d(rule.left_px, rule.top_px),
                                  pt * Eigen::Vector2d(rule.width_px, rule.height_px));

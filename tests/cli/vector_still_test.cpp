@@ -57,6 +57,27 @@ TEST(VectorStill, PdfIsValidSmallAndHasNoRaster) {
     EXPECT_LT(pdf.size(), 70'000u);
 }
 
+// The words for curves have the curves' colours, and can still be read as text.
+TEST(VectorStill, CaptionsNameCurvesInTheirColours) {
+    const ScratchFolder folder;
+    const std::string changes =
+        "' --set 'caption=The herpolhode of $\\boldsymbol\\omega$, a curve' "
+        "--set 'style.herpolhode=#006600' --set 'style.omega=#770077' --set labels=false -q -o ";
+    for (const char* file : {"a.svg", "a.pdf"}) {
+        const ProgramRun run =
+            run_program_in(folder, "still '" + scene_path("generic") + changes + file);
+        ASSERT_EQ(run.code, 0) << run.err;
+    }
+    const std::string svg = text_of(folder.path() / "a.svg");
+    EXPECT_TRUE(
+        std::regex_search(svg, std::regex("<text [^>]*fill=\"#006600\"[^>]*>herpolhode</text>")));
+    EXPECT_TRUE(
+        std::regex_search(svg, std::regex("<text [^>]*fill=\"#770077\"[^>]*>[^<]+</text>")));
+    EXPECT_TRUE(std::regex_search(svg, std::regex("<text [^>]*>a curve</text>|, a curve</text>")));
+    EXPECT_TRUE(contains(said(folder, "pdftotext a.pdf -"), "The herpolhode of"))
+        << said(folder, "pdftotext a.pdf -");
+}
+
 // SVG has no gradients over meshes: an ellipsoid takes some 40 linear ones. A body takes some
 // hundred, a measured motion some thousand dots.
 TEST(VectorStill, NoSceneTakesMoreRoomThanItsShapesNeed) {

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "pictures.h"
 
 namespace poinsot::testing {
@@ -37,11 +39,35 @@ TEST(LabelPicture, DrawsItsMaskWithInkCorrectedForLinearLight) {
     }
 }
 
+// Each pixel has the colour of its tint's ink; a tint without an ink has the label's colour.
+TEST(LabelPicture, DrawsWordsInTheirOwnInks) {
+    GlyphMask mask = block(9503, 9, 4);
+    mask.tints.assign(mask.coverage.size(), 0);
+    for (std::size_t k = 0; k < mask.tints.size(); ++k)
+        mask.tints[k] = static_cast<std::uint8_t>(k % 9 / 3);  // 0, 1, 2, three columns each
+    Drawing drawing = flat_drawing(20, 12, 12.0);
+    Label label;
+    label.mask = &mask;
+    label.top_left_px = {5.0, 3.0};
+    label.colour = {0.0, 0.0, 0.0};
+    label.inks = {{1.0, 0.0, 0.0}};
+    const auto colours_of = [&] {
+        drawing.views[0].labels = {label};
+        const Image image = renderer().render(drawing);
+        return std::array{image.at(6, 4), image.at(9, 4), image.at(12, 4)};
+    };
+    EXPECT_EQ(colours_of(),
+              (std::array<Rgba8, 3>{{{0, 0, 0, 255}, {255, 0, 0, 255}, {0, 0, 0, 255}}}));
+    label.inks = {{1.0, 0.0, 0.0}, {0.0, 0.0, 1.0}};
+    EXPECT_EQ(colours_of(),
+              (std::array<Rgba8, 3>{{{0, 0, 0, 255}, {255, 0, 0, 255}, {0, 0, 255, 255}}}));
+}
+
 TEST(LabelPicture, HasAHaloThatFadesWithDistance) {
     const GlyphMask mask = block(9502, 1, 1);
     const std::vector<std::uint8_t> texels = with_halo(mask, 4.0, 5);
     const auto halo = [&](int x, int y) {
-        return texels[2 * static_cast<std::size_t>(y * 11 + x) + 1];
+        return texels[3 * static_cast<std::size_t>(y * 11 + x) + 1];
     };
     EXPECT_EQ(halo(5, 5), 255);
     EXPECT_EQ(halo(7, 5), 255);

@@ -12,8 +12,11 @@
 #include "drawing/stage/fade.h"
 #include "drawing/stage/live_values.h"
 #include "drawing/stage/marks.h"
+#include "drawing/stage/thing_names.h"
 #include "drawing/stage/type/clock_text.h"
 #include "drawing/stage/type/time_unit.h"
+#include "drawing/style/theme_contrast.h"
+#include "drawing/style/theme_roles.h"
 #include "numerics/smooth_step.h"
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
@@ -43,10 +46,37 @@ class WideHalo {
     const Timeline* timeline_ = nullptr;
 };
 
+// The terms of captions that have the colours of what they name, and these colours.
+struct CaptionColours {
+    std::vector<CaptionTerm> terms;
+    std::vector<Colour> inks;
+
+    explicit CaptionColours(const StageContext& stage) {
+        const Theme& theme = stage.theme;
+        const auto add = [&](std::string text, bool is_formula, const Colour& line) {
+            if (terms.size() == most_inks) return;
+            terms.push_back({std::move(text), is_formula});
+            inks.push_back(letter_colour(theme, line));
+        };
+        const auto add_symbol = [&](std::string_view symbol, const Colour& line) {
+            add(named_by_scene(stage.scene, symbol), true, line);
+        };
+        add_symbol("\\boldsymbol{\\omega}", theme.omega);
+        add_symbol("\\boldsymbol{\\rho}", theme.rho);
+        for (std::size_t i = 0; i < 3; ++i)
+            add_symbol(fmt::format("\\mathbf{{e}}_{}", i + 1), theme.axes[i]);
+        add_symbol("\\nabla F", theme.gradient);
+        add_symbol("\\mathbf{N}", theme.torque);
+        for (ThingWords& words : words_of_things(stage.scene))
+            add(std::move(words.text), false, line_of(theme, words.role));
+    }
+};
+
 // Adds text at a corner of the picture; its pen may be between pixels. `wide`: how wide its halo
 // is, 0…1.
 void add_text(const StageContext& stage, const TextBlock& type, double pen_x, double baseline_y,
-              LabelRank rank, double wide, ViewBuilder& builder) {
+              LabelRank rank, double wide, ViewBuilder& builder,
+              const std::vector<Colour>& inks = {}) {
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
@@ -58,6 +88,7 @@ void add_text(const StageContext& stage, const TextBlock& type, double pen_x, do
     label.over_figure = wide > 0.0;
     label.held_at = 0.0;
     label.rank = rank;
+    if (!type.mask->tints.empty()) label.inks = inks;
     builder.view.labels.push_back(label);
 }
 
@@ -178,12 +209,14 @@ Drawer make_clock(const StageContext& stage, StageStore& store, const WideHalo& 
 }
 
 Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo& halo) {
-    const TypeStyle style = text_style(stage, caption_size);
-    const auto place = [&stage, halo](const TextBlock& type, const FrameInput& instant,
-                                      ViewBuilder& builder) {
+    CaptionColours colours(stage);
+    TypeStyle style = text_style(stage, caption_size);
+    style.terms = store.keep(std::move(colours.terms));
+    const auto place = [&stage, halo, inks = std::move(colours.inks)](
+                           const TextBlock& type, const FrameInput& instant, ViewBuilder& builder) {
         const double below = type.height_px() - type.baseline_px;
         add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
-                 rank_of_caption, halo.presence(instant.film_s), builder);
+                 rank_of_caption, halo.presence(instant.film_s), builder, inks);
     };
     // Always set here, so that an invalid caption is rejected before the first frame.
     const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
@@ -292,7 +325,9 @@ double bottom_of_captions(const StageContext& stage, const TypeStyle& style) {
 
 Drawer make_timed_captions(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     const Scene& scene = stage.scene;
-    const TypeStyle style = text_style(stage, caption_size);
+    CaptionColours colours(stage);
+    TypeStyle style = text_style(stage, caption_size);
+    style.terms = store.keep(std::move(colours.terms));
     std::vector<TimedCaption> captions;
     for (std::size_t i = 0; i < scene.captions.size(); ++i) {
         TimedCaption caption;
@@ -308,8 +343,8 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store, const W
     }
     const double foot = bottom_of_captions(stage, style);
     const double head = below_chapters(scene, OverlayRoom(stage));
-    return [&stage, halo, captions, style, foot, head, &text = std::as_const(store).text()](
-               const FrameInput& instant, ViewBuilder& builder) {
+    return [&stage, halo, captions, style, foot, head, inks = std::move(colours.inks),
+            &text = std::as_const(store).text()](const FrameInput& instant, ViewBuilder& builder) {
         for (const TimedCaption& caption : captions) {
             const double presence = presence_of(caption, stage, instant);
             if (!(presence > 0.0)) continue;
@@ -322,7 +357,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store, const W
                                         : foot - (type.height_px() - type.baseline_px);
             const std::size_t n_before = builder.view.labels.size();
             add_text(stage, type, margin(stage), baseline, rank_of_caption,
-                     halo.presence(instant.film_s), builder);
+                     halo.presence(instant.film_s), builder, inks);
             if (builder.view.labels.size() > n_before)
                 builder.view.labels.back().opacity *= presence;
         }

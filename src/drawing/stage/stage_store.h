@@ -8,6 +8,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "drawing/stage/type/labels.h"
@@ -32,6 +33,11 @@ class StageStore {
     // Sets text, and keeps its mask.
     TextBlock set(std::string_view text, const TypeStyle& style) { return text_.set(text, style); }
 
+    // Keeps the terms of captions that have colours of their own.
+    const std::vector<CaptionTerm>* keep(std::vector<CaptionTerm> terms) {
+        return &terms_.emplace_back(std::move(terms));
+    }
+
     // Adds a note that is not there yet: what is drawn otherwise than the scene says, and why.
     void note(std::string text);
 
@@ -55,6 +61,7 @@ class StageStore {
     TextCache text_;
     std::deque<CurveGeometry> curves_;
     std::deque<MeshGeometry> meshes_;
+    std::deque<std::vector<CaptionTerm>> terms_;
     std::set<std::string, std::less<>> names_;
     std::vector<std::string> notes_;
     double curve_error_px_;

@@ -383,6 +383,20 @@ double margin_of(const Panel& panel) {
 
 }  // namespace
 
+std::vector<ThingWords> words_of_things(const Scene& scene) {
+    std::vector<ThingWords> words;
+    for (const NamedThing& thing : things) {
+        constexpr std::array lines{"body-cone", "space-cone", "herpolhode", "polhode",
+                                   "separatrix"};
+        if (std::find(lines.begin(), lines.end(), thing.name) == lines.end()) continue;
+        words.push_back({std::string(phrase_in(scene.language, thing.words)), thing.role});
+        const auto own = scene.symbols.things.find(thing.name);
+        if (own != scene.symbols.things.end() && own->second.find('$') == std::string::npos)
+            words.push_back({own->second, thing.role});
+    }
+    return words;
+}
+
 std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
     const StageContext& stage = *panel.stage;
     const Scene& scene = stage.scene;

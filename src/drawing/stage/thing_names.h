@@ -6,6 +6,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <string_view>
 #include <vector>
 
@@ -33,6 +34,14 @@ struct ThingName {
     Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();  // by hand
     std::optional<NameSide> side{};                       // absent: the best of the instant
 };
+
+// The words for curves and cones in texts of the scene, and the roles of their colours in the
+// theme. Surfaces have no words here: their colours are too pale for letters.
+struct ThingWords {
+    std::string text;
+    std::string_view role;
+};
+std::vector<ThingWords> words_of_things(const Scene& scene);
 
 // Sets the names that the scene wants in this panel, at its size.
 std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store);

@@ -49,18 +49,20 @@ PlacedLabel::PlacedLabel(const Label& label)
       top_left_px(label.top_left_px),
       colour(label.colour),
       halo_colour(label.halo_colour),
+      inks(label.inks),
       halo_px(label.halo_px),
       opacity(label.opacity),
       box(box_of(label)) {}
 
 bool PlacedLabel::operator==(const PlacedLabel& other) const {
     return mask == other.mask && top_left_px == other.top_left_px && colour == other.colour &&
-           halo_colour == other.halo_colour && halo_px == other.halo_px && opacity == other.opacity;
+           inks == other.inks && halo_colour == other.halo_colour && halo_px == other.halo_px &&
+           opacity == other.opacity;
 }
 
 std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int margin) {
     const int width = mask.width + 2 * margin, height = mask.height + 2 * margin;
-    std::vector<std::uint8_t> texels(2 * static_cast<std::size_t>(width) *
+    std::vector<std::uint8_t> texels(3 * static_cast<std::size_t>(width) *
                                      static_cast<std::size_t>(height));
     // The halo has full strength up to half its width, then falls smoothly to zero.
     struct Brush {
@@ -75,17 +77,19 @@ std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int 
             if (t > 0.0) brush.push_back({x, y, t * t * (3.0 - 2.0 * t)});
         }
     }
-    std::vector<double> halo(texels.size() / 2, 0.0);
+    std::vector<double> halo(texels.size() / 3, 0.0);
     for (int y = 0; y < mask.height; ++y) {
         for (int x = 0; x < mask.width; ++x) {
-            const std::uint8_t covered =
-                mask.coverage[static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) +
-                              static_cast<std::size_t>(x)];
+            const std::size_t at =
+                static_cast<std::size_t>(y) * static_cast<std::size_t>(mask.width) +
+                static_cast<std::size_t>(x);
+            const std::uint8_t covered = mask.coverage[at];
             if (covered == 0) continue;
             const auto middle =
                 static_cast<std::size_t>(y + margin) * static_cast<std::size_t>(width) +
                 static_cast<std::size_t>(x + margin);
-            texels[2 * middle] = covered;
+            texels[3 * middle] = covered;
+            if (!mask.tints.empty()) texels[3 * middle + 2] = mask.tints[at];
             if (brush.empty()) continue;
             halo[middle] = std::max(halo[middle], 1.0 * covered);
             // A pixel surrounded by full pixels is never the nearest one to a pixel outside.
@@ -98,11 +102,11 @@ std::vector<std::uint8_t> with_halo(const GlyphMask& mask, double reach_px, int 
         }
     }
     for (std::size_t k = 0; k < halo.size(); ++k)
-        texels[2 * k + 1] = static_cast<std::uint8_t>(std::lround(halo[k]));
+        texels[3 * k + 1] = static_cast<std::uint8_t>(std::lround(halo[k]));
     return texels;
 }
 
-LabelPass::LabelPass() : program_("label.frag", 4) {}
+LabelPass::LabelPass() : program_("label.frag", 4 + static_cast<int>(most_inks)) {}
 
 LabelPass::Key LabelPass::key_of(const Label& label) { return {label.mask->id, halo_reach(label)}; }
 
@@ -114,7 +118,7 @@ void LabelPass::empty_texture(int width_px, int height_px) {
     height_px_ = height_px;
     texture_ = GlTexture::make();
     glBindTexture(GL_TEXTURE_2D, texture_.id());
-    glTexImage2D(GL_TEXTURE_2D, 0, GL_RG8, width_px, height_px, 0, GL_RG, GL_UNSIGNED_BYTE,
+    glTexImage2D(GL_TEXTURE_2D, 0, GL_RGB8, width_px, height_px, 0, GL_RGB, GL_UNSIGNED_BYTE,
                  nullptr);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MIN_FILTER, GL_NEAREST);
     glTexParameteri(GL_TEXTURE_2D, GL_TEXTURE_MAG_FILTER, GL_NEAREST);
@@ -150,7 +154,7 @@ bool LabelPass::place(const Label& label) {
     const std::vector<std::uint8_t> texels = with_halo(*label.mask, halo_reach(label), slot.margin);
     glBindTexture(GL_TEXTURE_2D, texture_.id());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glTexSubImage2D(GL_TEXTURE_2D, 0, slot.x, slot.y, slot.width, slot.height, GL_RG,
+    glTexSubImage2D(GL_TEXTURE_2D, 0, slot.x, slot.y, slot.width, slot.height, GL_RGB,
                     GL_UNSIGNED_BYTE, texels.data());
     slots_.emplace(key, slot);
     return true;
@@ -203,6 +207,9 @@ void LabelPass::draw(const ViewScene& scene,
         constants.add4(linear_from_srgb(label.colour, label.opacity));
         constants.add4(linear_from_srgb(label.halo_colour, 1.0));
         constants.add(1.0 / n, 0.0, 0.0, 0.0);
+        for (std::size_t k = 0; k < most_inks; ++k)
+            constants.add4(
+                linear_from_srgb(k < label.inks.size() ? label.inks[k] : label.colour, 1.0));
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, texture_.id());
         program_.draw(polygon_of(box_of(label)), constants, *scene.drawing);

@@ -24,6 +24,7 @@ struct PlacedLabel {
     std::uint64_t mask;
     Eigen::Vector2d top_left_px;
     Colour colour, halo_colour;
+    std::vector<Colour> inks;
     double halo_px, opacity;
     PixelBox box;
 };

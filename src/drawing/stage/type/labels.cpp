@@ -131,9 +131,10 @@ TextBlock TextCache::keep(TypesetMask&& set, std::deque<GlyphMask>& masks) const
     mask.height = set.height;
     mask.samples = samples_;
     mask.coverage = std::move(set.coverage);
+    mask.tints = std::move(set.tints);
     for (const SetGlyph& glyph : set.glyphs)
         mask.letters.push_back(
-            {glyph.font_file, glyph.glyph, glyph.x_px, glyph.baseline_px, glyph.em_px});
+            {glyph.font_file, glyph.glyph, glyph.x_px, glyph.baseline_px, glyph.em_px, glyph.tint});
     for (const SetRule& rule : set.rules)
         mask.rules.push_back({rule.left_px, rule.top_px, rule.width_px, rule.height_px});
     return {&mask, samples_ * set.left_px, samples_ * set.baseline_px};
@@ -153,7 +154,7 @@ TextBlock TextCache::set_among(std::deque<GlyphMask>& masks, std::string_view te
 
 TextBlock TextCache::set(std::string_view text, const TypeStyle& style) {
     const auto key = std::make_tuple(std::string(text), style.size_px, static_cast<int>(style.mode),
-                                     style.max_width_px);
+                                     style.max_width_px, style.terms != nullptr);
     if (const auto found = known_.find(key); found != known_.end()) return found->second;
     const TextBlock type = set_among(masks_, text, style);
     known_.emplace(key, type);

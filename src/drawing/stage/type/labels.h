@@ -78,7 +78,7 @@ class TextCache {
     LeastSizes least_;  // in pixels of the masks
     Typesetter typesetter_;
     std::deque<GlyphMask> masks_;
-    std::map<std::tuple<std::string, double, int, double>, TextBlock> known_;
+    std::map<std::tuple<std::string, double, int, double, bool>, TextBlock> known_;
 };
 
 // A requested label beside a point, on the side that `away` names.
