@@ -155,8 +155,7 @@ TEST_P(EveryTheme, MeasuredPointsDifferFromWhatTheyLieOn) {
 // If colours may be indistinguishable, the herpolhode differs by its width.
 TEST_P(EveryTheme, CurvesDifferInWidthWhereColoursMayBeConfused) {
     const Theme& t = theme();
-    const bool by_weight = t.name == "print" || t.name == "colour-blind";
-    EXPECT_GE(t.herpolhode_weight, by_weight ? 1.4 : 1.0);
+    EXPECT_GE(t.herpolhode_weight, 1.2 * t.polhode_weight);
 }
 
 std::string name_of(const testing::TestParamInfo<std::size_t>& info) {

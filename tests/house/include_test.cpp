@@ -173,6 +173,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"mechanics/extremes", "free motions at every extreme"},
     {"production/alone", "a drawing made without files, OpenGL or FFmpeg"},
     {"production/drawn_geometry", "pixels compared with geometry computed independently of src/"},
+    {"production/palette", "colours of lines on surfaces as rendered, in every theme"},
     {"production/taught_construction", "pixels compared with the textbooks' construction"},
     {"report/shown_films", "films of the same coded pictures that players show otherwise"},
     {"scene/lecture_scenes", "the files of scenes/"},

@@ -43,7 +43,9 @@ struct Theme {
 
     LineStyle polhode;
     LineStyle herpolhode;
-    double herpolhode_weight = 1.0;  // its width over the polhode's; dashes mean hidden lines
+    // Widths of the two curves of the construction, in 4 pixels of 1080; dashes mean hidden lines.
+    double polhode_weight = 1.0;
+    double herpolhode_weight = 1.0;
     LineStyle momentum;
     LineStyle omega;
     LineStyle rho;

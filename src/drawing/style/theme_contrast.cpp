@@ -189,6 +189,17 @@ Colour letter_colour(const Theme& theme, const Colour& colour) {
     return each([&](double light) { return light + (1.0 - light) * (least - now) / (1.0 - now); });
 }
 
+LineStyle path_of_e3(const Theme& theme) {
+    const auto half_way = [](double a, double b) {
+        return srgb_from_linear(0.5 * (linear_from_srgb(a) + linear_from_srgb(b)));
+    };
+    LineStyle path = theme.axes[2];
+    path.r = half_way(path.r, theme.text.r);
+    path.g = half_way(path.g, theme.text.g);
+    path.b = half_way(path.b, theme.text.b);
+    return path;
+}
+
 std::vector<std::string> contrast_notes(const Scene& scene, const Theme& theme) {
     if (scene.style.looks.empty()) return {};
     return ContrastChecks(scene, theme).notes();

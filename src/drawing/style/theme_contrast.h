@@ -17,6 +17,10 @@ std::vector<Colour> grounds_of(const Theme& theme);
 // only 3. The theme's own colour of text is returned as it is.
 Colour letter_colour(const Theme& theme, const Colour& colour);
 
+// The path of a top's axis: e3's look, half-way to the colour of text, which an eye without green
+// tells from φ's arc.
+LineStyle path_of_e3(const Theme& theme);
+
 // Violations of the rules that the built-in themes follow (docs/guide.md, "Your own theme"):
 // one line each, with the position of the key. `theme`: the scene's. Empty if the scene
 // has no style.

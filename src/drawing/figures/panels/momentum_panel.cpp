@@ -19,6 +19,7 @@
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
+#include "drawing/style/theme_contrast.h"
 
 namespace poinsot {
 
@@ -130,8 +131,8 @@ Eigen::Vector3d energy_half_axes(const Panel& panel) {
 std::vector<Label> legend_of(const Panel& panel, StageStore& store) {
     const Theme& theme = panel.stage->theme;
     const std::array<std::pair<std::string_view, Colour>, 2> rows{{
-        {"L_1^2 + L_2^2 + L_3^2 = L^2", theme.potential},
-        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", theme.ellipsoid_lines},
+        {"L_1^2 + L_2^2 + L_3^2 = L^2", letter_colour(theme, theme.sphere)},
+        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", letter_colour(theme, theme.ellipsoid_lines)},
     }};
     std::vector<Label> legend;
     // In the first column it is left-aligned with the title.

@@ -18,6 +18,7 @@
 #include "drawing/stage/framing.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/possible_motions.h"
+#include "drawing/style/theme_contrast.h"
 #include "mesh/solid_meshes.h"
 
 namespace poinsot {
@@ -106,7 +107,7 @@ Locus locus_of(const Panel& panel, StageStore& store) {
     Curve curve = curve_of(panel,
                            keep(panel, store, {.points = std::move(path.points)}, path.off,
                                 "the path of the top's axis"),
-                           stage.theme.axes[2], 4.0);
+                           path_of_e3(stage.theme), 4.0);
     curve.on_surface = the_sphere;
     curve.hidden_opacity = far_opacity;
     return {curve, std::move(trail)};

@@ -1,0 +1,367 @@
+// Colours of lines and letters on the surfaces that they lie on, as rendered: every surface is
+// drawn in its own scene, lit and shaded, and measured in the pixels. Any two lines that can touch
+// are told apart by every kind of colour vision, or by their dashes or widths. OKLab and the
+// contrast are computed here.
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdlib>
+#include <functional>
+#include <set>
+#include <span>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "drawing/style/colour_vision.h"
+#include "drawing/style/theme.h"
+#include "drawing/style/theme_contrast.h"
+#include "drawing/style/theme_roles.h"
+#include "image/image.h"
+#include "places.h"
+#include "production/jobs/picture.h"
+#include "production/jobs/still_job.h"
+#include "production/session/session.h"
+#include "scene/files/load_scene.h"
+#include "typeset/files/installed_fonts.h"
+
+namespace poinsot::testing::palette_tests {
+namespace {
+
+using Eigen::Matrix3d;
+using Eigen::Vector3d;
+
+double linear(double encoded) {
+    return encoded <= 0.04045 ? encoded / 12.92 : std::pow((encoded + 0.055) / 1.055, 2.4);
+}
+Vector3d linear(const Colour& c) { return {linear(c.r), linear(c.g), linear(c.b)}; }
+
+// Björn Ottosson, "A perceptual color space for image processing" (2020).
+Vector3d oklab(const Vector3d& light) {
+    static const Matrix3d cones{{0.4122214708, 0.5363325363, 0.0514459929},
+                                {0.2119034982, 0.6806995451, 0.1073969566},
+                                {0.0883024619, 0.2817188376, 0.6299787005}};
+    static const Matrix3d axes{{0.2104542553, 0.7936177850, -0.0040720468},
+                               {1.9779984951, -2.4285922050, 0.4505937099},
+                               {0.0259040371, 0.7827717662, -0.8086757660}};
+    return axes * (cones * light).unaryExpr([](double x) { return std::cbrt(x); });
+}
+
+double distance(const Colour& a, const Colour& b, const Matrix3d& seen) {
+    const auto clipped = [&](const Colour& c) -> Vector3d {
+        return (seen * linear(c)).cwiseMax(0.0).cwiseMin(1.0);
+    };
+    return (oklab(clipped(a)) - oklab(clipped(b))).norm();
+}
+
+double luminance(const Colour& c) { return Vector3d(0.2126, 0.7152, 0.0722).dot(linear(c)); }
+
+double contrast_of(double a, double b) { return (std::max(a, b) + 0.05) / (std::min(a, b) + 0.05); }
+
+Colour role(const Theme& theme, std::string_view name) {
+    Theme copy = theme;
+    return *look_of(copy, name).colour;
+}
+
+// The luminances of a surface's pixels, from the shaded to the lit side. The outermost tenths are
+// left out: the rim, along which lines run into the outline, and the middle of the highlight.
+struct Tones {
+    std::string surface;
+    double shaded = 0.0, lit = 0.0;
+};
+
+Tones tones_of(std::string surface, std::vector<double> luminances) {
+    EXPECT_GT(luminances.size(), 400u) << surface;
+    if (luminances.empty()) return {std::move(surface)};
+    std::sort(luminances.begin(), luminances.end());
+    const auto share = [&](double s) {
+        return luminances[static_cast<std::size_t>(s * static_cast<double>(luminances.size() - 1))];
+    };
+    return {std::move(surface), share(0.1), share(0.9)};
+}
+
+using Change = std::function<void(View&)>;
+
+// The surfaces of one panel of a scene, without lines on them.
+class Surfaces {
+ public:
+    Surfaces(LazyRenderer& renderer, const Theme& theme, const std::string& scene,
+             std::string_view panel)
+        : renderer_(renderer),
+          panel_(panel),
+          job_(session_of(scene_of(theme, scene), SessionRequest{installed_fonts()}), {}) {}
+
+    static Scene scene_of(const Theme& theme, const std::string& scene) {
+        const std::vector<std::string> settings{"film.size=[640, 360]",
+                                                fmt::format("theme=\"{}\"", theme.name)};
+        return load_scene(source_folder() / "scenes" / (scene + ".toml"), settings);
+    }
+
+    // The picture of the panel's surfaces after a change of its view.
+    Image drawn(const Change& change) {
+        Drawing drawing = job_.drawing();
+        std::erase_if(drawing.views, [&](const View& view) { return view.name != panel_; });
+        EXPECT_EQ(drawing.views.size(), 1u) << panel_;
+        for (View& view : drawing.views) {
+            view.curves.clear();
+            view.arrows.clear();
+            view.dots.clear();
+            view.labels.clear();
+            for (Ellipsoid& each : view.ellipsoids) each.section_px = each.ruling_px = 0.0;
+            for (Plane& each : view.planes) each.grid_px = 0.0;
+            for (Cone& each : view.cones) each.rim_px = 0.0;
+            change(view);
+        }
+        return renderer_.renderer().render(drawing);
+    }
+
+    // Luminances in a picture where two others differ, two pixels within that area's outline.
+    static std::vector<double> where_differ(const Image& of, const Image& a, const Image& b) {
+        const auto differs = [&](int x, int y) {
+            if (x < 0 || y < 0 || x >= a.width() || y >= a.height()) return false;
+            const Rgba8 &p = a.at(x, y), &q = b.at(x, y);
+            return std::abs(p.r - q.r) + std::abs(p.g - q.g) + std::abs(p.b - q.b) > 9;
+        };
+        std::vector<double> found;
+        for (int y = 0; y < a.height(); ++y)
+            for (int x = 0; x < a.width(); ++x)
+                if (differs(x, y) && differs(x - 2, y) && differs(x + 2, y) && differs(x, y - 2) &&
+                    differs(x, y + 2)) {
+                    const Rgba8& p = of.at(x, y);
+                    found.push_back(luminance({p.r / 255.0, p.g / 255.0, p.b / 255.0}));
+                }
+        return found;
+    }
+
+ private:
+    LazyRenderer& renderer_;
+    std::string panel_;
+    StillJob job_;
+};
+
+void nothing(View& view) {
+    view.ellipsoids.clear();
+    view.planes.clear();
+    view.cones.clear();
+    view.meshes.clear();
+}
+
+std::vector<Tones> surfaces_of(LazyRenderer& renderer, const Theme& theme) {
+    std::vector<Tones> found;
+    {
+        Surfaces of(renderer, theme, "generic", "space");
+        const Image bare = of.drawn(nothing);
+        const Image body = of.drawn([](View& view) { view.planes.clear(); });
+        const Image both = of.drawn([](View&) {});
+        found.push_back(tones_of("body", Surfaces::where_differ(body, body, bare)));
+        found.push_back(tones_of("body over its shadow", Surfaces::where_differ(both, body, bare)));
+        const Image plane = of.drawn([](View& view) {
+            view.ellipsoids.clear();
+            view.planes.front().fade_from = 0.95;
+        });
+        found.push_back(tones_of("plane", Surfaces::where_differ(plane, plane, bare)));
+    }
+    {
+        Surfaces of(renderer, theme, "momentum_sphere", "momentum");
+        const Image bare = of.drawn(nothing), both = of.drawn([](View&) {});
+        found.push_back(tones_of("sphere and ellipsoid", Surfaces::where_differ(both, both, bare)));
+    }
+    {
+        Surfaces of(renderer, theme, "heavy_top_looping", "top");
+        const Image bare = of.drawn(nothing);
+        const Image disc = of.drawn([](View& view) { view.ellipsoids.clear(); });
+        found.push_back(tones_of("disc", Surfaces::where_differ(disc, disc, bare)));
+        const Image sphere = of.drawn([](View& view) { view.meshes.clear(); });
+        found.push_back(tones_of("unit sphere", Surfaces::where_differ(sphere, sphere, bare)));
+    }
+    {
+        Surfaces of(renderer, theme, "symmetric_prolate", "space");
+        const Image bare = of.drawn(nothing);
+        const Image cones = of.drawn([](View& view) {
+            view.ellipsoids.clear();
+            view.planes.clear();
+        });
+        found.push_back(tones_of("cones", Surfaces::where_differ(cones, cones, bare)));
+    }
+    for (const auto& [name, ground] : {std::pair{"ground, top", theme.background.top},
+                                       std::pair{"ground, bottom", theme.background.bottom}})
+        found.push_back({name, luminance(ground), luminance(ground)});
+    return found;
+}
+
+// A line that does not reach the contrast, or a pair that is not told apart by its colours, and why
+// it may be so.
+struct Exception {
+    std::string_view theme;  // empty: every theme
+    std::string_view a, b;
+    std::string_view why;
+};
+
+bool is_excepted(std::span<const Exception> list, std::string_view theme, std::string_view a,
+                 std::string_view b) {
+    return std::any_of(list.begin(), list.end(), [&](const Exception& each) {
+        return (each.theme.empty() || each.theme == theme) &&
+               ((each.a == a && each.b == b) || (each.a == b && each.b == a));
+    });
+}
+
+constexpr std::array<std::string_view, 4> with_ground{"light", "dark", "print", "colour-blind"};
+
+// The lines that can lie on each surface.
+const std::vector<std::pair<std::string, std::vector<std::string_view>>> lines_on{
+    {"body",
+     {"polhode", "separatrix", "omega", "momentum", "rho", "gradient", "e1", "e2", "e3", "mark",
+      "measured", "contact"}},
+    {"body over its shadow", {"polhode", "separatrix", "omega", "momentum", "contact"}},
+    {"plane",
+     {"polhode", "herpolhode", "omega", "momentum", "rho", "gradient", "mark", "measured"}},
+    {"sphere and ellipsoid",
+     {"polhode", "momentum", "omega", "e1", "e2", "e3", "potential", "separatrix"}},
+    {"disc", {"solid_lines"}},
+    {"unit sphere", {"theta", "phi", "psi", "e1", "e3", "potential", "text"}},
+    {"cones", {"momentum", "omega"}},
+};
+
+const std::vector<std::string_view> lines_on_ground{
+    "polhode", "herpolhode", "omega", "momentum",   "rho",       "gradient",  "torque", "e1",
+    "e2",      "e3",         "mark",  "measured",   "contact",   "theta",     "phi",    "psi",
+    "energy",  "potential",  "ghost", "separatrix", "body_cone", "space_cone"};
+
+constexpr std::string_view e3_is_an_arrow =
+    "told from polhode and ω by its lightness; on the shaded side lies only the foot of its arrow";
+
+// Accepted where the hue that tells a line apart would be lost.
+const std::vector<Exception> faint{
+    {"light", "e3", "body", e3_is_an_arrow},
+    {"print", "e3", "body", e3_is_an_arrow},
+    {"colour-blind", "e3", "body", e3_is_an_arrow},
+    {"light", "e3", "sphere and ellipsoid", e3_is_an_arrow},
+    {"print", "e3", "sphere and ellipsoid", e3_is_an_arrow},
+    {"colour-blind", "e3", "sphere and ellipsoid", e3_is_an_arrow},
+    {"colour-blind", "measured", "body", "rows of dots, which no other line has"},
+    {"dark", "omega", "cones", "the line along which the cones, of other hues, touch"},
+};
+
+TEST(Palette, LinesHaveAContrastOfThreeOnEverySurfaceAsRendered) {
+    LazyRenderer renderer;
+    std::set<std::string> needed;
+    for (const std::string_view name : with_ground) {
+        const Theme& theme = theme_named(name);
+        for (const Tones& tones : surfaces_of(renderer, theme)) {
+            const auto found = std::find_if(lines_on.begin(), lines_on.end(), [&](const auto& row) {
+                return row.first == tones.surface;
+            });
+            for (const std::string_view line :
+                 found != lines_on.end() ? found->second : lines_on_ground) {
+                const double y = luminance(role(theme, line));
+                const double least =
+                    std::min(contrast_of(y, tones.shaded), contrast_of(y, tones.lit));
+                if (is_excepted(faint, name, line, tones.surface)) {
+                    // An exception that nothing needs is removed.
+                    if (least < 3.0) needed.insert(fmt::format("{} {}", line, tones.surface));
+                } else {
+                    EXPECT_GE(least, 3.0) << name << ": " << line << " on " << tones.surface << " "
+                                          << tones.shaded << " to " << tones.lit;
+                }
+            }
+        }
+    }
+    for (const Exception& each : faint)
+        EXPECT_TRUE(needed.contains(fmt::format("{} {}", each.a, each.b))) << each.a << each.b;
+}
+
+// Lines of one view that touch or cross: those through the contact and the centre of the
+// construction, and those of a top's sphere. The path of e3 is "path".
+const std::vector<std::vector<std::string_view>> meeting{
+    {"polhode", "herpolhode", "omega", "momentum", "rho", "e1", "e2", "e3"},
+    {"gradient", "polhode", "omega", "rho", "momentum"},
+    {"gradient", "e1", "e2", "e3"},
+    {"torque", "momentum", "omega", "e1", "e2", "e3"},
+    {"mark", "herpolhode", "polhode", "omega", "momentum"},
+    {"measured", "polhode", "herpolhode", "momentum", "omega"},
+    {"theta", "phi", "psi", "e1", "e3"},
+    {"path", "phi", "psi"},
+    {"path", "theta"},
+    {"phi", "momentum", "omega", "e2"},
+    {"potential", "polhode", "herpolhode", "momentum"},
+};
+
+const std::vector<Exception> alike{};
+
+Colour line_colour(const Theme& theme, std::string_view name) {
+    return name == "path" ? path_of_e3(theme) : role(theme, name);
+}
+
+TEST(Palette, LinesThatMeetAreToldApartByEveryColourVision) {
+    std::set<std::string> needed;
+    for (const Theme& theme : themes())
+        for (const auto& lines : meeting)
+            for (const std::string_view a : lines)
+                for (const std::string_view b : lines) {
+                    if (!(a < b)) continue;
+                    for (const Vision& vision : visions()) {
+                        const bool is_normal = vision.eye.empty();
+                        const double apart = distance(line_colour(theme, a), line_colour(theme, b),
+                                                      vision.seen_from_linear);
+                        const double least = is_normal ? 0.12 : 0.07;
+                        if (is_excepted(alike, theme.name, a, b)) {
+                            if (apart < least) needed.insert(fmt::format("{} {}", a, b));
+                        } else {
+                            EXPECT_GE(apart, least) << theme.name << ": " << a << " and " << b
+                                                    << (is_normal ? "" : vision.eye);
+                        }
+                    }
+                }
+    for (const Exception& each : alike)
+        EXPECT_TRUE(needed.contains(fmt::format("{} {}", each.a, each.b))) << each.a << each.b;
+}
+
+// On paper in black and white, lines of one kind differ in lightness: the two curves, the arrows
+// that start in the centre, and the axes. Curves differ from arrows by their heads.
+TEST(Palette, PrintIsToldApartByLightnessAlone) {
+    const Theme& theme = theme_named("print");
+    const std::vector<std::vector<std::string_view>> kinds{{"polhode", "herpolhode"},
+                                                           {"momentum", "omega", "rho"},
+                                                           {"momentum", "omega", "e1"},
+                                                           {"e1", "e2", "e3"}};
+    for (const auto& lines : kinds)
+        for (const std::string_view a : lines)
+            for (const std::string_view b : lines) {
+                if (!(a < b)) continue;
+                const double apart =
+                    std::abs(oklab(linear(role(theme, a))).x() - oklab(linear(role(theme, b))).x());
+                EXPECT_GE(apart, 0.07) << a << " and " << b;
+            }
+    // The floor is quieter than what lies on it.
+    for (const Theme& each : themes())
+        for (const std::string_view line : {"polhode", "herpolhode"})
+            EXPECT_GE(contrast_of(luminance(role(each, line)), luminance(each.plane)),
+                      1.8 * contrast_of(luminance(each.grid), luminance(each.plane)))
+                << each.name;
+}
+
+// The formulas of the two surfaces of momentum are told apart by the colours of their letters.
+TEST(Palette, FormulasOfSphereAndEllipsoidDiffer) {
+    for (const Theme& theme : themes())
+        for (const Vision& vision : visions())
+            EXPECT_GE(
+                distance(letter_colour(theme, theme.sphere),
+                         letter_colour(theme, theme.ellipsoid_lines), vision.seen_from_linear),
+                vision.eye.empty() ? 0.12 : 0.07)
+                << theme.name << vision.eye;
+}
+
+TEST(Palette, HerpolhodeIsAsStrongAsThePolhode) {
+    for (const Theme& theme : themes()) {
+        EXPECT_GE(theme.herpolhode_weight, theme.polhode_weight) << theme.name;
+        EXPECT_GE(theme.polhode_weight, 1.2) << theme.name;
+    }
+}
+
+}  // namespace
+}  // namespace poinsot::testing::palette_tests
