@@ -30,9 +30,10 @@ struct FilmScene {
     }
 };
 
-// The curves of the space panel in the order of its elements: polhode, herpolhode.
+// The curves of the space panel in the order of its elements: polhode, the edge of the herpolhode,
+// herpolhode.
 const Curve& polhode_of(const View& view) { return view.curves.at(0); }
-const Curve& herpolhode_of(const View& view) { return view.curves.at(1); }
+const Curve& herpolhode_of(const View& view) { return view.curves.at(2); }
 
 // In single precision, as the renderer receives them.
 Eigen::Vector3d point_of(const Curve& curve, std::size_t k) {

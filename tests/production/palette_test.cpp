@@ -356,6 +356,29 @@ TEST(Palette, FormulasOfSphereAndEllipsoidDiffer) {
                 << theme.name << vision.eye;
 }
 
+// In the space panel and the plan, a wider line in the colour of halos lies under the herpolhode.
+TEST(Palette, HerpolhodeLiesOnAPaleEdge) {
+    for (const std::string_view name : with_ground) {
+        const Theme& theme = theme_named(name);
+        const StillJob job(session_of(Surfaces::scene_of(theme, "loop_generic"),
+                                      SessionRequest{installed_fonts()}),
+                           {});
+        int n_found = 0;
+        const Drawing drawing = job.drawing();
+        for (const View& view : drawing.views)
+            for (std::size_t k = 1; k < view.curves.size(); ++k) {
+                const Curve &edge = view.curves[k - 1], &curve = view.curves[k];
+                if (edge.name.element != "herpolhode" || edge.name.part != "edge") continue;
+                ++n_found;
+                EXPECT_EQ(edge.geometry, curve.geometry);
+                EXPECT_EQ(edge.colour, theme.halo);
+                EXPECT_EQ(curve.colour, Colour(theme.herpolhode));
+                EXPECT_GT(edge.width_px, curve.width_px + 1.0);
+            }
+        EXPECT_EQ(n_found, 2) << name;
+    }
+}
+
 TEST(Palette, HerpolhodeIsAsStrongAsThePolhode) {
     for (const Theme& theme : themes()) {
         EXPECT_GE(theme.herpolhode_weight, theme.polhode_weight) << theme.name;

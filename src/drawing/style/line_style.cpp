@@ -140,7 +140,7 @@ constexpr double told_by_width = 0.7;
 
 void hide(std::string_view parts, Curve& curve) {
     constexpr double least_opacity = 0.7;
-    if (curve.occlusion != Occlusion::by_solids) return;
+    if (curve.occlusion != Occlusion::by_solids || curve.hidden == HiddenStyle::absent) return;
     if (parts == "omitted") {
         curve.hidden = HiddenStyle::absent;
         return;

@@ -78,6 +78,7 @@ void measure_lines(const Drawing& drawing, const View& view, double pt_per_px,
     };
     for (const Curve& curve : view.curves) {
         if (curve.geometry == nullptr || curve.opacity < visible) continue;
+        if (curve.name.part == "edge") continue;  // it is to be as pale as the paper
         const bool thins = curve.hidden == HiddenStyle::dashed && !curve.stands_for_hidden;
         lower(report.least_line_pt,
               pt_per_px * curve.width_px * (thins ? curve.hidden_share : 1.0));

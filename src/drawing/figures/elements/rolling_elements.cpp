@@ -108,7 +108,7 @@ Drawer make_polhode(const Panel& panel, StageStore& store) {
         geometry.smooth = placed(geometry.smooth, Eigen::Affine3d(Eigen::Scaling(per_rho)));
     Curve curve =
         curve_of(panel, keep(panel, store, std::move(geometry), off * per_rho, "the polhode"),
-                 panel.stage->theme.polhode, 4.0);
+                 panel.stage->theme.polhode, 4.0 * panel.stage->theme.polhode_weight);
     curve.on_surface = first_ellipsoid;
     curve.hidden_opacity = under_the_body;
     std::optional<DirectionMarks> marks;
@@ -169,8 +169,8 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
     if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, mark_spacing, false);
     const std::optional<RingCurve> ring = ring_of(
         panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
-    return [&picture, curve, ring, trail = std::move(timed.trail), marks](const FrameInput& instant,
-                                                                          ViewBuilder& builder) {
+    return [&panel, &picture, curve, ring, trail = std::move(timed.trail), marks](
+               const FrameInput& instant, ViewBuilder& builder) {
         if (ring && instant.time_s >= ring->from_s)
             return builder.view.curves.push_back(ring->curve);
         Curve shown = curve;
@@ -180,7 +180,7 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
             shown.placement.translation() = picture.foot(instant);
             shown.lasting = false;
         }
-        builder.view.curves.push_back(shown);
+        add_on_grid(panel, shown, builder.view);
         if (marks) marks->add_to(builder, shown, stretch.grows);
     };
 }

@@ -280,9 +280,22 @@ double herpolhode_width_px(const Panel& panel, double ring_px) {
     const double rate_rad_s = stage.motion.motion().free_constants().mean_advance_rate_rad_s;
     const double n_turns = std::abs(rate_rad_s) * span_s / (2.0 * std::numbers::pi);
     const double apart_px = ring_px / std::max(n_turns, 1.0);
-    constexpr double share = 0.5;
+    constexpr double share = 0.75;
     const double least_px = std::min(stage.options.least.line_px / panel.px, usual_px);
     return std::clamp(share * apart_px / panel.px, least_px, usual_px);
+}
+
+void add_on_grid(const Panel& panel, const Curve& curve, View& view) {
+    constexpr double edge_px = 2.0, edge_opacity = 0.85;
+    Curve edge = curve;
+    edge.width_px += 2.0 * edge_px * panel.px;
+    edge.dash_px = edge.gap_px = 0.0;
+    edge.colour = panel.stage->theme.halo;
+    edge.opacity *= edge_opacity;
+    edge.hidden = HiddenStyle::absent;
+    edge.name = {"herpolhode", 0, "edge"};
+    view.curves.push_back(edge);
+    view.curves.push_back(curve);
 }
 
 TimedCurve polhode_trail(const StageContext& stage, double tolerance, const BodyMap& map) {

@@ -76,6 +76,9 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
 // in the picture. On paper the line is thin enough that its turns stay apart.
 double herpolhode_width_px(const Panel& panel, double ring_px);
 
+// Adds a herpolhode on a wider, pale line that keeps the plane's grid and shadow off it.
+void add_on_grid(const Panel& panel, const Curve& curve, View& view);
+
 // Where a point of the ellipsoid, in body axes and its lengths, is drawn.
 using BodyMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 

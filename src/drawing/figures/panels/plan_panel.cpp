@@ -259,7 +259,7 @@ void make_plan_panel(Panel& panel, StageStore& store) {
             Curve shown = timed->curve;
             const ShownStretch stretch = timed->trail.at(instant.time_s);
             stretch.apply_to(shown);
-            builder.view.curves.push_back(shown);
+            add_on_grid(panel, shown, builder.view);
             if (timed->marks) timed->marks->add_to(builder, shown, stretch.grows);
         }
 
