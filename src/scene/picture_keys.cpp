@@ -68,11 +68,16 @@ std::span<const SceneKey> picture_keys() {
             .or_text("a file name", R"(\.toml$)"),
         one_of("hidden", &Scene::hidden, hidden_styles, R"("dashed")",
                "style of hidden lines; if dashed, all other broken lines become thin solid lines")
-            .default_is("that of the theme (pale in every supplied theme)"),
+            .default_is("that of the theme (dashed in print, pale in the others)"),
+        one_of("hidden_arrows", &Scene::hidden_arrows, hidden_styles, R"("pale")",
+               "style of the hidden shafts and heads of arrows")
+            .default_is("as `hidden`, if the scene gives it; else that of the theme (pale in every "
+                        "supplied theme)"),
         one_of("crossings", &Scene::crossings, crossing_styles, R"("gap")",
                "how the line that is farther from the viewer is drawn at a crossing: through, or "
-               "with a gap on both sides of the nearer line")
-            .default_is("that of the theme (through in every supplied theme)"),
+               "with a gap on both sides of the nearer line; an arrow's shaft hides what is behind "
+               "it in both cases")
+            .default_is("that of the theme (gap in every supplied theme)"),
         boolean("overlays", &Scene::overlays, "false",
                 "whether the title, the chapter, the captions and the clock are drawn; the title "
                 "is also the document title of a PDF or SVG")

@@ -316,6 +316,7 @@ struct Scene {
     std::string theme = "light";    // of a theme file: the theme that it extends
     StyleSpec style;                // the changes of that file, overridden by the scene's
     std::string hidden;             // pale, dashed, omitted: hidden lines; empty: as in the theme
+    std::string hidden_arrows;      // likewise: hidden shafts of arrows; empty: as `hidden`
     std::string crossings;          // through, gap: where lines cross; empty: as in the theme
     double accuracy_px = 0.1;
 

@@ -102,12 +102,12 @@ SmoothForm form_of(const Canvas& canvas, const Curve& curve) {
 }
 
 // Parameters at which the opacity changes by a step: a trail fades behind its head.
-std::vector<double> fading_steps(const Curve& curve, double last_point, const SmoothForm& smooth) {
+std::vector<double> fading_steps(const Curve& curve, double fade_end, const SmoothForm& smooth) {
     std::vector<double> steps;
     constexpr int n_fades = 16;
     for (int k = 0; k < n_fades && curve.fade_points > 0.0; ++k)
         steps.push_back(
-            smooth.parameter_at(last_point - curve.fade_points * (1.0 - 1.0 * k / n_fades)));
+            smooth.parameter_at(fade_end - curve.fade_points * (1.0 - 1.0 * k / n_fades)));
     return steps;
 }
 
@@ -265,7 +265,8 @@ void draw_curve(const Canvas& canvas, const Curve& curve) {
 
     const bool is_closed = geometry.closed && first_point == 0.0 && last_point == n_segments;
     const Dashes dashes(canvas, curve, track, spans, is_closed);
-    const std::vector<double> steps = fading_steps(curve, last_point, smooth);
+    const std::vector<double> steps =
+        fading_steps(curve, std::max(last_point, curve.fade_end), smooth);
     for (const Span& span : spans) {
         const double opacity = curve.opacity * share_shown(curve, span.cover);
         std::vector<double> cuts{span.from};

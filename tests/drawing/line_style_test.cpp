@@ -322,6 +322,88 @@ TEST(LineStyles, PrincipalSectionsLieOnTheEllipsoid) {
     EXPECT_EQ(n, 3);
 }
 
+TEST(LineStyles, InPrintHiddenLinesAreDashedAndArrowsAreNot) {
+    Scene scene = styled("space", "");
+    scene.theme = "print";
+    const Shown printed(scene);
+    int n_dashed = 0;
+    for (const Curve& curve : printed.view.curves) {
+        EXPECT_FALSE(is_outline(curve) || curve.stands_for_hidden);
+        if (curve.occlusion == Occlusion::by_solids && curve.hidden == HiddenStyle::dashed)
+            ++n_dashed;
+    }
+    EXPECT_GT(n_dashed, 4);
+    for (const Arrow& arrow : printed.view.arrows) EXPECT_GE(arrow.hidden_opacity, 0.0);
+    // A scene's own word holds for both.
+    scene.hidden = "dashed";
+    const Shown broken(scene);
+    for (const Arrow& arrow : broken.view.arrows) EXPECT_LT(arrow.hidden_opacity, 0.0);
+    scene.hidden_arrows = "pale";
+    const Shown pale(scene);
+    for (const Arrow& arrow : pale.view.arrows) EXPECT_GE(arrow.hidden_opacity, 0.0);
+}
+
+// A line from x = -1 to 1 at this height, and an opaque arrow along y at z = 0 over its middle,
+// seen from above.
+struct Crossed {
+    CurveGeometry line;
+    View view;
+    LineRules rules;
+
+    Crossed(double height, const char* crossings) {
+        constexpr int n = 400;
+        for (int k = 0; k <= n; ++k) line.points.emplace_back(2.0 * k / n - 1.0, 0.0, height);
+        rules.crossings = crossings;
+        view.width_px = view.height_px = 400;
+        view.camera.eye = {0.0, 0.0, 8.0};
+        view.camera.up = {0.0, 1.0, 0.0};
+        view.ellipsoids.emplace_back().centre = {0.0, 0.0, -9.0};
+        view.curves.emplace_back().geometry = &line;
+        view.curves.back().width_px = 2.0;
+        Arrow& arrow = view.arrows.emplace_back();
+        arrow.tail = {0.0, -1.0, 0.0};
+        arrow.tip = {0.0, 1.0, 0.0};
+        arrow.shaft_px = 8.0;
+        follow_line_rules(rules, view);
+    }
+    double pixels_per_point() const {
+        return (project(view, line.points[1]).px - project(view, line.points[0]).px).norm();
+    }
+};
+
+TEST(LineStyles, AnOpaqueArrowHidesWhatIsBehindIt) {
+    const Crossed behind(-1.0, "through");
+    ASSERT_EQ(behind.view.curves.size(), 2u);
+    const double gap_px =
+        (behind.view.curves[1].first - behind.view.curves[0].last) * behind.pixels_per_point();
+    // The shaft, less what the round ends reach under it.
+    EXPECT_NEAR(gap_px, 8.0 + 2.0, 0.3);
+    EXPECT_NEAR(0.5 * (behind.view.curves[1].first + behind.view.curves[0].last), 200.0, 0.3);
+    EXPECT_EQ(Crossed(1.0, "through").view.curves.size(), 1u);
+    const Crossed gap(-1.0, "gap");
+    ASSERT_EQ(gap.view.curves.size(), 2u);
+    EXPECT_GT(gap.view.curves[1].first - gap.view.curves[0].last,
+              behind.view.curves[1].first - behind.view.curves[0].last);
+}
+
+// Both parts of a fading trail fade as the whole does.
+TEST(LineStyles, AFadingTrailKeepsItsFadingAcrossAGap) {
+    Crossed crossed(-1.0, "gap");
+    View view = crossed.view;
+    view.curves = {view.curves.front()};
+    Curve& trail = view.curves.front();
+    trail.first = 0.0;
+    trail.last = 390.0;
+    trail.fade_points = 380.0;
+    trail.fade_end = 0.0;
+    follow_line_rules(crossed.rules, view);
+    ASSERT_EQ(view.curves.size(), 2u);
+    for (const Curve& part : view.curves) {
+        EXPECT_EQ(part.fade_points, 380.0);
+        EXPECT_EQ(std::max(part.fade_end, part.last), 390.0);
+    }
+}
+
 // Every gap is at a crossing of two lines, and only the rear line has gaps.
 TEST(LineStyles, LinesPassingUnderOthersHaveGaps) {
     const Shown whole_lines(styled("space", "", "through")), gaps(styled("space", "", "gap"));

@@ -167,7 +167,11 @@ LineRules line_rules(const StageContext& stage, const StageStore& store) {
     const auto said = [](std::string_view by_scene, std::string_view by_theme) {
         return by_scene.empty() ? by_theme : by_scene;
     };
+    // What a scene says of hidden lines holds for its arrows, too.
+    const std::string& for_arrows =
+        stage.scene.hidden_arrows.empty() ? stage.scene.hidden : stage.scene.hidden_arrows;
     return {.hidden = said(stage.scene.hidden, stage.theme.hidden),
+            .hidden_arrows = said(for_arrows, stage.theme.hidden_arrows),
             .crossings = said(stage.scene.crossings, stage.theme.crossings),
             .px = stage.px,
             .least_px = stage.options.least.line_px,

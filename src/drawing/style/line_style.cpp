@@ -5,11 +5,13 @@
 #include <cmath>
 #include <map>
 #include <numbers>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "drawing/style/pierced_planes.h"
 #include "shapes/identity.h"
 #include "shapes/projection.h"
 
@@ -51,11 +53,6 @@ std::vector<Curve> taken_sections(const LineRules& rules, View& view) {
         ellipsoid.section_px = 0.0;
     }
     return sections;
-}
-
-// Pixels per view unit, at the depth at which the sizes of arrows apply.
-double unit_px_of(const View& view) {
-    return 1.0 / units_per_pixel(view, project(view, view.camera.target).depth);
 }
 
 // A line that stands for the hidden part of an arrow.
@@ -151,28 +148,40 @@ void hide(std::string_view parts, Curve& curve) {
     curve.hidden_opacity = std::max(curve.hidden_opacity, least_opacity);
 }
 
-void style_hidden(const LineRules& rules, View& view) {
-    const std::string_view parts = rules.hidden;
-    std::vector<Curve> curves = taken_sections(rules, view), heads;
-    const bool dashed = parts == "dashed";
+// Adds the lines that stand for the hidden parts of dashed arrows.
+void style_hidden_arrows(const LineRules& rules, View& view, std::vector<Curve>& axes,
+                         std::vector<Curve>& heads) {
+    if (rules.hidden_arrows == "pale") return;
+    const bool dashed = rules.hidden_arrows == "dashed";
     for (Arrow& arrow : view.arrows) {
         if (arrow.occlusion != Occlusion::by_solids || arrow.tip == arrow.tail) continue;
         if (dashed) {
             if (arrow.dash_px > 0.0) arrow.shaft_px *= told_by_width;
             arrow.dash_px = 0.0;
-            curves.push_back(axis_of(rules, view, arrow));
+            axes.push_back(axis_of(rules, view, arrow));
             if (arrow.opacity > 0.0 && arrow.head_px > arrow.shaft_px)
                 heads.push_back(outline_of_head(arrow, view));
         }
         arrow.hidden_opacity = -1.0;
     }
-    if (!dashed) {
+}
+
+void style_hidden(const LineRules& rules, View& view) {
+    std::vector<Curve> axes, heads;
+    style_hidden_arrows(rules, view, axes, heads);
+    for (Curve& axis : axes) hide(rules.hidden_arrows, axis);
+    const std::string_view parts = rules.hidden;
+    std::vector<Curve> curves;
+    if (parts != "pale") curves = taken_sections(rules, view);
+    if (parts == "omitted") {
         for (Dot& dot : view.dots)
             if (dot.occlusion == Occlusion::by_solids) dot.hidden_opacity = -1.0;
         for (Label& label : view.labels) label.with_point = true;
     }
     curves.insert(curves.end(), view.curves.begin(), view.curves.end());
-    for (Curve& curve : curves) hide(parts, curve);
+    if (parts != "pale")
+        for (Curve& curve : curves) hide(parts, curve);
+    curves.insert(curves.begin(), axes.begin(), axes.end());
     curves.insert(curves.end(), heads.begin(), heads.end());
     view.curves = std::move(curves);
 }
@@ -183,13 +192,16 @@ struct Piece {
     double depth_a = 0.0, depth_b = 0.0;
     double from = 0.0, to = 0.0;  // of a curve: point indices
     double width_px = 0.0;
-    int curve = -1;  // -1: an arrow, which never gets gaps
+    int curve = -1;      // -1: an arrow, which never gets gaps
+    bool hides = false;  // whether it is opaque
 };
 
-// Finds the gaps of lines that pass under others.
+// Finds the gaps of lines that pass under others. Without `least_gap_px`, only where an opaque
+// arrow hides them.
 class Crossing {
  public:
-    Crossing(const View& view, double least_gap_px) : view_(view), least_gap_px_(least_gap_px) {
+    Crossing(const View& view, std::optional<double> least_gap_px)
+        : view_(view), least_gap_px_(least_gap_px) {
         for (std::size_t k = 0; k < view.curves.size(); ++k) add_curve(static_cast<int>(k));
         for (const Arrow& arrow : view.arrows) add_arrow(arrow);
         find();
@@ -219,6 +231,7 @@ class Crossing {
             Curve part = whole;
             part.first = from;
             part.last = to;
+            part.fade_end = std::max(whole.fade_end, last);
             part.lasting = false;
             parts.push_back(part);
         };
@@ -258,11 +271,13 @@ class Crossing {
 
     void add_curve(int number) {
         const Curve& curve = view_.curves[static_cast<std::size_t>(number)];
-        // A fading trail cannot be split: every part would fade at its end.
-        if (curve.geometry == nullptr || !(curve.opacity > 0.0) || curve.fade_points > 0.0) return;
+        if (curve.geometry == nullptr || !(curve.opacity > 0.0)) return;
         // Leaders of labels are not objects in space.
         if (curve.occlusion == Occlusion::none) return;
         const auto& points = curve.geometry->points;
+        // A path of many rounds crosses everything everywhere, and is drawn once for all frames.
+        constexpr std::size_t most_points = 20'000;
+        if (curve.lasting && points.size() > most_points) return;
         const auto [first, last] = range_of(curve);
         if (!(last > first)) return;
         constexpr double most_pieces = 1200.0;
@@ -283,9 +298,17 @@ class Crossing {
     void add_arrow(const Arrow& arrow) {
         if (!(arrow.opacity > 0.0)) return;
         constexpr int n = 32;
-        for (int k = 0; k < n; ++k)
+        constexpr double opaque = 0.95;
+        const double length_px = (arrow.tip - arrow.tail).norm() * unit_px_of(view_);
+        for (int k = 0; k < n; ++k) {
+            // The head's width, where the piece is part of it.
+            const double to_tip_px = length_px * (1.0 - (k + 0.5) / n);
+            const double head = to_tip_px / std::max(arrow.head_length_px, 1e-9);
             add(arrow.tail + (arrow.tip - arrow.tail) * k / n,
-                arrow.tail + (arrow.tip - arrow.tail) * (k + 1) / n, {.width_px = arrow.shaft_px});
+                arrow.tail + (arrow.tip - arrow.tail) * (k + 1) / n,
+                {.width_px = head < 1.0 ? head * arrow.head_px : arrow.shaft_px,
+                 .hides = arrow.opacity > opaque});
+        }
     }
 
     void find() {
@@ -315,8 +338,11 @@ class Crossing {
         const Piece& lower = p_is_lower ? p : q;
         const Piece& upper = p_is_lower ? q : p;
         if (lower.curve < 0) return;
-        const double half_px =
-            (0.5 * upper.width_px + std::max(least_gap_px_, 0.8 * lower.width_px)) / sine;
+        if (!least_gap_px_ && !upper.hides) return;
+        // Without a gap, the round ends of both parts touch the arrow.
+        const double gap_px =
+            least_gap_px_ ? std::max(*least_gap_px_, 0.8 * lower.width_px) : 0.5 * lower.width_px;
+        const double half_px = (0.5 * upper.width_px + gap_px) / sine;
         const double length_px = (lower.b - lower.a).norm();
         const double there = lower.from + (p_is_lower ? s : t) * (lower.to - lower.from);
         const double half = half_px * (lower.to - lower.from) / std::max(length_px, 1e-9);
@@ -325,15 +351,16 @@ class Crossing {
 
     static constexpr double cell_px = 24.0;
     const View& view_;
-    double least_gap_px_;
+    std::optional<double> least_gap_px_;
     std::vector<Piece> pieces_;
     std::map<std::pair<int, int>, std::vector<int>> cells_;
     std::map<int, std::vector<std::pair<double, double>>> gaps_;
 };
 
-void break_crossings(double px, View& view) {
+void break_crossings(const LineRules& rules, View& view) {
     constexpr double gap = 3.0;
-    const Crossing crossing(view, gap * px);
+    const Crossing crossing(
+        view, rules.crossings == "gap" ? std::optional(gap * rules.px) : std::nullopt);
     std::vector<Curve> curves;
     curves.reserve(view.curves.size());
     for (std::size_t k = 0; k < view.curves.size(); ++k)
@@ -406,8 +433,9 @@ void break_shafts(View& view) {
 
 void follow_line_rules(const LineRules& rules, View& view) {
     if (has_solids(view)) {
-        if (rules.hidden != "pale") style_hidden(rules, view);
-        if (rules.crossings == "gap") break_crossings(rules.px, view);
+        if (rules.hidden != "pale" || rules.hidden_arrows != "pale") style_hidden(rules, view);
+        pierce_planes(rules, view);
+        break_crossings(rules, view);
     }
     if (rules.least_px > 0.0) thicken(rules.least_px, view);
     break_shafts(view);

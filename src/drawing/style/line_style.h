@@ -10,6 +10,7 @@ namespace poinsot {
 
 struct LineRules {
     std::string_view hidden = "pale";            // as the scene's `hidden`
+    std::string_view hidden_arrows = "pale";     // as the scene's `hidden_arrows`
     std::string_view crossings = "through";      // as the scene's `crossings`
     double px = 1.0;                             // pixels of the picture for one pixel at 1080 rows
     double least_px = 0.0;                       // a line's least width; 0: no limit

@@ -142,6 +142,7 @@ const Theme print{
     .energy = hex(0x4b9230),
     .potential = hex(0x3e4856),
     .rule = hex(0x858585),
+    .hidden = "dashed",
 };
 
 // Every pair of lines is distinguishable for all kinds of colour vision, and the two curves also by

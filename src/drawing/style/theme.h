@@ -69,9 +69,10 @@ struct Theme {
     LineStyle potential;                        // V
     LineStyle rule;                             // axes and grids of plots
 
-    // Defaults of the scene's `hidden` and `crossings`.
+    // Defaults of the scene's `hidden`, `hidden_arrows` and `crossings`.
     std::string_view hidden = "pale";
-    std::string_view crossings = "through";
+    std::string_view hidden_arrows = "pale";
+    std::string_view crossings = "gap";
 };
 
 std::span<const Theme> themes();

@@ -1,5 +1,7 @@
 #include "render/passes/curve_pass.h"
 
+#include <algorithm>
+
 #include "render/passes/colour.h"
 
 namespace poinsot {
@@ -42,8 +44,9 @@ Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve,
         glEnable(GL_SCISSOR_TEST);
         n_drawn_ = 1;
     }
-    const double last = range_of(curve).last;
-    constants.add(last - curve.fade_points, last, 1.0 - n_drawn_ * depth_step, 0.9 * depth_step);
+    const double fade_end = std::max(range_of(curve).last, curve.fade_end);
+    constants.add(fade_end - curve.fade_points, fade_end, 1.0 - n_drawn_ * depth_step,
+                  0.9 * depth_step);
     if (layer == nullptr)
         constants.add(0.0, 0.0, 0.0, 0.0);
     else
