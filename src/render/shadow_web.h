@@ -15,7 +15,7 @@
 namespace poinsot {
 
 struct ShadowWeb {
-    static constexpr int n_rings = 12;  // around the hub, each with n_spokes corners; the first
+    static constexpr int n_rings = 16;  // around the hub, each with n_spokes corners; the first
                                         // ring is the hub
     static constexpr int n_spokes = 48;
 

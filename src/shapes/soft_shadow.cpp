@@ -37,6 +37,12 @@ SoftShadow::SoftShadow(const Plane& on, const UnitSphere& caster, double presenc
         return (x - plane_->normal.dot(x - plane_->centre) * plane_->normal).eval();
     };
     hub_ = foot(lowest);
+    // The core fades as the ellipsoid leaves the plane.
+    constexpr double core_share = 0.12, core_darkness = 0.5, apart_share = 0.05;
+    const double largest = caster.axes.colwise().norm().maxCoeff();
+    core_radius_ = core_share * largest;
+    const double gap = std::abs(std::abs(height) - lean.norm());
+    core_ = core_darkness * (1.0 - smoothstep(0.0, apart_share, gap / std::max(largest, 1e-12)));
     // The lamp is higher than the key light: a shadow near the point of contact looks calmer than a
     // long one.
     constexpr double raised = 0.8;
@@ -72,7 +78,9 @@ double SoftShadow::darkness(const Eigen::Vector3d& point) const {
     const double overlap = nearness * towards_lamp - cosine * beside_lamp;
     const double largest = std::min(nearness / lamp, 1.0);
     const double key_taken = 0.75 * smoothstep(-lamp, lamp, overlap) * largest * largest;
-    const double taken = (key_ * key_taken + sky_ * sky_taken) / std::max(key_ + sky_, 1e-6);
+    const double lit = 1.0 - (key_ * key_taken + sky_ * sky_taken) / std::max(key_ + sky_, 1e-6);
+    const double core = core_ * (1.0 - smoothstep(0.0, 2.0, (point - hub_).norm() / core_radius_));
+    const double taken = 1.0 - lit * (1.0 - core);
 
     const double distance = (point - plane_->centre).norm();
     return std::max(presence_ * taken * opacity_at(*plane_, distance) - unseen, 0.0);

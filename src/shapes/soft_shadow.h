@@ -1,5 +1,6 @@
 // The soft shadow of an ellipsoid on a plane: the sky light is darkest where they touch, and the
-// key light is that of a wide lamp. Both are smooth except at the point of contact.
+// key light is that of a wide lamp. Both are smooth except at the point of contact, where a small
+// dark core shows that they touch.
 #pragma once
 
 #include <Eigen/Core>
@@ -43,6 +44,8 @@ class SoftShadow {
                                 // unit
     Eigen::Vector3d lamp_u_;    // towards the middle of the lamp, in the ellipsoid's axes, unit
     double key_, sky_;          // strengths
+    double core_radius_ = 0.0;  // of the core at half its darkness
+    double core_ = 0.0;         // its darkness in the middle; 0 if they do not touch
 };
 
 }  // namespace poinsot

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -61,6 +62,36 @@ TEST(SoftShadow, OfAnEllipsoidEqualsThatOfTheScaledSphere) {
     for (const double aside : {0.05, 0.3, 0.6})
         EXPECT_NEAR(flat.shadow().darkness({aside, 0.0, 0.0}),
                     round.shadow().darkness({aside, 0.0, 0.0}), 1e-12);
+}
+
+// A core of half darkness at the point of contact, blurred over twice 0.12 of the radius, beside
+// the share of the sky that the sphere blocks.
+TEST(SoftShadow, HasADarkCoreWhereTheSphereTouches) {
+    Setting setting(0.5, 0.5);
+    setting.light.key = 0.0;
+    const SoftShadow shadow = setting.shadow();
+    for (const double aside : {0.0, 0.03, 0.06, 0.09, 0.2}) {
+        const double d = std::hypot(0.5, aside);
+        const double sky = (0.5 * 0.25 / (d * d * d) - 0.07) / 0.93;
+        const double t = std::min(aside / 0.12, 1.0);
+        const double core = 0.5 * (1.0 - t * t * (3.0 - 2.0 * t));
+        EXPECT_NEAR(shadow.darkness({aside, 0.0, 0.0}),
+                    0.8 * (1.0 - (1.0 - sky) * (1.0 - core)) - 1.0 / 256.0, 1e-12)
+            << aside;
+    }
+}
+
+TEST(SoftShadow, TheCoreFadesAsTheSphereIsLifted) {
+    double before = 1.0;
+    for (const double gap : {0.0, 0.005, 0.01, 0.02, 0.025}) {
+        Setting setting(0.5, 0.5 + gap);
+        setting.light.key = 0.0;
+        const double core = setting.shadow().darkness({0.0, 0.0, 0.0});
+        EXPECT_LT(core, before);
+        before = core;
+    }
+    const double d = 0.525, sky = (0.525 * 0.25 / (d * d * d) - 0.07) / 0.93;
+    EXPECT_NEAR(before, 0.8 * sky - 1.0 / 256.0, 1e-12);
 }
 
 TEST(OpacityAt, FadesFromTheGivenFractionToTheRim) {
