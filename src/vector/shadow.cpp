@@ -1,10 +1,11 @@
 // The soft shadow of an ellipsoid on a plane: the same light as in render/shadow_web.h, drawn as
-// nested outlines of equal darkness.
+// nested outlines of equal darkness, between which it fades.
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "shapes/soft_shadow.h"
 #include "vector/canvas.h"
@@ -14,6 +15,9 @@ namespace poinsot::vector {
 namespace {
 
 constexpr int most_levels = 22, n_spokes = 8;
+
+// The places of a level of darkness on paper, one for each spoke.
+using Outline = std::array<Eigen::Vector2d, n_spokes>;
 
 // The distance along a direction from the hub up to which the shadow is darker than this level;
 // searched from outside inwards.
@@ -41,7 +45,7 @@ double extent(const SoftShadow& shadow, const Eigen::Vector3d& direction, double
 }
 
 // A smooth closed path through points on paper.
-Path smooth_through(const std::array<Eigen::Vector2d, n_spokes>& places) {
+Path smooth_through(const Outline& places) {
     const auto at = [&](int k) -> const Eigen::Vector2d& {
         return places[static_cast<std::size_t>((k + n_spokes) % n_spokes)];
     };
@@ -55,6 +59,40 @@ Path smooth_through(const std::array<Eigen::Vector2d, n_spokes>& places) {
                    at(k + 1) - handle * (at(k + 2) - at(k)), at(k + 1));
     path.close();
     return path;
+}
+
+// The ellipse nearest to an outline: the mean of its points, and their first harmonics.
+Eigen::Affine2d ellipse_of(const Outline& places) {
+    Eigen::Affine2d page_from_circle = Eigen::Affine2d::Identity();
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    Eigen::Matrix2d axes = Eigen::Matrix2d::Zero();
+    for (int k = 0; k < n_spokes; ++k) {
+        const double angle = 2.0 * std::numbers::pi * k / n_spokes;
+        const Eigen::Vector2d& at = places[static_cast<std::size_t>(k)];
+        middle += at / n_spokes;
+        axes += 2.0 / n_spokes * at * Eigen::RowVector2d(std::cos(angle), std::sin(angle));
+    }
+    page_from_circle.translation() = middle;
+    page_from_circle.linear() = axes;
+    return page_from_circle;
+}
+
+// An ink that rises from nothing at one outline to its full opacity at the next one inside, so that
+// the shadow has no visible steps.
+Paint ramp(const Outline& outer, const Outline& inner, const PaperInk& ink) {
+    const Eigen::Affine2d rim = ellipse_of(outer), core = ellipse_of(inner);
+    const double area = std::abs(rim.linear().determinant());
+    if (!(area > 1e-9)) return ink;
+    RadialFade fade;
+    fade.page_from_circle = rim;
+    const double share =
+        std::clamp(std::sqrt(std::abs(core.linear().determinant()) / area), 0.0, 0.98);
+    // The circles in between shrink about one point.
+    fade.focus = rim.inverse() * core.translation() / (1.0 - share);
+    constexpr double farthest = 0.95;
+    if (fade.focus.norm() > farthest) fade.focus *= farthest / fade.focus.norm();
+    fade.stops = {{0.0, ink}, {share, ink}, {1.0, {ink.colour, 0.0}}};
+    return fade;
 }
 
 bool casts(const Ellipsoid& ellipsoid) {
@@ -94,9 +132,8 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
                                             plane.colour.b - darkest.b});
     constexpr double least_step = 4.0;
     const int n_levels = std::clamp(static_cast<int>(change / least_step), 4, most_levels);
-    double covered = 0.0;
-    for (int level = 0; level < n_levels; ++level) {
-        std::array<Eigen::Vector2d, n_spokes> places;
+    std::vector<Outline> outlines(static_cast<std::size_t>(n_levels) + 1);
+    for (int level = 0; level <= n_levels; ++level) {
         for (std::size_t k = 0; k < n_spokes; ++k) {
             const double angle = 2.0 * std::numbers::pi * static_cast<double>(k) / n_spokes;
             const Eigen::Vector3d direction =
@@ -106,15 +143,20 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
             if (canvas.projection.perspective &&
                 canvas.projection.depth(point) <= 2.0 * canvas.projection.near_depth)
                 return;
-            places[k] = canvas.projection.place(point);
+            outlines[static_cast<std::size_t>(level)][k] = canvas.projection.place(point);
         }
-        // All outlines around a point together give its darkness.
-        const PaperInk wanted = as_shade(tint, deepest * (level + 0.5) / n_levels, plane.colour);
+    }
+    double covered = 0.0;
+    for (int level = 0; level < n_levels; ++level) {
+        const Outline& outer = outlines[static_cast<std::size_t>(level)];
+        const Outline& inner = outlines[static_cast<std::size_t>(level) + 1];
+        // All fades over a point together give its darkness.
+        const PaperInk wanted = as_shade(tint, deepest * (level + 1.0) / n_levels, plane.colour);
         // Few distinct opacities keep the file small; the next level compensates for the rounding.
         const double missing = 1.0 - (1.0 - wanted.alpha) / (1.0 - covered);
         const double alpha = std::round(250.0 * missing) / 250.0;
         covered = 1.0 - (1.0 - covered) * (1.0 - alpha);
-        canvas.add(Fill{smooth_through(places), PaperInk{wanted.colour, alpha}, false});
+        canvas.add(Fill{smooth_through(outer), ramp(outer, inner, {wanted.colour, alpha}), false});
     }
 }
 
