@@ -3,6 +3,8 @@
 #include <array>
 #include <cmath>
 #include <map>
+#include <utility>
+#include <vector>
 
 #include "shapes/soft_shadow.h"
 #include "vector/canvas.h"
@@ -75,7 +77,10 @@ bool cut_before_eye(const Projection& projection, Eigen::Vector3d& a, Eigen::Vec
 // The lines of the grid in pieces of uniform opacity.
 class Grid {
  public:
-    Grid(const Canvas& canvas, const Plane& plane) : canvas_(canvas), plane_(plane) {
+    Grid(const Canvas& canvas, const Plane& plane)
+        : canvas_(canvas),
+          plane_(plane),
+          plane_number_(static_cast<int>(&plane - canvas.view.planes.data())) {
         across_ = plane.normal.cross(plane.along);
         // Distances at which the opacity changes by one level.
         for (int k = 0; k <= n_levels; ++k) {
@@ -97,7 +102,9 @@ class Grid {
             stroke.path = std::move(path);
             stroke.ink = as_in_light(plane_.grid_colour, alpha,
                                      canvas_.behind(canvas_.projection.place(plane_.centre)));
-            stroke.width_pt = canvas_.line_pt(plane_.grid_px);
+            // Without fills, the grid is the only thing that stands for the floor, and must not be
+            // louder than the curves on it.
+            stroke.width_pt = canvas_.has_fills() ? canvas_.line_pt(plane_.grid_px) : least_line_pt;
             stroke.round = false;
             canvas_.add(std::move(stroke));
         }
@@ -137,15 +144,32 @@ class Grid {
             opacity_at(plane_, std::hypot(offset, 0.5 * (from + to))) * t * t * (3.0 - 2.0 * t);
         const int level = static_cast<int>(std::lround(alpha * n_shades));
         if (level == 0) return;
-        const Eigen::Vector2d begin = canvas_.projection.place(a),
-                              end = canvas_.projection.place(b);
         Path& path = paths_[level];
-        if (path.steps.empty() || path.steps.back().to != begin) path.move(begin);
-        path.line(end);
+        for (const auto& [from_share, to_share] : shown_parts(a, b)) {
+            const Eigen::Vector2d begin = canvas_.projection.place(a + from_share * (b - a)),
+                                  end = canvas_.projection.place(a + to_share * (b - a));
+            if (path.steps.empty() || path.steps.back().to != begin) path.move(begin);
+            path.line(end);
+        }
+    }
+    // A body without fills hides the grid by ending it at the outline: lines across the body would
+    // be taken for lines on it.
+    std::vector<std::pair<double, double>> shown_parts(const Eigen::Vector3d& a,
+                                                       const Eigen::Vector3d& b) const {
+        if (canvas_.has_fills()) return {{0.0, 1.0}};
+        Track track;
+        track.flow = [a, b](double s) { return CurveFlow{a + s * (b - a), b - a}; };
+        track.knots = {0.0, 1.0};
+        std::vector<std::pair<double, double>> parts;
+        constexpr double half = 0.5;
+        for (const Span& span : canvas_.occluders.spans(track, {-1, plane_number_}))
+            if (span.cover.before_bodies > half) parts.emplace_back(span.from, span.to);
+        return parts;
     }
 
     const Canvas& canvas_;
     const Plane& plane_;
+    int plane_number_;  // of the view
     Eigen::Vector3d across_;
     std::vector<double> radii_;
     std::map<int, Path> paths_;
