@@ -171,8 +171,8 @@ TEST(LineStyles, HiddenPartsOfArrowsAreDashed) {
             << arrow.name.element << arrow.name.number;
     }
     EXPECT_GT(n, 2u);
-    // And the three principal sections.
-    EXPECT_EQ(dashed.curves.size(), pale.curves.size() + 2 * n + 3);
+    EXPECT_TRUE(std::none_of(pale.curves.begin(), pale.curves.end(),
+                             [](const Curve& c) { return c.stands_for_hidden; }));
 }
 
 double side_of(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& p) {
@@ -190,6 +190,8 @@ TEST(LineStyles, OutlinesOfHeadsAreInsideTheHeads) {
         const double unit = units_per_pixel(view, project(view, view.camera.target).depth);
         int n = 0;
         for (const Arrow& arrow : view.arrows) {
+            // The part of an arrow before a plane has no head.
+            if (arrow.head_px <= arrow.shaft_px) continue;
             const auto outline =
                 std::find_if(view.curves.begin(), view.curves.end(), [&](const Curve& curve) {
                     return is_outline(curve) && curve.name.element == arrow.name.element &&
@@ -241,6 +243,7 @@ TEST(LineStyles, OutlinesOfHeadsAreInsideTheHeads) {
 
 Scene with_broken_omega(const char* line, const std::string& hidden = "") {
     Scene scene = styled("space", hidden);
+    scene.show = {"ellipsoid", "omega", "momentum"};
     scene.style.looks["omega"].line = line;
     return scene;
 }
@@ -255,7 +258,7 @@ std::vector<Arrow> arrows_of(const View& view, const Colour& colour) {
 // Dashes and gaps have the same length, from the tail to the head, which is unchanged.
 TEST(LineStyles, DashedShaftIsSplitIntoDashes) {
     const Colour& omega = theme_named("light").omega;
-    const Shown solid(styled("space", ""));
+    const Shown solid(with_broken_omega("solid"));
     const std::vector<Arrow> one = arrows_of(solid.view, omega);
     ASSERT_EQ(one.size(), 1u);
     const Arrow& whole = one.front();
@@ -281,7 +284,8 @@ TEST(LineStyles, DashedShaftIsSplitIntoDashes) {
 
 TEST(LineStyles, WithDashedHiddenLinesNoShaftIsDashed) {
     const Colour& omega = theme_named("light").omega;
-    const Shown solid(styled("space", "dashed")), shown(with_broken_omega("dashed", "dashed"));
+    const Shown solid(with_broken_omega("solid", "dashed")),
+        shown(with_broken_omega("dashed", "dashed"));
     const std::vector<Arrow> whole = arrows_of(solid.view, omega);
     const std::vector<Arrow> thin = arrows_of(shown.view, omega);
     ASSERT_EQ(thin.size(), 1u);
@@ -308,18 +312,21 @@ TEST(LineStyles, PrincipalSectionsLieOnTheEllipsoid) {
     const Ellipsoid& ellipsoid = view.ellipsoids[0];
     EXPECT_EQ(ellipsoid.section_px, 0.0);
     const Eigen::Matrix3d to_sphere = ellipsoid.half_axes.inverse();
-    int n = 0;
+    std::vector<Eigen::Matrix3d> sections;
     for (const Curve& curve : view.curves) {
         if (curve.on_surface != 0 || !curve.geometry->closed) continue;
         if (curve.width_px != solid.view.ellipsoids[0].section_px) continue;
-        ++n;
+        // Gaps divide a section into parts.
+        const Eigen::Matrix3d axes = curve.placement.linear();
+        if (std::find(sections.begin(), sections.end(), axes) == sections.end())
+            sections.push_back(axes);
         for (std::size_t k = 0; k < curve.geometry->points.size(); k += 50)
             EXPECT_NEAR(
                 (to_sphere * (curve.placement * curve.geometry->points[k] - ellipsoid.centre))
                     .norm(),
                 1.0, 1e-12);
     }
-    EXPECT_EQ(n, 3);
+    EXPECT_EQ(sections.size(), 3u);
 }
 
 TEST(LineStyles, InPrintHiddenLinesAreDashedAndArrowsAreNot) {

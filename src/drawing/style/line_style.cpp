@@ -433,8 +433,8 @@ void break_shafts(View& view) {
 
 void follow_line_rules(const LineRules& rules, View& view) {
     if (has_solids(view)) {
-        if (rules.hidden != "pale" || rules.hidden_arrows != "pale") style_hidden(rules, view);
         pierce_planes(rules, view);
+        if (rules.hidden != "pale" || rules.hidden_arrows != "pale") style_hidden(rules, view);
         break_crossings(rules, view);
     }
     if (rules.least_px > 0.0) thicken(rules.least_px, view);

@@ -17,7 +17,7 @@ namespace {
 constexpr double ring_radius_px = 10.0, ring_width_px = 1.6, dash_px = 7.0;
 
 // Opacity of what lies beyond the plane, in linear light: it reads as about half as strong.
-constexpr double beyond_opacity = 0.6;
+constexpr double beyond_opacity = 0.65;
 
 // Where an arrow meets a plane.
 struct Piercing {
