@@ -357,6 +357,31 @@ void stroke_track(const Canvas& canvas, const Track& track, const Colour& colour
     }
 }
 
+// The rim of a cone and the two generators along which its surface turns away from the eye, in the
+// cone's colour.
+void draw_cone_contour(const Canvas& canvas, const Cone& cone, const ConeAxes& axes,
+                       const Conic& rim) {
+    const Projection& projection = canvas.projection;
+    const Colour colour = contour_colour(cone.colour, canvas.ground(projection.place(cone.apex)));
+    const double width_pt = std::max(canvas.line_pt(cone.rim_px), contour_pt);
+    stroke_track(canvas, track_of(rim, 0.0, 2.0 * pi), colour, cone.presence, width_pt);
+    // The normal at the angle s is cos s first + sin s second - slope axis; on the contour it is
+    // perpendicular to the line of sight.
+    const Eigen::Vector3d sight = projection.towards_eye(cone.apex);
+    const double first = sight.dot(axes.first), second = sight.dot(axes.second);
+    const double swing = std::hypot(first, second);
+    const double needed = axes.radius / cone.length * sight.dot(axes.axis);
+    if (!(std::abs(needed) < swing)) return;  // the eye sees into the cone, or along its axis
+    const double middle = std::atan2(second, first), reach = std::acos(needed / swing);
+    for (const double angle : {middle - reach, middle + reach}) {
+        const Eigen::Vector3d run = rim.at(angle) - cone.apex;
+        Track track;
+        track.flow = [apex = cone.apex, run](double s) { return CurveFlow{apex + s * run, run}; };
+        track.knots = {0.0, 1.0};
+        stroke_track(canvas, track, colour, cone.presence, width_pt);
+    }
+}
+
 }  // namespace
 
 void draw_meshes(const Canvas& canvas) {
@@ -409,6 +434,10 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
     if (!ellipse ||
         (projection.perspective && projection.depth(cone.apex) <= projection.near_depth))
         return;
+    if (canvas.shading == Shading::none) {
+        draw_cone_contour(canvas, cone, axes, rim);
+        return;
+    }
     const Eigen::Vector2d apex = projection.place(cone.apex);
 
     if (canvas.has_fills()) {

@@ -36,6 +36,9 @@ constexpr double form_tolerance_pt = 0.3 / um_per_pt;
 // AIP, APS, MAA: no line thinner than half a point.
 constexpr double least_line_pt = 0.5;
 
+// Contours of surfaces that are not filled.
+constexpr double contour_pt = 0.8;
+
 // An ellipsoid as a translucent sheet over everything behind it.
 struct LitSheet {
     std::size_t number = 0;

@@ -320,12 +320,18 @@ void draw_ellipsoid(const Canvas& canvas, const LitSheet& sheet) {
     stroke_rulings(canvas, number, *outline);
     stroke_sections(canvas, number, *outline);
     if (canvas.shading == Shading::none) {
+        // Every surface has a contour, also one without lines of its own; that of a surface that is
+        // hardly there is thinner.
+        constexpr double faint = 0.25;
+        const bool has_lines = ellipsoid.section_px > 0.0 || ellipsoid.ruling_px > 0.0;
+        const double px = ellipsoid.section_px > 0.0 ? ellipsoid.section_px : ellipsoid.ruling_px;
+        const Colour colour = has_lines ? ellipsoid.line_colour : ellipsoid.colour;
         Stroke stroke;
         stroke.path = canvas.path_of(*outline);
-        stroke.ink = {ellipsoid.line_colour, ellipsoid.presence};
+        stroke.ink = {contour_colour(colour, canvas.ground(outline->centre)), ellipsoid.presence};
         // Sections may be drawn as separate curves.
-        const double px = ellipsoid.section_px > 0.0 ? ellipsoid.section_px : ellipsoid.ruling_px;
-        stroke.width_pt = canvas.line_pt(1.5 * px);
+        stroke.width_pt = std::max(canvas.line_pt(1.5 * px),
+                                   ellipsoid.opacity < faint ? least_line_pt : contour_pt);
         canvas.add(std::move(stroke));
     }
 }

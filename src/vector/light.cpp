@@ -135,6 +135,24 @@ Layer inner_surface(const Ellipsoid& ellipsoid, const Lights& lights, const Surf
     return {tone * ellipsoid_inner_lit(lit), alpha * ellipsoid.presence};
 }
 
+Colour contour_colour(const Colour& surface, const Colour& behind) {
+    // WCAG 2.1, 1.4.11: a contrast of 3 for graphical objects.
+    constexpr double least_contrast = 3.0, flare = 0.05;
+    const Eigen::Vector3d weights(0.2126, 0.7152, 0.0722);
+    const double ground = weights.dot(linear(behind)) + flare;
+    const double middle = std::sqrt(flare * (1.0 + flare));
+    const Eigen::Vector3d light = linear(surface);
+    const double own = weights.dot(light) + flare;
+    if (std::max(own / ground, ground / own) >= least_contrast) return surface;
+    if (ground > middle) {
+        const double wanted = ground / least_contrast - flare;
+        return encoded(Eigen::Vector3d(std::max(wanted, 0.0) / (own - flare) * light));
+    }
+    const double wanted = least_contrast * ground - flare;
+    const double white = (wanted - (own - flare)) / (1.0 - (own - flare));
+    return encoded(Eigen::Vector3d(light + white * (Eigen::Vector3d::Ones() - light)));
+}
+
 ConeLines cone_lines() {
     return {cone_line_tone(), cone_rim_opacity(), cone_generator_opacity() * cone_generator_ink()};
 }

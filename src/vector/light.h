@@ -57,6 +57,9 @@ Layer outer_surface(const Ellipsoid& ellipsoid, const Lights& lights, const Surf
                     double lines);
 Layer inner_surface(const Ellipsoid& ellipsoid, const Lights& lights, const SurfacePoint& point,
                     double lines);
+// The colour of a surface's contour where nothing is filled: its own, changed as little as a
+// contrast of 3 with the colour behind it requires.
+Colour contour_colour(const Colour& surface, const Colour& behind);
 // The lines of a cone: their tone relative to its colour in linear light, and their opacities.
 struct ConeLines {
     double tone, rim_opacity, generator_opacity;
