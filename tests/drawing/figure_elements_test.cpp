@@ -416,6 +416,29 @@ TEST(FigureElements, CaptionsNameMontgomerysPhase) {
 }
 
 TEST(FigureElements, BodyIsInsideItsEllipsoid) {
+// What a caption says follows the keys.
+TEST(FigureElements, CaptionsNameTheBodyAndItsStart) {
+    Scene scene = showing({});
+    scene.body.inertia = InertiaTensor::from_principal_moments({4.0, 3.0, 1.5});
+    scene.start.omega_rad_s = {1.2, -0.8, 2.4};
+    EXPECT_EQ(live_text(scene, "$I =$ {I}, {omega_start}", {}),
+              "$I =$ $(4,\\, 3,\\, 1.5)$~kg~m\u00b2, $(1.2,\\, \u22120.8,\\, 2.4)$~rad/s");
+    scene.body.inertia = InertiaTensor::from_principal_moments({7.163e-5, 4.64e-5, 2.72e-5});
+    EXPECT_EQ(live_text(scene, "{I:.3g}", {}),
+              "$(71.6,\\, 46.4,\\, 27.2)\\times 10^{-6}$~kg~m\u00b2");
+    scene.units = {"deg", "g cm\u00b2"};
+    EXPECT_EQ(live_text(scene, "{I:.3g}", {}), "$(716,\\, 464,\\, 272)$~g~cm\u00b2");
+    EXPECT_EQ(live_text(scene, "{omega_start:.1f}~rad/s", {}),
+              "$(1.2,\\, \u22120.8,\\, 2.4)$~rad/s");
+    scene.language = "de";
+    EXPECT_EQ(live_text(scene, "{omega_start:.1f}~rad/s", {}),
+              "$(1{,}2;\\, \u22120{,}8;\\, 2{,}4)$~rad/s");
+    // They are the same at every instant, so that such a caption is set once.
+    EXPECT_FALSE(changes(scene, "{I}, {omega_start}"));
+    EXPECT_TRUE(changes(scene, "{I}, {omega_1}"));
+    EXPECT_FALSE(changes(scene, "$I$"));
+}
+
     const StagedScene staged(showing({"ellipsoid", "body"}), 10.0);
     const View view = staged.stage.at(1.9).views.front();
     ASSERT_EQ(view.meshes.size(), 1u);

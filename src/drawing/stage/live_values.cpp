@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "construction/montgomery_phase.h"
 #include "drawing/stage/type/clock_text.h"
 #include "error/error.h"
@@ -51,6 +53,17 @@ std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant
     for (const std::string_view name : {"T", "kinetic_energy"}) add(name, energy_J, "J");
     for (const std::string_view name : {"L", "momentum"})
         add(name, momentum.stableNorm(), "kg m²/s");
+    // Rows of three numbers that are the same at every instant.
+    const auto add_row = [&](std::string_view name, const Eigen::Vector3d& row,
+                             std::string_view unit) {
+        add(name, 1.0, unit);
+        LiveValue& value = values.back();
+        for (const double number : row) value.row.push_back(value.value * number);
+        value.format = ".4g";
+        value.is_constant = true;
+    };
+    add_row("I", scene.body.inertia.moments_kg_m2(), "kg m²");
+    add_row("omega_start", scene.start.omega_rad_s, "rad/s");
     const auto n_of_instant = static_cast<std::ptrdiff_t>(values.size());
     const auto add_phase = [&](const MontgomeryPhase& phase) {
         add("period", phase.period_s, "s");
@@ -68,6 +81,14 @@ std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant
         break;
     }
     return values;
+}
+
+bool changes(const Scene& scene, std::string_view text) {
+    if (!is_live(text)) return false;
+    const std::vector<LiveValue> values = live_values(scene, {});
+    const std::vector<std::string_view> names = numbers_in(text, values);
+    return std::any_of(names.begin(), names.end(),
+                       [&](std::string_view name) { return !find_row(values, name)->is_constant; });
 }
 
 std::string live_text(const Scene& scene, std::string_view text, const FrameInput& instant) {

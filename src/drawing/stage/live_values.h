@@ -16,6 +16,9 @@ namespace poinsot {
 std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant,
                                    std::string_view text = {});
 
+// Whether a caption contains numbers that change.
+bool changes(const Scene& scene, std::string_view text);
+
 // A caption with these numbers, in the scene's units and language.
 std::string live_text(const Scene& scene, std::string_view text, const FrameInput& instant);
 

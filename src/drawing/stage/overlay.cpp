@@ -222,7 +222,7 @@ Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo
     const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
         return store.set(live_text(stage.scene, stage.scene.caption, {}), style);
     });
-    if (!is_live(stage.scene.caption)) {
+    if (!changes(stage.scene, stage.scene.caption)) {
         return [place, type](const FrameInput& instant, ViewBuilder& builder) {
             place(type, instant, builder);
         };
@@ -338,7 +338,7 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store, const W
         const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
             return store.set(live_text(scene, caption.spec->text, {}), style);
         });
-        if (!is_live(caption.spec->text)) caption.still = type;
+        if (!changes(scene, caption.spec->text)) caption.still = type;
         captions.push_back(caption);
     }
     const double foot = bottom_of_captions(stage, style);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <functional>
 #include <optional>
 #include <utility>
@@ -63,6 +64,29 @@ std::string formatted(double value, std::string_view format, std::string_view de
         in_groups(fmt::format(fmt::runtime(fmt::format("{{:{}}}", format)), value)), decimal_mark);
     if (!digits.empty() && digits.front() == '-') digits.replace(0, 1, "\u2212");
     return digits;
+}
+
+// A row of numbers as a formula. The common power of ten is a multiple of three.
+std::string formatted_row(std::vector<double> row, std::string_view format,
+                          std::string_view decimal_mark, std::size_t column) {
+    double largest = 0.0;
+    for (const double number : row) largest = std::max(largest, std::abs(number));
+    int power = 0;
+    if (largest > 0.0 && std::isfinite(largest) && (largest < 0.01 || largest >= 1e4))
+        power = 3 * static_cast<int>(std::floor(std::log10(largest) / 3.0));
+    // A list needs another separator where the decimal mark is a comma, and a comma in braces is no
+    // separator of a formula.
+    const bool has_comma = decimal_mark == ",";
+    const std::string_view separator = has_comma ? ";\\, " : ",\\, ";
+    if (has_comma) decimal_mark = "{,}";
+    std::string out = "$(";
+    for (const double number : row) {
+        if (out.size() > 2) out += separator;
+        out += formatted(number / std::pow(10.0, power), format, decimal_mark, column);
+    }
+    out += ")";
+    if (power != 0) out += fmt::format("\\times 10^{{{}}}", power);
+    return out + "$";
 }
 
 // Whether the brace at `at` opens the argument of a command such as \\textbf.
@@ -167,15 +191,20 @@ std::string expand_live_text(std::string_view text, std::span<const LiveValue> v
                              std::string_view decimal_mark) {
     return replaced(text, values, [decimal_mark](const Reference& reference) {
         const LiveValue& live = reference.value;
-        const auto number = [&](double value) {
-            return formatted(value, reference.format, decimal_mark, reference.column);
+        const auto number = [&](double factor) {
+            if (live.row.empty())
+                return formatted(live.value * factor, reference.format, decimal_mark,
+                                 reference.column);
+            std::vector<double> row = live.row;
+            for (double& component : row) component *= factor;
+            return formatted_row(std::move(row), reference.format, decimal_mark, reference.column);
         };
-        if (!live.brings_unit) return number(live.value);
+        if (!live.brings_unit) return number(1.0);
         const auto beside = unit_beside(reference);
-        if (!beside) return number(live.value) + after_number(live.unit);
-        if (beside->written.goes_on) return number(live.value);
-        if (!beside->per_own) return number(live.value) + after_number(live.unit);
-        return number(live.value * *beside->per_own);
+        if (!beside) return number(1.0) + after_number(live.unit);
+        if (beside->written.goes_on) return number(1.0);
+        if (!beside->per_own) return number(1.0) + after_number(live.unit);
+        return number(*beside->per_own);
     });
 }
 
