@@ -472,6 +472,37 @@ TEST(PlotQuantities, ThinPlateWobblesTwiceAsFastAsItSpins) {
 }
 
 TEST(TimeUnits, TicksAreRoundNumbersOfTheUnit) {
+// ω goes round the axis of symmetry with the length A, whatever the tilt.
+TEST(PlotQuantities, WobbleIsRelativeToItsAmplitude) {
+    for (const double tilt : {1e-9, 0.5}) {
+        for (int axis = 0; axis < 3; ++axis) {
+            Eigen::Vector3d principal(2.0, 2.0, 2.0), start(tilt, tilt, tilt);
+            principal[axis] = 3.0;
+            start[axis] = 1.0;
+            start[(axis + 1) % 3] = 0.0;
+            Scene scene = free_scene(principal, start, "plot");
+            scene.panels[0].quantity = "wobble";
+            const StagedScene staged(scene, 10.0);
+            const StageContext& stage = staged.stage.context();
+            const PlotQuantity& quantity = plot_quantity_of(stage, "wobble");
+            ASSERT_EQ(quantity.curves.size(), 2u);
+            FrameInput instant;
+            instant.time_s = 1.3;
+            instant.state = staged.motion.at(instant.time_s);
+            const PlotValues values = quantity.values(stage, instant);
+            EXPECT_NEAR(std::hypot(values[0], values[1]), 1.0, 1e-15);
+            // \u03a9 = (I\u2083 \u2212 I\u2081)\u03c9\u2083/I\u2081 = 1/2, from axis + 2 to
+            // \u2212(axis + 1).
+            const int second = (axis + 2) % 3;
+            const double cosine = std::cos(0.5 * 1.3);
+            EXPECT_NEAR(values[second == (axis == 0 ? 1 : 0) ? 0 : 1], cosine, 1e-12) << axis;
+        }
+    }
+    Scene asymmetric = free_scene(moments, omega, "plot");
+    asymmetric.panels[0].quantity = "wobble";
+    EXPECT_THROW(StagedScene(asymmetric, 1.0), InputError);
+}
+
     const TimeUnit unit = time_unit_of(610.0 * 86400.0);
     EXPECT_EQ(unit.name, "d");
     const Axis axis = time_axis(0.0, 610.0 * 86400.0, unit, 7);

@@ -82,16 +82,15 @@ PlotValues euler_values(const StageContext&, const FrameInput& instant) {
     return {instant.euler.theta_rad, instant.euler.phi_rad, instant.euler.psi_rad};
 }
 
-// Of an axis that stays vertical.
+// Of an axis that stays vertical: θ is constant.
 template <int sign>
 constexpr PlotCurve vertical_curves[] = {
-    {formula("\\theta"), angle_colour<0>, DashPattern::solid},
     {formula(sign > 0 ? "\\varphi + \\psi" : "\\varphi - \\psi"), momentum_colour,
      DashPattern::solid},
 };
 template <int sign>
 PlotValues vertical_values(const StageContext&, const FrameInput& instant) {
-    return {instant.euler.theta_rad, instant.euler.phi_rad + sign * instant.euler.psi_rad};
+    return {instant.euler.phi_rad + sign * instant.euler.psi_rad};
 }
 
 constexpr PlotCurve energy_curves[] = {
@@ -228,6 +227,20 @@ bool has_measured_momentum(const StageContext& stage) {
     return has_measured(stage) && stage.scene.measured.motion.has_attitude && keeps_momentum(stage);
 }
 
+// ω across the axis of symmetry, relative to its constant length A: it shows the wobble of a body
+// whatever its tilt. `i`, `j`: the two axes with equal moments.
+template <int i, int j>
+constexpr PlotCurve wobble_curves[] = {
+    {formula(i == 0 ? "\\omega_1" : "\\omega_2"), axis_colour<i>, DashPattern::solid},
+    {formula(j == 1 ? "\\omega_2" : "\\omega_3"), axis_colour<j>, DashPattern::dashed},
+};
+template <int i, int j>
+PlotValues wobble_values(const StageContext& stage, const FrameInput& instant) {
+    const PlotValues omega = omega_values(stage, instant);
+    const double amplitude = std::max(std::hypot(omega[i], omega[j]), 1e-300);
+    return {omega[i] / amplitude, omega[j] / amplitude};
+}
+
 constexpr PlotQuantity quantity_rows[] = {
     {"omega", "ω1, ω2, ω3 along the principal axes", formula("$\\omega_i$"), "rad/s", false, false,
      true, omega_alone, any_motion, "", omega_curves, omega_values},
@@ -250,6 +263,10 @@ constexpr PlotQuantity quantity_rows[] = {
     {"turns", "turns of a symmetric body's axis about L (wobble) and of a mark on the body (spin)",
      turns_title, "", false, false, true, omega_alone, rolls_with_cones,
      "a torque-free body with exactly two equal moments", turn_curves, turn_values, false},
+    {"wobble", "ω across the axis of a symmetric body, relative to its length A",
+     formula("$\\omega_i/A$"), "", false, false, true, omega_alone, rolls_with_cones,
+     "a torque-free body with exactly two equal moments", wobble_curves<0, 1>, wobble_values<0, 1>,
+     false},
     {"residuals", "relative errors of T, L, the contact point and the attitude", residual_title, "",
      false, true, false, attitude_too, rolls, needs_free_turning, residual_curves, residual_values,
      false},
@@ -288,6 +305,18 @@ const PlotQuantity& of_vertical_axis(const PlotQuantity& euler) {
     return one_angle;
 }
 
+// The two axes across which a body wobbles depend on its axis of symmetry.
+template <int i, int j>
+const PlotQuantity& wobble_across(const PlotQuantity& wobble) {
+    static const PlotQuantity across = [&wobble] {
+        PlotQuantity other = wobble;
+        other.curves = wobble_curves<i, j>;
+        other.values = wobble_values<i, j>;
+        return other;
+    }();
+    return across;
+}
+
 }  // namespace
 
 std::span<const PlotQuantity> plot_quantities() { return quantity_rows; }
@@ -318,6 +347,10 @@ const PlotQuantity& plot_quantity_of(const StageContext& stage, std::string_view
     }
     if (const int vertical = vertical_axis(stage); vertical != 0 && row->values == euler_values)
         return vertical > 0 ? of_vertical_axis<1>(*row) : of_vertical_axis<-1>(*row);
+    if (row->values == wobble_values<0, 1>) {
+        const int axis = stage.rolling->cones->symmetry_axis;
+        if (axis != 2) return axis == 0 ? wobble_across<1, 2>(*row) : wobble_across<0, 2>(*row);
+    }
     const bool falls =
         std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);
     return row->values == energy_values && !falls ? without_potential(*row) : *row;
