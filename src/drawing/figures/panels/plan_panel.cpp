@@ -108,10 +108,10 @@ void aim_from_above(Panel& panel, double reach) {
 
 Plane plane_of(const Panel& panel) {
     Plane plane;
-    // It fades out inside the panel.
-    plane.radius = std::max(1.5, 0.5 * panel.camera.height_units *
-                                     std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px));
-    plane.fade_from = 0.6;
+    // It fades out between the herpolhode and the nearest side of the panel.
+    plane.radius = 0.5 * panel.camera.height_units *
+                   std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px);
+    plane.fade_from = std::clamp(1.05 / plane.radius, 0.6, 0.9);
     plane.grid_spacing = 0.25;
     // Straight lines would turn in rotating axes; the annulus's circles do not.
     plane.grid_px = panel.stage->turns() ? 0.0 : 1.0 * panel.px;
@@ -190,6 +190,30 @@ Drawer beside_on_plane(Panel& panel, StageStore& store, const PlanScale& scale) 
     };
 }
 
+// The sign of a vector that is seen end on: a circled point if it points at the reader, a circled
+// cross if it points away.
+constexpr double end_on_radius_px = 7.0;
+void add_end_on(const Panel& panel, bool towards, const LineStyle& ink, ViewBuilder& builder) {
+    const double radius = end_on_radius_px * panel.px * panel.units_per_px;
+    const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    const auto add = [&](Curve curve) {
+        curve.occlusion = Occlusion::none;
+        builder.view.curves.push_back(curve);
+    };
+    add(arc_about(panel, centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), radius,
+                  2.0 * std::numbers::pi, ink, 2.4));
+    if (towards) {
+        Dot point = dot_at(panel, centre, ink, 2.6);
+        point.occlusion = Occlusion::none;
+        builder.view.dots.push_back(point);
+        return;
+    }
+    for (const double side : {-1.0, 1.0}) {
+        const Eigen::Vector3d end = std::sqrt(0.5) * radius * Eigen::Vector3d(1.0, side, 0.0);
+        add(line_between(panel, -end, end, ink, 2.4));
+    }
+}
+
 // The measured motion on the plane. Empty without one.
 Drawer measured_on_plane(const Panel& panel, StageStore& store, const PlanScale& scale) {
     const StageContext& stage = *panel.stage;
@@ -227,13 +251,13 @@ void make_plan_panel(Panel& panel, StageStore& store) {
     if (panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
         timed = herpolhode_of(panel, store, scale);
     }
-    Dot foot = dot_at(panel, Eigen::Vector3d::Zero(), panel.stage->theme.momentum, 5.0);
-    foot.occlusion = Occlusion::none;
+    const bool towards =
+        (scale.plan_from_space * panel.stage->rolling->construction.normal_space()).z() > 0.0;
     const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}", 0.85);
     const Plane plane = plane_of(panel);
     const Drawer beside = beside_on_plane(panel, store, scale);
     const Drawer measured = measured_on_plane(panel, store, scale);
-    panel.draw = [&panel, scale, circles, timed, foot, momentum_type, plane, beside, measured](
+    panel.draw = [&panel, scale, circles, timed, towards, momentum_type, plane, beside, measured](
                      const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
         builder.view.planes.push_back(plane);
@@ -245,11 +269,14 @@ void make_plan_panel(Panel& panel, StageStore& store) {
                                   scale.plan_per_rho;
         contact.z() = 0.0;
 
-        // The radius from the foot of L to the contact point.
-        Curve radius =
-            line_between(panel, Eigen::Vector3d::Zero(), contact, panel.stage->theme.omega, 1.6);
-        radius.occlusion = Occlusion::none;
-        builder.view.curves.push_back(radius);
+        // The radius from the sign of L to the contact point.
+        const double sign = end_on_radius_px * panel.px * panel.units_per_px;
+        if (contact.norm() > sign) {
+            Curve radius = line_between(panel, sign * contact.normalized(), contact,
+                                        panel.stage->theme.omega, 1.6);
+            radius.occlusion = Occlusion::none;
+            builder.view.curves.push_back(radius);
+        }
         name_shapes("radius", builder);
         beside(instant, builder);
         name_shapes("drift", builder);
@@ -272,11 +299,11 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         }
         name_shapes("herpolhode", builder);
         measured(instant, builder);
-        builder.view.dots.push_back(foot);
         Dot dot = dot_at(panel, contact, panel.stage->theme.contact);
         dot.occlusion = Occlusion::none;
         builder.view.dots.push_back(dot);
         name_shapes("contact", builder);
+        add_end_on(panel, towards, panel.stage->theme.momentum, builder);
         wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
                     panel.stage->theme.momentum, builder);
         name_shapes("momentum", builder);
