@@ -154,5 +154,50 @@ TEST(TopPanel, ChartOfAVerticalAxisShowsOneAngle) {
     EXPECT_EQ(plot_quantity_of(leaning.stage.context(), "").curves.size(), 3u);
 }
 
+// Whole turns of φ are circles, and the rest is an arc: together they are the angle of the chart.
+TEST(TopPanel, PrecessionCountsTurns) {
+    const StagedScene staged(top_scene({0.7, 0.0, 0.45, 5.0}, "top"), 40.0);
+    const Theme& theme = staged.stage.context().theme;
+    int most_turns = 0;
+    for (const double t : {1.0, 6.0, 14.0, 22.0, 30.0, 39.0}) {
+        const double phi_rad =
+            staged.motion.sample(t, {.attitude = false, .herpolhode = false, .euler_angles = true})
+                .euler.phi_rad;
+        const Drawing drawing = staged.stage.at(t);
+        double drawn_rad = 0.0;
+        int n_turns = 0;
+        for (const Curve& curve : view_of(drawing).curves) {
+            if (!(curve.colour == theme.angles[1]) ||
+                curve.geometry != staged.stage.store().unit_circle())
+                continue;
+            const double n = static_cast<double>(curve.geometry->points.size());
+            drawn_rad += 2.0 * pi * std::min(curve.last / n, 1.0);
+            n_turns += curve.last >= n ? 1 : 0;
+        }
+        EXPECT_NEAR(drawn_rad, phi_rad, 1e-9) << t;
+        most_turns = std::max(most_turns, n_turns);
+    }
+    EXPECT_GE(most_turns, 2);
+}
+
+// An arc is at least 40 pixels of a picture of 1080 rows long, and ψ of a fast top has none.
+TEST(TopPanel, LeavesOutArcsThatNobodyCanRead) {
+    const auto n_arcs = [](const StagedScene& staged, double t, int angle) {
+        const Drawing drawing = staged.stage.at(t);
+        const auto& curves = view_of(drawing).curves;
+        return std::count_if(curves.begin(), curves.end(), [&](const Curve& curve) {
+            return curve.colour == staged.stage.context().theme.angles[angle] &&
+                   curve.on_surface < 0 && curve.geometry == staged.stage.store().unit_circle();
+        });
+    };
+    const StagedScene fast(top_scene({0.7, 0.0, 0.0, 5.0}, "top"), 10.0);
+    EXPECT_EQ(n_arcs(fast, 0.01, 1), 0);
+    EXPECT_EQ(n_arcs(fast, 5.0, 1), 1);
+    EXPECT_EQ(n_arcs(fast, 5.0, 0), 1);
+    EXPECT_EQ(n_arcs(fast, 5.0, 2), 0);
+    const StagedScene slow(top_scene({0.7, 0.0, 0.6, 1.2}, "top", 0.136), 10.0);
+    EXPECT_EQ(n_arcs(slow, 2.0, 2), 1);
+}
+
 }  // namespace
 }  // namespace poinsot::panels_tests

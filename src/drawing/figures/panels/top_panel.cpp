@@ -20,6 +20,7 @@
 #include "drawing/stage/possible_motions.h"
 #include "drawing/style/theme_contrast.h"
 #include "mesh/solid_meshes.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 
@@ -30,9 +31,11 @@ constexpr int the_sphere = 0;
 
 // Lengths in units of the sphere's radius.
 constexpr double vertical_length = 1.22;
-constexpr double theta_radius = 0.74;
+constexpr double theta_radius = 0.85;
 constexpr double phi_radius = 0.50;
 constexpr double psi_radius = 0.36;
+constexpr double turn_spacing = 0.045;  // of the circles that count whole turns of φ
+constexpr double most_turns = 6.0;      // that are drawn as circles
 constexpr double node_length = 0.80;
 constexpr double e1_length = 0.62;
 constexpr double far_opacity = 0.4;      // of curves on the sphere's far side
@@ -52,36 +55,52 @@ double within_turn(double angle_rad) {
     return turn < 0.0 ? turn + 2.0 * pi : turn;
 }
 
+// Arcs shorter than this on the picture are not drawn, px at 1080 rows.
+constexpr double least_arc_px = 40.0;
+
+// Whether ψ turns too fast for an arc to be followed with the eye: by more than 0.4 turns in a
+// second of film, on average over the film. It is the same at every instant, so that the arc does
+// not come and go.
+bool spins_fast(const StageContext& stage) {
+    constexpr double most_turns_per_s = 0.4;
+    const Quantities angles{.attitude = false, .herpolhode = false, .euler_angles = true};
+    const double first_s = stage.film_first_s, last_s = stage.film_last_s;
+    const double turned_rad = stage.motion.sample(last_s, angles).euler.psi_rad -
+                              stage.motion.sample(first_s, angles).euler.psi_rad;
+    const double film_s = (last_s - first_s) / stage.scene.film.speed;
+    return std::abs(turned_rad) > 2.0 * pi * most_turns_per_s * film_s;
+}
+
+// The upper face of the disc: domed, so that the light on it changes from the rim to the stem.
+constexpr std::array<ProfilePoint, 4> upper_face{
+    {{0.37, 0.452}, {0.30, 0.487}, {0.20, 0.506}, {0.07, 0.512}}};
+
 // A top about z with its point at the origin: cone, disc and stem.
 const MeshGeometry* keep_top(StageStore& store) {
-    constexpr std::array<ProfilePoint, 13> profile{{{0.0, 0.0},
-                                                    {0.018, 0.012},
-                                                    {0.045, 0.10},
-                                                    {0.09, 0.27},
-                                                    {0.37, 0.375},
-                                                    {0.405, 0.395},
-                                                    {0.415, 0.42},
-                                                    {0.405, 0.445},
-                                                    {0.37, 0.46},
-                                                    {0.07, 0.505},
-                                                    {0.032, 0.54},
-                                                    {0.028, 0.66},
-                                                    {0.0, 0.66}}};
+    std::vector<ProfilePoint> profile{{0.0, 0.0},     {0.018, 0.012}, {0.045, 0.10},
+                                      {0.09, 0.27},   {0.37, 0.375},  {0.405, 0.395},
+                                      {0.415, 0.415}, {0.405, 0.435}};
+    profile.insert(profile.end(), upper_face.begin(), upper_face.end());
+    profile.insert(profile.end(), {{0.032, 0.54}, {0.028, 0.66}, {0.0, 0.66}});
     ShadedCorners corners = shaded_corners(revolved(profile));
     return store.keep({0, std::move(corners.positions), std::move(corners.normals)});
 }
 
 // Radii on the disc's upper face, which make the spin visible.
-std::vector<Curve> spokes_of(const Panel& panel) {
+std::vector<Curve> spokes_of(const Panel& panel, StageStore& store) {
+    constexpr double above = 0.003;
+    std::vector<Eigen::Vector3d> points;
+    for (const ProfilePoint& point : upper_face)
+        points.emplace_back(point.radius_m, 0.0, point.z_m + above);
+    const CurveGeometry* radius =
+        keep(panel, store, {.points = std::move(points)}, 0.0, "the spokes of the top");
     std::vector<Curve> spokes;
     constexpr int n = 6;
     for (int k = 0; k < n; ++k) {
-        const double angle = 2.0 * pi * k / n;
-        const auto point = [angle](double radius, double z) {
-            return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
-        };
-        spokes.push_back(line_between(panel, point(0.09, 0.507), point(0.365, 0.465),
-                                      panel.stage->theme.solid_lines, k == 0 ? 4.0 : 1.6));
+        Curve spoke = curve_of(panel, radius, panel.stage->theme.solid_lines, k == 0 ? 4.0 : 1.6);
+        spoke.placement.linear() =
+            Eigen::AngleAxisd(2.0 * pi * k / n, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+        spokes.push_back(spoke);
     }
     return spokes;
 }
@@ -222,7 +241,7 @@ class TopDrawer {
     }
 
     // Arcs of θ, φ and ψ, the line of nodes between them, and e1, e3.
-    void angles(const Names& names) {
+    void angles(const Names& names, bool shows_psi) {
         const Theme& theme = panel_->stage->theme;
         const Eigen::Vector3d z = Eigen::Vector3d::UnitZ();
         const Eigen::Vector3d node(std::cos(euler_.phi_rad), std::sin(euler_.phi_rad), 0.0);
@@ -237,10 +256,10 @@ class TopDrawer {
                     *sheet_);
 
         arc(z, leaning, theta_radius, euler_.theta_rad, theme.angles[0], names.theta);
-        arc(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), phi_radius,
-            within_turn(euler_.phi_rad), theme.angles[1], names.phi);
-        arc(node, e3.cross(node), psi_radius, within_turn(euler_.psi_rad), theme.angles[2],
-            names.psi);
+        precession(theme.angles[1], names.phi);
+        if (shows_psi)
+            arc(node, e3.cross(node), psi_radius, within_turn(euler_.psi_rad), theme.angles[2],
+                names.psi);
 
         arrow(e1_length * axes_.col(0), theme.axes[0], 0.7, names.e1);
         arrow(e3, theme.axes[2], 1.0, names.e3);
@@ -278,16 +297,45 @@ class TopDrawer {
     }
 
  private:
-    // An arc about the fixed point with its label outside of its middle.
+    // φ from x: a circle for each whole turn, and outside of them the arc of the rest, joined to
+    // the last circle at x.
+    void precession(const LineStyle& colour, const TextBlock& name) {
+        const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
+        const double whole =
+            std::min(std::floor(std::abs(euler_.phi_rad) / (2.0 * pi)), most_turns);
+        for (int k = 0; k < static_cast<int>(whole); ++k) {
+            sheet_->view.curves.push_back(arc_about(*panel_, Eigen::Vector3d::Zero(), x, y,
+                                                    phi_radius + k * turn_spacing, 2.0 * pi, colour,
+                                                    2.2));
+            sheet_->view.curves.back().hidden_opacity = 0.5;
+            sheet_->view.curves.push_back(line_between(*panel_, (phi_radius + k * turn_spacing) * x,
+                                                       (phi_radius + (k + 1) * turn_spacing) * x,
+                                                       colour, 2.2));
+        }
+        arc(x, y, phi_radius + whole * turn_spacing, std::fmod(euler_.phi_rad, 2.0 * pi), colour,
+            name, whole > 0.0);
+    }
+
+    // An arc about the fixed point with its label outside of its middle; nothing if it is too short
+    // to be seen as one, unless it `goes_on` from another.
     void arc(const Eigen::Vector3d& from, const Eigen::Vector3d& towards, double radius,
-             double angle_rad, const LineStyle& colour, const TextBlock& name) {
+             double angle_rad, const LineStyle& colour, const TextBlock& name,
+             bool goes_on = false) {
         const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+        const auto at = [&](double angle) -> Eigen::Vector3d {
+            return radius * (std::cos(angle) * from + std::sin(angle) * towards);
+        };
+        double length_px = 0.0;
+        constexpr int n = 24;
+        for (int k = 0; k < n; ++k)
+            length_px += (project(sheet_->view, at(angle_rad * (k + 1) / n)).px -
+                          project(sheet_->view, at(angle_rad * k / n)).px)
+                             .norm();
+        if (!goes_on && length_px < least_arc_px * panel_->px) return;
         sheet_->view.curves.push_back(
             arc_about(*panel_, centre, from, towards, radius, angle_rad, colour, 3.2));
         sheet_->view.curves.back().hidden_opacity = 0.5;
-        const double half = 0.5 * angle_rad;
-        wish_beside(*panel_, radius * (std::cos(half) * from + std::sin(half) * towards), centre,
-                    name, colour, *sheet_);
+        wish_beside(*panel_, at(0.5 * angle_rad), centre, name, colour, *sheet_);
     }
 
     const Panel* panel_;
@@ -300,21 +348,26 @@ class TopDrawer {
 
 void make_top_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = false, .herpolhode = false, .euler_angles = true};
+    const HeavyTop& top = *panel.stage->motion.motion().heavy_top();
+    // The part of the sphere below everything that moves is left out.
+    constexpr double below = 0.3;
+    const double lowest = std::min(-below, std::cos(top.nutation().theta_max_rad) - below);
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+    std::erase_if(points, [&](const Eigen::Vector3d& point) { return point.z() < lowest; });
     points.emplace_back(0.0, 0.0, vertical_length);
     aim_around(panel, std::move(points), 0.7 * label_size * panel.type_px + 24.0 * panel.px);
 
-    const HeavyTop& top = *panel.stage->motion.motion().heavy_top();
     const auto& gravity = std::get<GravityTorque>(panel.stage->motion.motion().problem().torque);
     const bool hangs = gravity.mgl_N_m < 0.0;
     const Stand stand = stand_of(panel, top.nutation());
     const Locus locus = locus_of(panel, store);
     const MeshGeometry* body = keep_top(store);
-    const std::vector<Curve> spokes = spokes_of(panel);
+    const std::vector<Curve> spokes = spokes_of(panel, store);
     const Names names = names_of(panel, store);
     const int vertical = vertical_axis(*panel.stage);
+    const bool shows_psi = !spins_fast(*panel.stage);
     const Drawer ghost = make_ghost_axis(panel, store);
-    panel.draw = [&panel, hangs, vertical, stand, locus, body, spokes, names, ghost](
+    panel.draw = [&panel, hangs, vertical, shows_psi, stand, locus, body, spokes, names, ghost](
                      const FrameInput& instant, ViewBuilder& builder) {
         builder.view.ellipsoids.push_back(stand.sphere);
         builder.view.curves = stand.curves;
@@ -330,7 +383,7 @@ void make_top_panel(Panel& panel, StageStore& store) {
         if (vertical != 0)
             drawer.turn(names, vertical);
         else
-            drawer.angles(names);
+            drawer.angles(names, shows_psi);
         name_shapes("angles", builder);
         drawer.height(names.height, hangs);
         name_shapes("height", builder);
