@@ -12,6 +12,7 @@
 #include <numbers>
 #include <span>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "drawing/figures/elements/elements.h"
@@ -265,6 +266,20 @@ Drawer make_projection(const Panel& panel, StageStore& store) {
     };
 }
 
+namespace {
+
+// The point that is as many pixels beside `at` as `aside` is beside the centre. `aside` is
+// horizontal in the picture.
+Eigen::Vector3d beside_in_picture(const View& view, const Eigen::Vector3d& at,
+                                  const Eigen::Vector3d& aside) {
+    const auto units = [&view](const Eigen::Vector3d& point) {
+        return units_per_pixel(view, project(view, point).depth);
+    };
+    return at + units(at) / units(Eigen::Vector3d::Zero()) * aside;
+}
+
+}  // namespace
+
 // The plane's distance √(2T)/L from the centre, as a dimension line beside the ellipsoid.
 Drawer make_distance(const Panel& panel, StageStore& store) {
     const TextBlock type = set_label(panel, store, "\\sqrt{2T}/L", 0.9);
@@ -272,12 +287,13 @@ Drawer make_distance(const Panel& panel, StageStore& store) {
         // To the right of the ellipsoid's largest extent, in the camera's view.
         constexpr double aside = 1.22;
         const Eigen::Vector3d from = aside * right_of(builder);
-        const Eigen::Vector3d to = from + picture_of(panel).foot(instant);
+        const Eigen::Vector3d foot = picture_of(panel).foot(instant);
+        const Eigen::Vector3d to = beside_in_picture(builder.view, foot, from);
         const LineStyle& colour = panel.stage->theme.text;
         // From the centre, and in the plane from the foot of L.
-        for (const Eigen::Vector3d& height :
-             {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(to - from)}) {
-            Curve level = line_between(panel, height, height + 1.06 * from, colour, 1.6);
+        for (const auto& [height, end] :
+             {std::pair(Eigen::Vector3d::Zero().eval(), from), std::pair(foot, to)}) {
+            Curve level = line_between(panel, height, height + 1.06 * (end - height), colour, 1.6);
             level.hidden_opacity = 0.5;
             builder.view.curves.push_back(level);
         }
@@ -315,8 +331,12 @@ void LevelScale::add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
     const Theme& theme = panel.stage->theme;
     const Eigen::Vector3d right = right_of(builder);
     const Eigen::Vector3d normal = foot.stableNormalized();
-    const Eigen::Vector3d zero = aside(builder.view, right) * right;
-    const auto at = [&](double distance) { return Eigen::Vector3d(zero + distance * normal); };
+    // Upright in the picture, also in perspective: at every distance as many pixels from L.
+    const double out = aside(builder.view, right);
+    const auto at = [&](double distance) {
+        return beside_in_picture(builder.view, distance * normal, out * right);
+    };
+    const Eigen::Vector3d zero = at(0.0);
     const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                          const LineStyle& colour, double width_px) {
         Curve line = line_between(panel, a, b, colour, width_px);
@@ -341,9 +361,10 @@ void LevelScale::add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
         add(at(half_axes[i]), end, theme.axes[i], 4.0);
         name(end, 1.0, types_[static_cast<std::size_t>(i)], theme.axes[i]);
     }
-    // The plane's own distance, connected with the foot of L.
+    // The plane's own distance. The line at it does not reach the body.
+    constexpr double reach = 0.28;
     const Eigen::Vector3d here = at(foot.norm());
-    add(foot, here, theme.contact, 1.6);
+    add(here - reach * right, here, theme.contact, 2.4);
     builder.view.dots.push_back(dot_at(panel, here, theme.contact, 5.5));
     // The label is above the line to the foot and beside the scale; it is below that line if
     // another distance's tick is nearer above it, and further left if ticks are near on both sides,
@@ -359,9 +380,7 @@ void LevelScale::add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
         name(here - off * right + along * normal, 0.0, distance_, theme.contact);
     request.away = {-0.2, 0.0};  // the label's middle is at the anchor
     const double half_px = 0.5 * distance_.width_px();
-    // Perspective inclines the scale: its place at the label's height counts.
-    const double scale_px = std::min(project(builder.view, here).px.x(),
-                                     project(builder.view, here + along * normal).px.x());
+    const double scale_px = project(builder.view, here).px.x();
     request.anchor_px.x() = std::min(request.anchor_px.x() + 0.62 * (request.gap_px + half_px),
                                      scale_px - 2.0 * request.gap_px - half_px);
 }
