@@ -109,7 +109,8 @@ inline constexpr Element element_rows[] = {
      "from each mass the centrifugal force −m ω × (ω × r), from its tip −m dω/dt × r",
      never_shown, attitude_too, make_inertial_forces, false, takes_forces},
     {"solid-angle",
-     "in panel momentum, the part of the sphere that L encloses in one polhode period, hatched",
+     "in panel momentum, the part of the sphere that L encloses in one polhode period, as a flat "
+     "area",
      never_shown, omega_alone, make_solid_angle, false, takes_solid_angle},
     {"measured",
      "ρ = ω/√(2T) of the measured motion in [measured] up to the instant, with the scene's T: on "

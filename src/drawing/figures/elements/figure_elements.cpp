@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -58,7 +59,7 @@ void add_turn_of_axes(const Panel& panel, const Eigen::Matrix3Xd& from_points,
         const double arc_rad = std::max(0.0, turn.angle() - 0.8 * arc_head_rad(radius));
         add_arc_arrow(panel, {centre, turn.axis(), radius, arc_rad}, from / radius, colour,
                       builder);
-        if (radius <= longest) continue;
+        if (!(radius > longest)) continue;
         longest = radius;
         middle = centre + Eigen::AngleAxisd(0.5 * turn.angle(), turn.axis()) * from;
     }
@@ -156,8 +157,8 @@ void add_half_axes(const Panel& panel, const Eigen::Matrix3d& principal_axes,
         builder.view.dots.push_back(dot_at(panel, end, colour, 5.0));
         // The label is at the end, since beside the middle it would be too near to that of ρ, and
         // beside the line, which may continue as the arrow of the axis.
-        wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)],
-                    panel.stage->theme.text, builder);
+        wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)], colour,
+                    builder);
         constexpr double turn_rad = 1.1;
         Eigen::Vector2d& away = builder.requests.back().away;
         away = Eigen::Rotation2Dd(turn_rad) * away;

@@ -1,8 +1,8 @@
 // The solid angle of Montgomery's phase: the part of the sphere |m| = L that L encloses in body
-// axes, hatched by arcs of great circles from the encircled axis to the path of L.
-#include <array>
+// axes, as a flat area between the encircled axis and the path of L.
 #include <cmath>
 #include <numbers>
+#include <utility>
 #include <vector>
 
 #include "construction/montgomery_phase.h"
@@ -13,18 +13,6 @@
 #include "shapes/projection.h"
 
 namespace poinsot {
-
-namespace {
-
-// An arc of the unit sphere between two directions.
-Curve arc_between(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                  const LineStyle& ink, double width_px) {
-    const Eigen::Vector3d across = to - from.dot(to) * from;
-    return arc_about(panel, Eigen::Vector3d::Zero(), from, across.stableNormalized(), 1.0,
-                     std::atan2(across.norm(), from.dot(to)), ink, width_px);
-}
-
-}  // namespace
 
 // Throws InputError for a motion in which L encloses nothing in the body.
 Drawer make_solid_angle(const Panel& panel, StageStore& store) {
@@ -43,32 +31,46 @@ Drawer make_solid_angle(const Panel& panel, StageStore& store) {
     };
     const double v = across(0.0).norm(), w = across(0.5 * std::numbers::pi).norm();
 
-    // The arcs end at equal angles about the axis. Most begin at a distance from it, so that the
-    // hatching is nowhere dense.
-    constexpr int n_arcs = 96;
-    constexpr std::array<double, 8> begins{0.08, 0.6, 0.32, 0.6, 0.16, 0.6, 0.32, 0.6};
-    const LineStyle& ink = panel.stage->theme.angles[0];
-    std::vector<Curve> arcs;
+    // A mesh of points at equal angles about the axis, just below the surface, so that the lines on
+    // the surface lie over it.
+    constexpr int n_around = 96, n_out = 8;
+    constexpr double below = 0.998;
     std::vector<Eigen::Vector3d> middles;
-    for (int k = 0; k < n_arcs; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / n_arcs;
+    const auto at = [&](int k, double share) -> Eigen::Vector3d {
+        const double angle = 2.0 * std::numbers::pi * (k % n_around) / n_around;
         // Multiplied by v·w, so that neither is a divisor.
         const Eigen::Vector3d end = direction(std::atan2(std::sin(angle) * v, std::cos(angle) * w));
         const Eigen::Vector3d outward = (end - end.dot(axis) * axis).stableNormalized();
-        const double reach_rad = std::atan2(end.dot(outward), end.dot(axis));
-        const auto at = [&](double share) -> Eigen::Vector3d {
-            return std::cos(share * reach_rad) * axis + std::sin(share * reach_rad) * outward;
-        };
-        Curve arc = arc_between(panel, at(begins[static_cast<std::size_t>(k % 8)]), end, ink, 1.2);
-        arc.on_surface = first_ellipsoid;
-        arc.opacity = 0.6;
-        arc.hidden_opacity = 0.14;
-        arcs.push_back(arc);
-        if (k % 8 == 4) middles.push_back(at(0.55));
+        const double reach_rad = share * std::atan2(end.dot(outward), end.dot(axis));
+        return std::cos(reach_rad) * axis + std::sin(reach_rad) * outward;
+    };
+    MeshGeometry geometry;
+    const auto add_triangle = [&](const Eigen::Vector3d& first, Eigen::Vector3d second,
+                                  Eigen::Vector3d third) {
+        // Seen from outside.
+        if ((second - first).cross(third - first).dot(first) < 0.0) std::swap(second, third);
+        for (const Eigen::Vector3d& corner : {first, second, third}) {
+            geometry.positions.push_back((below * corner).cast<float>());
+            geometry.normals.push_back(corner.cast<float>());
+        }
+    };
+    for (int k = 0; k < n_around; ++k) {
+        if (k % 8 == 4) middles.push_back(at(k, 0.55));
+        for (int j = 0; j < n_out; ++j) {
+            const double from = 1.0 * j / n_out, to = 1.0 * (j + 1) / n_out;
+            add_triangle(at(k, from), at(k, to), at(k + 1, to));
+            if (j > 0) add_triangle(at(k, from), at(k + 1, to), at(k + 1, from));
+        }
     }
+    const LineStyle& ink = panel.stage->theme.angles[0];
+    Mesh area;
+    area.geometry = store.keep(std::move(geometry));
+    area.colour = ink;
+    area.opacity = 0.5;  // a quarter through the sphere's surface
+    area.casts_shadow = false;
     const TextBlock type = set_label(panel, store, "S", 0.9);
-    return [&panel, arcs, middles, type, ink](const FrameInput& instant, ViewBuilder& builder) {
-        builder.view.curves.insert(builder.view.curves.end(), arcs.begin(), arcs.end());
+    return [&panel, area, middles, type, ink](const FrameInput& instant, ViewBuilder& builder) {
+        builder.view.meshes.push_back(area);
         // The name is where the area faces the viewer, away from the arrows at the tip of L.
         const Camera& camera = builder.view.camera;
         const Eigen::Vector3d rho =
