@@ -47,8 +47,8 @@ struct Curve {
         0.65;                  // of the width, where hidden and dashed: dashes are longer than wide
     double dash_px = 0.0;      // length of a dash; 0: solid
     double gap_px = 0.0;       // between dashes; 0: equal to dash_px
-    double fade_points = 0.0;  // opacity falls linearly to 0 over this many points before `last`;
-                               // 0: constant opacity
+    double fade_points = 0.0;  // opacity rises linearly from 0, this many points before `last`, to
+                               // that at `last`; 0: constant opacity
     double fade_end = 0.0;     // of a part of a fading curve: the `last` of the whole; else 0
     Occlusion occlusion = Occlusion::by_solids;
     int on_surface = -1;  // index of the ellipsoid of this view on which the curve lies; it is

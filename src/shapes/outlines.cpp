@@ -112,7 +112,7 @@ Outline outline_of(const View& view, const Curve& curve, int most) {
         is_joined = true;
         double seen = std::clamp(curve.opacity, 0.0, 1.0);
         if (curve.fade_points > 0.0)
-            seen *= std::clamp((last - index) / curve.fade_points, 0.0, 1.0);
+            seen *= std::clamp(1.0 - (last - index) / curve.fade_points, 0.0, 1.0);
         if (surface != nullptr) seen *= facing(at);
         if (!(seen > 0.0) || hiders.hide(at)) return;
         outline.push_back({at, px, from_px, seen * (px - from_px).norm()});

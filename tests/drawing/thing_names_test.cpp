@@ -41,7 +41,7 @@ std::map<std::string, Label> names_in(const Drawing& drawing) {
 
 std::map<std::string, Label> names_of(const Scene& scene, double time_s = 5.0) {
     static std::deque<StagedScene> staged;  // labels refer to their stage
-    return names_in(staged.emplace_back(scene, 10.0).stage.at(time_s));
+    return names_in(staged.emplace_back(scene, time_s, 0.0, true).stage.at(time_s));
 }
 
 // How often each name can be read at 20 instants of ten seconds.

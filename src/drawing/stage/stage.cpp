@@ -1,6 +1,7 @@
 #include "drawing/stage/stage.h"
 
 #include <algorithm>
+#include <cmath>
 #include <cstddef>
 #include <utility>
 #include <vector>
@@ -105,22 +106,26 @@ struct Stage::Contents {
         check_targets(context, store, panels);
         const StageOptions& of = context.options;
         const bool is_one_instant = of.first_shown_s && *of.first_shown_s == of.last_time_s;
-        if (!is_one_instant) choose_sides_of_names();
+        if (!is_one_instant) plan_all_names();
     }
 
     // From instants all over the film, whichever part of it is made.
-    void choose_sides_of_names() {
+    void plan_all_names() {
         const auto has_none = [](const std::vector<ThingName>& each) { return each.empty(); };
         if (std::all_of(names.begin(), names.end(), has_none)) return;
-        constexpr int n_instants = 8;
+        constexpr double apart_s = 0.5;
+        constexpr int least_instants = 8, most_instants = 96;
         const FilmClock clock(context.scene);
+        const double length_s = clock.length_s().value_or(default_film_s);
+        const int n_instants =
+            std::clamp(static_cast<int>(std::min(std::ceil(length_s / apart_s), 1e6)),
+                       least_instants, most_instants);
         std::vector<std::vector<View>> views(panels.size());
         std::vector<std::vector<PlacedLabels>> instants(panels.size());
-        for (std::vector<View>& each : views) each.reserve(n_instants);
+        for (std::vector<View>& each : views) each.reserve(static_cast<std::size_t>(n_instants));
         for (int k = 0; k < n_instants; ++k) {
-            const double share = (k + 0.5) / n_instants;
-            const FilmTime moment = moment_of_time(
-                clock, context.film_first_s + share * (context.film_last_s - context.film_first_s));
+            const double film_s = length_s * (k + 0.5) / n_instants;
+            const FilmTime moment{clock.time_at(film_s), film_s};
             const FrameInput instant = context.instant_at(moment, needs, shows_comparison);
             const View over = drawn_over(context, overlays, instant);
             LabelRules rules = label_rules(context, store, over);
@@ -130,11 +135,13 @@ struct Stage::Contents {
                 rules.halo_px = 4.0 * panels[i].px;
                 place_labels(builder.requests, rules, builder.view);
                 views[i].push_back(std::move(builder.view));
-                instants[i].push_back({&views[i].back(), rules.overlays});
+                instants[i].push_back({&views[i].back(), rules.overlays, film_s});
             }
         }
         for (std::size_t i = 0; i < panels.size(); ++i)
-            choose_sides(panels[i], std::move(instants[i]), names[i]);
+            if (!names[i].empty())
+                plan_names(panels[i], std::move(instants[i]), context.options.loop_s > 0.0,
+                           names[i]);
     }
 };
 
@@ -212,8 +219,9 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
             if (const std::string_view of = name_of_label(label.name); !of.empty())
                 drawing.unnamed.push_back({of, label.is_in_sight});
         }
-        for (const UnnamedThing& thing :
-             place_thing_names(panel, contents_->names[i], rules.overlays, view))
+        const bool is_planned = !(i < cameras.size() && cameras[i]);
+        for (const UnnamedThing& thing : place_thing_names(
+                 panel, contents_->names[i], rules.overlays, moment.film_s, is_planned, view))
             drawing.unnamed.push_back(thing);
         for (Label& label : view.labels) label.colour = letter_colour(context.theme, label.colour);
         follow_line_rules(line_rules(context, contents_->store), view);

@@ -115,13 +115,18 @@ struct Surroundings {
         double head_px, opacity;
     };
     std::vector<Shaft> shafts;
-    Outline lines;  // of all curves
+    // Of all curves, with those of the thing itself marked by their names.
+    struct Line {
+        Eigen::Vector2d a, b;
+        std::string_view element, part;
+    };
+    std::vector<Line> lines;
     const View* view = nullptr;
     double margin_px = 6.0;
 };
 
 Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& overlays,
-                             double margin_px, bool with_lines) {
+                             double margin_px) {
     Surroundings around;
     around.view = &view;
     around.margin_px = margin_px;
@@ -137,18 +142,28 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
                                  std::clamp(arrow.opacity, 0.0, 1.0)});
     }
     for (const Curve& curve : view.curves) {
-        if (!with_lines || curve.opacity < 0.3 || curve.occlusion == Occlusion::none) continue;
-        const Outline outline = outline_of(view, curve, 96);
-        around.lines.insert(around.lines.end(), outline.begin(), outline.end());
+        if (curve.opacity < 0.3 || curve.occlusion == Occlusion::none) continue;
+        for (const VisiblePoint& point : outline_of(view, curve, 192))
+            around.lines.push_back(
+                {point.before_px, point.px, curve.name.element, curve.name.part});
     }
     return around;
 }
 
-// How bad a place is: 0 for a free one, about 1.5 for one on a line, and 8 on another label.
-double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing& thing) {
-    const double height = 2.0 * box.half_px.y();
-    const auto within = [height](double distance) {
-        return smooth_step((0.6 * height - distance) / (0.8 * height));
+// How much two boxes read as one phrase: 1 for neighbours on one line.
+double phrase_share(const LabelBox& box, const LabelBox& other, double em_px) {
+    const Eigen::Vector2d apart =
+        (box.centre_px - other.centre_px).cwiseAbs() - box.half_px - other.half_px;
+    const double on_one_line =
+        std::clamp(-apart.y() / std::min(box.half_px.y(), other.half_px.y()), 0.0, 1.0);
+    return smooth_step(2.0 * on_one_line) * smooth_step((1.5 * em_px - apart.x()) / (0.7 * em_px));
+}
+
+// How bad a place is: 0 for a free one, about 2 for one on a line, and 8 on another label.
+double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing& thing,
+               double em_px) {
+    const auto within = [em_px](double distance) {
+        return smooth_step((0.6 * em_px - distance) / (0.8 * em_px));
     };
     double cost = 0.0;
     const View& view = *around.view;
@@ -156,18 +171,28 @@ double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing
     const double outside = around.margin_px + std::max({view.x_px - low.x(), view.y_px - low.y(),
                                                         high.x() - view.x_px - view.width_px,
                                                         high.y() - view.y_px - view.height_px});
-    cost += 8.0 * smooth_step(1.0 + outside / height);
+    cost += 8.0 * smooth_step(1.0 + outside / em_px);
     for (const LabelBox& other : around.labels)
-        cost += 8.0 * other.opacity * within(box.distance(other));
+        cost += other.opacity *
+                (8.0 * within(box.distance(other)) + 2.0 * phrase_share(box, other, em_px));
     for (const Surroundings::Shaft& shaft : around.shafts) {
         cost += 6.0 * shaft.opacity * within(box.distance(shaft.tip) - 0.5 * shaft.head_px);
         cost += 2.0 * shaft.opacity *
-                smooth_step(box.length_inside(shaft.tail, shaft.tip) / (1.5 * height));
+                smooth_step(box.length_inside(shaft.tail, shaft.tip) / (1.5 * em_px));
     }
-    double length = 0.0;
-    for (const VisiblePoint& point : around.lines)
-        length += box.length_inside(point.before_px, point.px);
-    cost += 1.5 * smooth_step(length / (3.0 * height));
+    double length = 0.0, own_length = 0.0;
+    for (const Surroundings::Line& line : around.lines) {
+        if (std::max(line.a.x(), line.b.x()) < low.x() ||
+            std::min(line.a.x(), line.b.x()) > high.x() ||
+            std::max(line.a.y(), line.b.y()) < low.y() ||
+            std::min(line.a.y(), line.b.y()) > high.y())
+            continue;
+        const bool is_own = line.element == thing.element && line.part == thing.part;
+        (is_own ? own_length : length) += box.length_inside(line.a, line.b);
+    }
+    cost += 2.0 * smooth_step(length / (2.0 * em_px));
+    // A name never lies on its own line.
+    cost += 4.0 * smooth_step(own_length / (0.6 * em_px));
     if (thing.keeps_off_bodies)
         for (const Ellipsoid& ellipsoid : view.ellipsoids) {
             if (ellipsoid.opacity < 0.4) continue;
@@ -187,14 +212,15 @@ double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing
     for (const Cone& cone : view.cones) {
         if (cone.name.element == thing.element && cone.name.part == thing.part) continue;
         const double nearness = nearness_to_cone(view, cone, box.centre_px);
-        cost += 3.0 * cone.presence * smooth_step((1.6 - nearness) / 0.6);
+        cost += 3.0 * cone.presence * smooth_step((1.3 - nearness) / 0.4);
     }
     return cost;
 }
 
-// How much of a leader is drawn over a distance: none where the name is beside its thing.
-double leader_share(double away_px, double px) {
-    return smooth_step((away_px - 20.0 * px) / (14.0 * px));
+// How much of a leader is drawn over a distance: none where the name is beside its thing, and all
+// of it from one and a quarter of the letters' size on.
+double leader_share(double away_px, double em_px) {
+    return smooth_step((away_px - 0.8 * em_px) / (0.45 * em_px));
 }
 
 // A place for a name: the point that it names, and the centre of its box.
@@ -209,10 +235,11 @@ struct Spot {
 // Where the name of a thing may stand: a direction in the picture, and a level, from 0 (near) on.
 class Spots {
  public:
-    // `grown`: the outline of the thing in the end, instead of its own.
-    Spots(const View& view, const NamedThing& thing, const TextBlock& type, double px,
-          const Outline& grown = {})
-        : view_(view), half_(0.5 * Eigen::Vector2d(type.width_px(), type.height_px())), px_(px) {
+    Spots(const View& view, const ThingName& name)
+        : view_(view),
+          half_(0.5 * Eigen::Vector2d(name.type.width_px(), name.type.height_px())),
+          em_px_(name.em_px) {
+        const NamedThing& thing = *name.thing;
         const auto is_own = [&thing](const auto& shape) {
             return shape.name.element == thing.element && shape.name.part == thing.part;
         };
@@ -221,23 +248,33 @@ class Spots {
             opacity_ = std::max(opacity_, opacity);
         };
         constexpr int n_points = 512;
-        for (const Curve& curve : view.curves)
-            if (is_own(curve)) add(outline_of(view, curve, n_points), curve.opacity);
+        for (const Curve& curve : view.curves) {
+            if (!is_own(curve)) continue;
+            Outline outline = outline_of(view, curve, n_points);
+            // A name does not stand where a trail has faded.
+            if (curve.fade_points > 0.0)
+                for (VisiblePoint& point : outline) {
+                    const double whole = curve.opacity * (point.px - point.before_px).norm();
+                    if (whole > 0.0)
+                        point.weight_px *= smooth_step(4.0 * point.weight_px / whole - 2.0);
+                }
+            add(outline, curve.opacity);
+            is_curve_ = true;
+        }
         for (const Ellipsoid& ellipsoid : view.ellipsoids)
             if (is_own(ellipsoid)) add(outline_of(view, ellipsoid, 96), ellipsoid.presence);
         for (const Cone& cone : view.cones)
-            if (is_own(cone)) add(outline_of(view, cone, 96), cone.presence);
+            if (is_own(cone)) add(away_from_others(view, cone), cone.presence);
         for (const Plane& plane : view.planes)
             if (is_own(plane)) {
                 plane_ = &plane;
-                opacity_ = std::clamp(plane.opacity, 0.0, 1.0);
+                opacity_ = std::clamp(2.0 * plane.opacity, 0.0, 1.0);  // as whole as its letters
             }
-        if (opacity_ > 0.0 && !grown.empty()) outline_ = grown;
         double length_px = 0.0;
         for (const VisiblePoint& point : outline_) length_px += point.weight_px;
         is_shown_ = opacity_ > 0.0;
         // The name of a curve that grows appears with it.
-        if (plane_ == nullptr) opacity_ *= smooth_step(length_px / (60.0 * px_));
+        if (is_curve_) opacity_ *= smooth_step(length_px / (1.8 * em_px_));
     }
 
     // Whether the view has the thing, seen or hidden.
@@ -258,17 +295,41 @@ class Spots {
     std::optional<Spot> at(double angle_rad, double level) const {
         const Eigen::Vector2d way(std::cos(angle_rad), std::sin(angle_rad));
         if (plane_ != nullptr) return on_plane(way, level);
-        const auto point = outermost(outline_, way, 2.0 * px_);
+        const auto point = outermost(outline_, way, 0.06 * em_px_);
         if (!point) return std::nullopt;
         // Beyond the line through the point across the way.
         const double reach = half_.dot(way.cwiseAbs());
-        const double gap = (9.0 + 40.0 * level) * px_;
+        const double gap = (0.35 + 1.3 * level) * em_px_;
         const LabelBox box{point->px + (gap + reach) * way, half_};
         return Spot{point->at, point->px, box, point->spread_px,
-                    leader_share(box.distance(point->px), px_)};
+                    leader_share(box.distance(point->px), em_px_)};
     }
 
  private:
+    // The rim of a cone, where it is far from the other cones of the view: a name at the generator
+    // that two cones share would name either.
+    static Outline away_from_others(const View& view, const Cone& cone) {
+        const Outline rim = outline_of(view, cone, 96);
+        const auto apart_rad = [&](const VisiblePoint& point) {
+            double least = std::numbers::pi;
+            for (const Cone& other : view.cones) {
+                if (&other == &cone) continue;
+                const Eigen::Vector3d way = (point.at - other.apex).stableNormalized();
+                const double angle = std::acos(std::clamp(way.dot(other.axis), -1.0, 1.0));
+                least = std::min(least, std::abs(angle - other.half_angle_rad));
+            }
+            return least;
+        };
+        double most = 0.0;
+        for (const VisiblePoint& point : rim) most = std::max(most, apart_rad(point));
+        Outline kept;
+        for (VisiblePoint point : rim) {
+            point.weight_px *= smooth_step(4.0 * apart_rad(point) / most - 2.4);
+            if (point.weight_px > 0.0) kept.push_back(point);
+        }
+        return kept;
+    }
+
     // On the plane, around its centre.
     std::optional<Spot> on_plane(const Eigen::Vector2d& way, double level) const {
         const Projection projection(view_);
@@ -280,7 +341,7 @@ class Spots {
         if (down.dot(projection.down) < 0.0) down = -down;
         // The second place is outside of the first, where the plane begins to fade; the last one
         // is under the body.
-        const double share = level > 1.0 ? 0.95 - 0.25 * level : 0.95 + 0.3 * level;
+        const double share = level > 1.0 ? 0.95 - 0.22 * (level - 1.0) : 0.95 + 0.3 * level;
         const double radius = plane_->radius * plane_->fade_from * share;
         const Eigen::Vector3d at = plane_->centre + radius * (way.x() * along + way.y() * down);
         if (projection.depth(at) <= projection.near_depth) return std::nullopt;
@@ -290,22 +351,17 @@ class Spots {
 
     const View& view_;
     Eigen::Vector2d half_;
-    double px_;
+    double em_px_;
     Outline outline_;
     const Plane* plane_ = nullptr;
     double opacity_ = 0.0;
-    bool is_shown_ = false;
-};
-
-struct PlacedName {
-    Spot spot;
-    double room = 0.0;  // 1: enough, 0: none
+    bool is_shown_ = false, is_curve_ = false;
 };
 
 // The places that are tried: directions in the picture, and distances.
 constexpr int n_directions = 24;
-constexpr std::array<double, 3> levels{0.0, 1.0, 2.5};
-constexpr double most_cost = 2.2;
+constexpr std::array<double, 5> levels{0.0, 1.0, 2.0, 3.2, 4.6};
+constexpr double most_cost = 2.8;
 
 double angle_of(int direction) { return 2.0 * std::numbers::pi * direction / n_directions; }
 
@@ -315,66 +371,99 @@ double preference_cost(const NamedThing& thing, double angle, double level) {
         angle - thing.preferred_deg * std::numbers::pi / 180.0, 2.0 * std::numbers::pi);
     // The clockwise side costs more, so that two sides are seldom equally good.
     return 0.35 * (1.0 - std::cos(from_preferred)) +
-           0.25 * (0.5 + 0.5 * from_preferred / std::numbers::pi) + 0.45 * level;
+           0.25 * (0.5 + 0.5 * from_preferred / std::numbers::pi) + 0.35 * level;
 }
 
-// A leader that touches another label would name that label's thing.
-double leader_cost(const Spot& spot, const Surroundings& around) {
+// A leader that touches another label would name that label's thing; one along a shaft or a curve
+// is not seen.
+double leader_cost(const Spot& spot, const Surroundings& around, const NamedThing& thing,
+                   double em_px) {
     if (!(spot.leader > 0.0)) return 0.0;
-    const double height = 2.0 * spot.box.half_px.y();
     const Eigen::Vector2d end_px = spot.box.nearest(spot.anchor_px);
     double cost = 0.0;
     for (const LabelBox& other : around.labels) {
         const double touched_px = other.length_inside(spot.anchor_px, end_px);
-        cost += 3.0 * spot.leader * other.opacity * smooth_step(touched_px / (0.5 * height));
+        cost += 3.0 * spot.leader * other.opacity * smooth_step(touched_px / (0.5 * em_px));
+    }
+    for (const Cone& cone : around.view->cones) {
+        if (cone.name.element == thing.element && cone.name.part == thing.part) continue;
+        const Eigen::Vector2d middle_px = 0.5 * (spot.anchor_px + end_px);
+        const double nearness = nearness_to_cone(*around.view, cone, middle_px);
+        cost += 0.8 * spot.leader * cone.presence * smooth_step((1.2 - nearness) / 0.4);
+    }
+    // Where two curves touch, it would name either.
+    for (const Dot& dot : around.view->dots) {
+        if (dot.name.element != "contact") continue;
+        const double apart_px = (project(*around.view, dot.at).px - spot.anchor_px).norm();
+        cost += 1.5 * spot.leader * smooth_step(2.0 - apart_px / em_px);
     }
     return cost;
 }
 
-double cost_at(const Spot& spot, const NamedThing& thing, const NameSide& side,
-               const Surroundings& around) {
-    const double spread = 2.0 * smooth_step(spot.spread_px / (4.0 * spot.box.half_px.y()) - 0.5);
-    return preference_cost(thing, side.angle_rad, side.level) + spread +
-           cost_of(spot.box, around, thing) + leader_cost(spot, around);
+// The cost of a place without that of its direction and distance.
+double room_cost(const Spot& spot, const NamedThing& thing, const Surroundings& around,
+                 double em_px) {
+    const double spread = 2.0 * smooth_step(spot.spread_px / (2.0 * em_px) - 0.5);
+    return spread + cost_of(spot.box, around, thing, em_px) +
+           leader_cost(spot, around, thing, em_px);
 }
 
-// The side with the least sum of costs; `cost` of a side: infinite if it has no place.
-template <typename Cost>
-NameSide best_side(const Cost& cost) {
-    NameSide best;
+NameSide side_of(int index) {
+    constexpr int n_levels = static_cast<int>(levels.size());
+    return {angle_of(index / n_levels), levels[static_cast<std::size_t>(index % n_levels)]};
+}
+constexpr int n_sides = n_directions * static_cast<int>(levels.size());
+
+double preference_cost(const NamedThing& thing, const NameSide& side) {
+    return preference_cost(thing, side.angle_rad, side.level);
+}
+
+struct PlacedName {
+    Spot spot;
+    bool has_room = false;
+};
+
+std::optional<PlacedName> placed_at(const Spots& spots, const ThingName& name, const NameSide& side,
+                                    const Surroundings& around) {
+    const auto spot = spots.at(side.angle_rad, side.level);
+    if (!spot) return std::nullopt;
+    return PlacedName{*spot, room_cost(*spot, *name.thing, around, name.em_px) < most_cost};
+}
+
+// Where there is most room at an instant.
+std::optional<PlacedName> best_place(const Spots& spots, const ThingName& name,
+                                     const Surroundings& around) {
+    std::optional<PlacedName> best;
     double least = std::numeric_limits<double>::infinity();
-    for (int k = 0; k < n_directions; ++k)
-        for (const double level : levels) {
-            const NameSide side{angle_of(k), level};
-            const double found = cost(side);
-            if (!(found < least)) continue;
-            least = found;
-            best = side;
-        }
+    for (int k = 0; k < n_sides; ++k) {
+        const NameSide side = side_of(k);
+        const auto spot = spots.at(side.angle_rad, side.level);
+        if (!spot) continue;
+        const double room = room_cost(*spot, *name.thing, around, name.em_px);
+        const double cost = room + preference_cost(*name.thing, side);
+        if (!(cost < least)) continue;
+        least = cost;
+        best = PlacedName{*spot, room < most_cost};
+    }
     return best;
 }
 
-std::optional<PlacedName> placed_at(const Spots& spots, const NamedThing& thing,
-                                    const NameSide& side, const Surroundings& around) {
-    const auto spot = spots.at(side.angle_rad, side.level);
-    if (!spot) return std::nullopt;
-    const double cost =
-        cost_at(*spot, thing, side, around) - preference_cost(thing, side.angle_rad, side.level);
-    return PlacedName{*spot, smooth_step((most_cost - cost) / 0.5 + 0.5)};
-}
-
-// The outline of a curve that grows in time, as it is in the end: the side of a film's name does
-// not depend on how much of the curve is drawn. Empty for other things.
-Outline grown_outline(const View& view, const NamedThing& thing, const Panel& panel) {
-    const StageContext& stage = *panel.stage;
-    if (!stage.rolling) return {};
-    const bool is_whole = stage.scene.trail.polhode == "whole" && !stage.rolling->dissipates;
-    if (thing.name == "polhode" && !is_whole && !view.ellipsoids.empty())
-        return outline_of(view, view.ellipsoids.front(), 96);
-    if (thing.name != "herpolhode" || view.planes.empty()) return {};
-    const Plane& plane = view.planes.front();
-    return outline_of(view, plane.centre, plane.normal,
-                      panel.herpolhode_radius.value_or(stage.rolling->herpolhode_radius), 96);
+// Whether a title of the scene or of one of its chapters contains the words.
+bool is_spoken_of(const Scene& scene, std::string_view words) {
+    const auto lower = [](std::string_view text) {
+        std::string made(text);
+        for (char& c : made)
+            if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
+        return made;
+    };
+    const std::string name = lower(words);
+    const auto has = [&](const std::string& title) {
+        return lower(title).find(name) != std::string::npos;
+    };
+    return !name.empty() &&
+           (has(scene.title) ||
+            std::any_of(scene.chapters.begin(), scene.chapters.end(),
+                        [&](const ChapterSpec& chapter) { return has(chapter.title); }));
 }
 
 double margin_of(const Panel& panel) {
@@ -395,6 +484,11 @@ std::vector<ThingWords> words_of_things(const Scene& scene) {
             words.push_back({own->second, thing.role});
     }
     return words;
+}
+
+double NameSpan::presence(double film_s) const {
+    constexpr double fade_s = 0.3;
+    return smooth_step(std::min(film_s - begin_s, end_s - film_s) / fade_s);
 }
 
 std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
@@ -419,44 +513,86 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
             .size_px = std::max(size_of_names * label_size * panel.type_px, least_type_px(stage)),
             .mode = TypeMode::text};
         const Colour colour = line_of(stage.theme, thing.role);
-        names.push_back({&thing, at_scene_key(scene, key, [&] { return store.set(text, style); }),
-                         colour, offset_of_label(stage, thing.name)});
+        names.push_back({.thing = &thing,
+                         .type = at_scene_key(scene, key, [&] { return store.set(text, style); }),
+                         .colour = colour,
+                         .em_px = style.size_px,
+                         .offset_px = offset_of_label(stage, thing.name)});
     }
+    // What the scene speaks of comes first.
+    std::stable_partition(names.begin(), names.end(), [&](const ThingName& name) {
+        return is_spoken_of(scene, name.type.mask->source.text);
+    });
     return names;
 }
 
+namespace {
+
+// A thing of which less is seen has no name; fading things take their names along quickly.
+double seen_share(const Spots& spots) {
+    return smooth_step((std::min(1.0, spots.opacity()) - 0.35) / 0.3);
+}
+
+// Where a name stands, and how opaque it is.
+struct ShownName {
+    std::optional<PlacedName> placed;
+    double opacity = 0.0;
+};
+
+// The place that is planned for a second of the film. What crosses the name between the instants of
+// the plan makes it fade.
+ShownName planned_place(const Spots& spots, const ThingName& name, const Surroundings& around,
+                        double film_s) {
+    for (const NameSpan& span : *name.spans) {
+        const double presence = span.presence(film_s);
+        if (!(presence > 0.0)) continue;
+        ShownName shown{placed_at(spots, name, span.side, around), presence};
+        if (!shown.placed) return {};
+        for (const LabelBox& other : around.labels)
+            shown.opacity *=
+                1.0 -
+                other.opacity *
+                    smooth_step(0.5 - 4.0 * shown.placed->spot.box.distance(other) / name.em_px);
+        return shown;
+    }
+    return {};
+}
+
+}  // namespace
+
 std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vector<ThingName>& names,
-                                            const std::vector<LabelBox>& overlays, View& view) {
+                                            const std::vector<LabelBox>& overlays, double film_s,
+                                            bool is_planned, View& view) {
     std::vector<UnnamedThing> left_out;
-    const auto shown = [&panel](double opacity) {
-        return panel.stage->options.is_still ? whole_or_absent(opacity) : opacity;
-    };
+    const bool is_still = panel.stage->options.is_still;
     std::optional<Surroundings> around;  // made for the first name that the view shows
     for (const ThingName& name : names) {
         if (name.type.mask->width == 0) continue;
-        const Spots spots(view, *name.thing, name.type, panel.px);
-        const double seen = shown(std::min(1.0, spots.opacity()));
+        const Spots spots(view, name);
+        const double seen = is_still ? whole_or_absent(seen_share(spots)) : seen_share(spots);
         if (spots.is_shown() && seen < 0.5) left_out.push_back({name.thing->name, false});
         if (!(seen > 0.0)) continue;
-        if (!around) around = surroundings_of(view, overlays, margin_of(panel), true);
-        const NameSide side = name.side ? *name.side : best_side([&](const NameSide& each) {
-            const auto spot = spots.at(each.angle_rad, each.level);
-            return spot ? cost_at(*spot, *name.thing, each, *around)
-                        : std::numeric_limits<double>::infinity();
-        });
-        const auto placed = placed_at(spots, *name.thing, side, *around);
-        const double room = placed ? shown(placed->room) : 0.0;
-        if (room < 0.5) left_out.push_back({name.thing->name});
-        if (!(room > 0.0)) continue;
+        if (!around) around = surroundings_of(view, overlays, margin_of(panel));
+        ShownName shown;
+        if (name.spans && is_planned) {
+            shown = planned_place(spots, name, *around, film_s);
+        } else {
+            shown.placed = best_place(spots, name, *around);
+            shown.opacity = shown.placed && shown.placed->has_room ? 1.0 : 0.0;
+        }
+        if (is_still) shown.opacity = whole_or_absent(shown.opacity);
+        if (shown.opacity < 0.5) left_out.push_back({name.thing->name});
+        if (!(shown.opacity > 0.0)) continue;
+        const Spot& spot = shown.placed->spot;
         Label label;
         label.mask = name.type.mask;
-        label.top_left_px = placed->spot.box.centre_px - placed->spot.box.half_px + name.offset_px;
+        label.top_left_px = spot.box.centre_px - spot.box.half_px + name.offset_px;
         label.colour = name.colour;
         label.halo_colour = panel.stage->theme.halo;
         label.halo_px = 4.0 * panel.px;
-        label.opacity = room * seen;
+        label.opacity = shown.opacity * seen;
         label.rank = rank_of_things;
-        label.at = placed->spot.at;
+        label.at = spot.at;
         label.name = {name.thing->name, 0, ""};
         view.labels.push_back(label);
         const LabelBox box = label_box(label);
@@ -464,52 +600,168 @@ std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vecto
         if (!spots.has_leader()) continue;
         // A name that was moved by hand may be nearer to another point of its thing.
         const VisiblePoint* const nearest = name.offset_px.isZero() ? nullptr : spots.nearest(box);
-        const Leader leader{.at = nearest != nullptr ? nearest->at : placed->spot.at,
-                            .from_px = nearest != nullptr ? nearest->px : placed->spot.anchor_px,
+        const Leader leader{.at = nearest != nullptr ? nearest->at : spot.at,
+                            .from_px = nearest != nullptr ? nearest->px : spot.anchor_px,
                             .to = box,
                             .colour = name.colour,
                             .width_px = 1.6 * panel.px,
                             .name = {name.thing->name, 0, "leader"}};
-        const double away_px = box.distance(leader.from_px);
-        add_leader(leader, label.opacity * shown(leader_share(away_px, panel.px)),
+        const double share = leader_share(box.distance(leader.from_px), name.em_px);
+        add_leader(leader, label.opacity * (is_still ? whole_or_absent(share) : share),
                    panel.unit_segment, view);
     }
     return left_out;
 }
 
-void choose_sides(const Panel& panel, std::vector<PlacedLabels> instants,
-                  std::vector<ThingName>& names) {
-    for (ThingName& name : names) {
-        if (name.type.mask->width == 0) continue;
-        struct Seen {
-            PlacedLabels* instant;
-            Spots spots;
-            Surroundings around;
-        };
-        std::vector<Seen> seen;
-        for (PlacedLabels& instant : instants) {
-            const View& view = *instant.view;
-            Spots spots(view, *name.thing, name.type, panel.px,
-                        grown_outline(view, *name.thing, panel));
-            if (spots.opacity() > 0.0)
-                seen.push_back({&instant, std::move(spots),
-                                surroundings_of(view, instant.taken, margin_of(panel), false)});
+namespace {
+
+// Costs a second of film of a name's places, and of changes between them: a name that would stay
+// for a second or two is not worth its coming and going.
+constexpr double cost_of_absence = most_cost;
+constexpr double greatest_cost = 6.0;
+constexpr double cost_of_coming = 2.5, cost_of_change = 6.0;
+constexpr double least_stay_s = 2.0;
+
+constexpr int absent = n_sides;  // the state after those of the sides
+
+// The states of least total cost over the instants, by dynamic programming. `costs`: of all states
+// at each instant, per second; `comes_free`: whether the name may come and go without cost before
+// an instant.
+std::vector<int> cheapest_states(const std::vector<std::vector<double>>& costs,
+                                 const std::vector<bool>& comes_free, double step_s) {
+    std::vector<double> sums(n_sides + 1, 0.0);
+    std::vector<std::vector<int>> from(costs.size(), std::vector<int>(n_sides + 1, 0));
+    for (std::size_t k = 0; k < costs.size(); ++k) {
+        const auto best = std::min_element(sums.begin(), sums.begin() + n_sides);
+        const int best_side = static_cast<int>(best - sums.begin());
+        const double change = k == 0 ? 0.0 : cost_of_change;
+        const double coming = k == 0 || comes_free[k] ? 0.0 : cost_of_coming;
+        std::vector<double> next(n_sides + 1);
+        for (int s = 0; s <= n_sides; ++s) {
+            const auto i = static_cast<std::size_t>(s);
+            double least = sums[i];
+            int before = s;
+            const auto look_at = [&](int state, double with) {
+                const double sum = sums[static_cast<std::size_t>(state)] + with;
+                if (sum < least) {
+                    least = sum;
+                    before = state;
+                }
+            };
+            if (s != absent) look_at(absent, coming);
+            look_at(best_side, s == absent ? coming : change);
+            next[i] = least + step_s * costs[k][i];
+            from[k][i] = before;
         }
-        // The cost of each side, at most that of no room, added up over the instants.
-        name.side = best_side([&](const NameSide& side) {
-            double sum = preference_cost(*name.thing, side.angle_rad, side.level);
-            for (const auto& [instant, spots, around] : seen) {
-                const auto spot = spots.at(side.angle_rad, side.level);
-                sum += spot ? std::min(most_cost, cost_at(*spot, *name.thing, side, around))
-                            : most_cost;
+        sums = std::move(next);
+    }
+    std::vector<int> states(costs.size());
+    int state = static_cast<int>(std::min_element(sums.begin(), sums.end()) - sums.begin());
+    for (std::size_t k = costs.size(); k-- > 0;) {
+        states[k] = state;
+        state = from[k][static_cast<std::size_t>(state)];
+    }
+    return states;
+}
+
+// Removes stays that are too short to be read.
+void drop_short_stays(double step_s, std::vector<int>& states) {
+    for (std::size_t first = 0; first < states.size();) {
+        std::size_t end = first;
+        while (end < states.size() && (states[end] == absent) == (states[first] == absent)) ++end;
+        const bool is_whole = first == 0 && end == states.size();
+        if (states[first] != absent && !is_whole &&
+            step_s * static_cast<double>(end - first) < least_stay_s)
+            std::fill(states.begin() + static_cast<std::ptrdiff_t>(first),
+                      states.begin() + static_cast<std::ptrdiff_t>(end), absent);
+        first = end;
+    }
+}
+
+// The spans of states at evenly spaced instants.
+std::vector<NameSpan> spans_of(const std::vector<int>& states, const std::vector<double>& film_s) {
+    constexpr double infinite = std::numeric_limits<double>::infinity();
+    std::vector<NameSpan> spans;
+    for (std::size_t first = 0; first < states.size();) {
+        std::size_t end = first;
+        while (end < states.size() && states[end] == states[first]) ++end;
+        if (states[first] != absent)
+            spans.push_back(
+                {first == 0 ? -infinite : 0.5 * (film_s[first - 1] + film_s[first]),
+                 end == states.size() ? infinite : 0.5 * (film_s[end - 1] + film_s[end]),
+                 side_of(states[first])});
+        first = end;
+    }
+    return spans;
+}
+
+}  // namespace
+
+void plan_names(const Panel& panel, std::vector<PlacedLabels> instants, bool is_loop,
+                std::vector<ThingName>& names) {
+    const std::size_t n = instants.size();
+    const double step_s = instants[1].film_s - instants[0].film_s;
+    std::vector<double> film_s;
+    std::vector<Surroundings> around;
+    for (const PlacedLabels& instant : instants) {
+        film_s.push_back(instant.film_s);
+        around.push_back(surroundings_of(*instant.view, instant.taken, margin_of(panel)));
+    }
+    for (ThingName& name : names) {
+        name.spans.emplace();
+        if (name.type.mask->width == 0) continue;
+        std::vector<std::vector<double>> costs(n, std::vector<double>(n_sides + 1, 0.0));
+        std::vector<bool> is_shown(n), comes_free(n);
+        std::vector<Spots> spots;
+        spots.reserve(n);
+        for (std::size_t k = 0; k < n; ++k) {
+            spots.emplace_back(*instants[k].view, name);
+            is_shown[k] = seen_share(spots[k]) >= 0.5;
+            costs[k][absent] = is_shown[k] ? cost_of_absence : 0.0;
+            for (int s = 0; s < n_sides; ++s) {
+                const NameSide side = side_of(s);
+                const auto spot =
+                    is_shown[k] ? spots[k].at(side.angle_rad, side.level) : std::nullopt;
+                costs[k][static_cast<std::size_t>(s)] =
+                    spot ? std::min(greatest_cost,
+                                    room_cost(*spot, *name.thing, around[k], name.em_px) +
+                                        preference_cost(*name.thing, side))
+                         : greatest_cost;
             }
-            return sum;
-        });
+        }
+        if (std::find(is_shown.begin(), is_shown.end(), true) == is_shown.end()) continue;
+        for (std::size_t k = 0; k < n; ++k)
+            comes_free[k] = is_shown[k] != is_shown[k > 0 ? k - 1 : n - 1];
+        // A loop is planned as the middle one of three, so that it has no seam.
+        std::vector<int> states;
+        if (is_loop) {
+            std::vector<std::vector<double>> thrice;
+            std::vector<bool> free_thrice;
+            for (int turn = 0; turn < 3; ++turn) {
+                thrice.insert(thrice.end(), costs.begin(), costs.end());
+                free_thrice.insert(free_thrice.end(), comes_free.begin(), comes_free.end());
+            }
+            states = cheapest_states(thrice, free_thrice, step_s);
+            states = {states.begin() + static_cast<std::ptrdiff_t>(n),
+                      states.begin() + static_cast<std::ptrdiff_t>(2 * n)};
+        } else {
+            states = cheapest_states(costs, comes_free, step_s);
+        }
+        drop_short_stays(step_s, states);
+        name.spans = spans_of(states, film_s);
+        if (is_loop && states.front() != states.back()) {
+            // A change at the seam.
+            if (states.front() != absent)
+                name.spans->front().begin_s = film_s.front() - 0.5 * step_s;
+            if (states.back() != absent) name.spans->back().end_s = film_s.back() + 0.5 * step_s;
+        }
         // The names after it keep off it.
-        for (const auto& [instant, spots, around] : seen)
-            if (const auto placed = placed_at(spots, *name.thing, *name.side, around))
-                instant->taken.push_back(
-                    {placed->spot.box.centre_px, placed->spot.box.half_px, placed->room});
+        for (std::size_t k = 0; k < n; ++k) {
+            if (states[k] == absent) continue;
+            const NameSide side = side_of(states[k]);
+            if (const auto spot = spots[k].at(side.angle_rad, side.level))
+                around[k].labels.push_back({spot->box.centre_px, spot->box.half_px, 1.0});
+        }
     }
 }
 

@@ -1,8 +1,10 @@
 // The names of curves and surfaces in the picture: polhode, herpolhode, invariable plane, …
 //
-// In a film a name keeps its side, which is chosen once for all frames, so that it moves smoothly
-// with what it names, and fades out where there is no room for it. In a still it stands on the side
-// where there is most room. Names give way to the labels of vectors.
+// In a film the side of a name is planned once for all frames: the name keeps its side for seconds,
+// so that it moves smoothly with what it names, and fades quickly where it appears, changes its
+// side or leaves. In a still it stands on the side where there is most room. Names give way to the
+// labels of vectors. All distances are in the height of the letters, so that the choice does not
+// depend on the picture's size.
 #pragma once
 
 #include <optional>
@@ -26,13 +28,24 @@ struct NameSide {
     double level = 0.0;
 };
 
+// A part of a film in which a name stands on one side.
+struct NameSpan {
+    double begin_s = 0.0, end_s = 0.0;  // of the film; infinite: the film's own begin or end
+    NameSide side{};
+
+    // Opacity: the name fades within its span, a little from either end.
+    double presence(double film_s) const;
+};
+
 // A name that a panel shows if it shows the thing.
 struct ThingName {
     const NamedThing* thing = nullptr;
     TextBlock type;
     Colour colour;
+    double em_px = 0.0;                                   // of its letters
     Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();  // by hand
-    std::optional<NameSide> side{};                       // absent: the best of the instant
+    // Of a film, in order; absent: the best side of the instant.
+    std::optional<std::vector<NameSpan>> spans{};
 };
 
 // The words for curves and cones in texts of the scene, and the roles of their colours in the
@@ -47,21 +60,24 @@ std::vector<ThingWords> words_of_things(const Scene& scene);
 std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store);
 
 // Adds the names of what the view shows to its labels. Its other labels are placed already;
-// `overlays` are boxes of text over all panels. Returns the things that are shown without their
-// names.
+// `overlays` are boxes of text over all panels. `is_planned`: whether the view is that of the film
+// at `film_s`, for which the spans are made; else each name stands where there is room. Returns the
+// things that are shown without their names.
 std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vector<ThingName>& names,
-                                            const std::vector<LabelBox>& overlays, View& view);
+                                            const std::vector<LabelBox>& overlays, double film_s,
+                                            bool is_planned, View& view);
 
 // A view whose labels are placed, without the names of things, and the boxes that are taken
 // besides: at first those of the text over all panels.
 struct PlacedLabels {
     const View* view = nullptr;
     std::vector<LabelBox> taken;
+    double film_s = 0.0;
 };
 
-// Chooses the side of each name for all frames of a film, from instants of it. It depends neither
-// on how much of a curve is drawn at an instant nor on which part of a film is made.
-void choose_sides(const Panel& panel, std::vector<PlacedLabels> instants,
-                  std::vector<ThingName>& names);
+// Plans where each name stands in a film, from instants spread evenly over it, at least two. The
+// plan does not depend on which part of the film is made.
+void plan_names(const Panel& panel, std::vector<PlacedLabels> instants, bool is_loop,
+                std::vector<ThingName>& names);
 
 }  // namespace poinsot
