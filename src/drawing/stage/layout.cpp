@@ -60,8 +60,8 @@ double line_scale(const PanelBox& box, const StageOptions& options) {
         std::min(1.0 * box.height_px / options.height_px, 1.5 * box.width_px / options.width_px);
     return std::sqrt(std::min(1.0, share));
 }
-constexpr double least_type_share = 0.72;
-constexpr double least_label_share = 0.36;  // a label of 12 px
+constexpr double least_type_share = 0.8;
+constexpr double least_label_share = 0.3;  // a label of 12 px
 constexpr double header_share = 0.85;
 
 // Whether a picture is high enough for six labels one above another. Smaller pictures are for
@@ -76,9 +76,10 @@ Drawer header_of(Panel& panel, StageStore& store, std::string_view text) {
     // The same size in all panels, whatever their size.
     const StageContext& stage = *panel.stage;
     const double unscaled =
-        is_on_paper(stage)
-            ? paper_heading_size * paper_type_px(stage)
-            : 24.0 * std::max(header_share * stage.px, least_label_share * stage.options.samples);
+        type_sizes(stage).heading *
+        (is_on_paper(stage)
+             ? paper_type_px(stage)
+             : std::max(header_share * stage.px, least_label_share * stage.options.samples));
     const double size =
         std::max(unscaled * stage.scene.type_scale * stage.scene.style.heading_scale.value_or(1.0),
                  least_type_px(stage));
@@ -96,7 +97,6 @@ Drawer header_of(Panel& panel, StageStore& store, std::string_view text) {
         label.colour = panel.stage->theme.text;
         label.halo_colour = panel.stage->theme.halo;
         label.halo_px = 2.0 * panel.px;
-        label.opacity = 0.88;
         label.held_at = 0.0;
         label.rank = rank_of_headings;
         if (type.mask->width > 0) builder.view.labels.push_back(label);

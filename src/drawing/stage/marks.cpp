@@ -119,12 +119,16 @@ double paper_type_px(const Scene& scene, double px, const LeastSizes& least) {
     return std::max({px, least.type_px / name_px, least.script_px / (script_share * name_px)});
 }
 
+double label_em_px(const Panel& panel) {
+    return type_sizes(*panel.stage).vector_name * panel.type_px;
+}
+
 TextBlock set_label(const Panel& panel, StageStore& store, std::string_view text, double scale) {
     // On paper all names have one size.
     constexpr double least_name_scale = 0.75;
     if (is_on_paper(*panel.stage) && scale >= least_name_scale) scale = 1.0;
     const TypeStyle style{.size_px =
-                              std::max(scale * label_size * panel.type_px *
+                              std::max(scale * label_em_px(panel) *
                                            panel.stage->scene.style.label_scale.value_or(1.0),
                                        least_type_px(*panel.stage))};
     return at_scene_key(panel.stage->scene, "symbols",

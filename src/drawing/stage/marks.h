@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "drawing/stage/panel.h"
+#include "drawing/stage/type/type_sizes.h"
 
 namespace poinsot {
 
@@ -16,8 +17,11 @@ namespace poinsot {
 constexpr int first_ellipsoid = 0;
 constexpr int the_plane = 0;
 
-// Size of text beside arrows, px per em at 1080 rows.
-constexpr double label_size = 34.0;
+// Size of names beside arrows on paper, px per em at 1080 rows.
+constexpr double label_size = paper_sizes.vector_name;
+
+// The same in a panel, pixels of the rendered picture per em.
+double label_em_px(const Panel& panel);
 
 // Length of the arrow along L beyond the invariable plane, in units of the largest half-axis.
 constexpr double momentum_beyond_plane = 0.34;
@@ -125,8 +129,10 @@ double paper_type_px(const Scene& scene, double px, const LeastSizes& least);
 inline double paper_type_px(const StageContext& stage) {
     return paper_type_px(stage.scene, stage.px, stage.options.least);
 }
-// Size of headings on paper, px per em at 1080 rows.
-constexpr double paper_heading_size = 36.5;
+// The sizes of its text.
+inline const TypeSizes& type_sizes(const StageContext& stage) {
+    return is_on_paper(stage) ? paper_sizes : screen_sizes;
+}
 
 // An arc of a circle about `centre` from the direction `from` towards the direction `towards`
 // (perpendicular unit vectors), over an angle from 0 to 2π; a whole circle from 2π on. Negative

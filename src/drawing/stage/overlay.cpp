@@ -99,12 +99,16 @@ struct OverlayRoom {
     double type_px = 1.0;  // the same for text
     double margin_px = 0.0;
     int samples = 1;  // samples × samples per pixel
+    bool on_paper = false;
 
     OverlayRoom(const Scene& scene, int width, double line_px, const LeastSizes& least,
                 int n_samples)
-        : width_px(width), px(line_px), type_px(line_px), samples(n_samples) {
+        : width_px(width),
+          px(line_px),
+          type_px(line_px),
+          samples(n_samples),
+          on_paper(least.type_px > 0.0) {
         // A page has a margin already.
-        const bool on_paper = least.type_px > 0.0;
         constexpr double margin = 40.0, paper_margin = 16.0;
         margin_px = (on_paper ? paper_margin : margin) * px;
         if (on_paper) type_px = paper_type_px(scene, px, least);
@@ -116,23 +120,30 @@ struct OverlayRoom {
 
 double margin(const StageContext& stage) { return OverlayRoom(stage).margin_px; }
 
-constexpr double title_size = 40.0;
-constexpr double chapter_size = 32.0;
-constexpr double caption_size = 26.0;
+using TypeSize = double TypeSizes::*;
+constexpr TypeSize title_size = &TypeSizes::title;
+constexpr TypeSize chapter_size = &TypeSizes::chapter;
+constexpr TypeSize caption_size = &TypeSizes::caption;
 
 // The scale that [style] gives text of this size.
-double scale_of(const Scene& scene, double size) {
+double scale_of(const Scene& scene, TypeSize size) {
     const auto& own = size == title_size ? scene.style.title_scale : scene.style.caption_scale;
     return scene.type_scale * own.value_or(1.0);
 }
 
+// Pixels per em.
+double em_px(const Scene& scene, const OverlayRoom& room, TypeSize size) {
+    return (room.on_paper ? paper_sizes : screen_sizes).*size * room.type_px *
+           scale_of(scene, size);
+}
+
 // The style of text wrapped to a picture.
-TypeStyle text_style(const Scene& scene, const OverlayRoom& room, double size) {
-    return {.size_px = size * room.type_px * scale_of(scene, size),
+TypeStyle text_style(const Scene& scene, const OverlayRoom& room, TypeSize size) {
+    return {.size_px = em_px(scene, room, size),
             .mode = TypeMode::text,
             .max_width_px = std::max(64.0 * room.samples, room.width_px - 2.0 * room.margin_px)};
 }
-TypeStyle text_style(const StageContext& stage, double size) {
+TypeStyle text_style(const StageContext& stage, TypeSize size) {
     return text_style(stage.scene, OverlayRoom(stage), size);
 }
 
@@ -208,6 +219,29 @@ Drawer make_clock(const StageContext& stage, StageStore& store, const WideHalo& 
     };
 }
 
+// A caption in lines of nearly equal length, as few as fit.
+struct BalancedText {
+    TextBlock type;  // with the numbers of no instant
+    TypeStyle style, widest;
+
+    BalancedText(const StageContext& stage, StageStore& store, const std::string& key,
+                 std::string_view caption, const TypeStyle& style_)
+        : style(style_), widest(style_) {
+        const std::string text = live_text(stage.scene, caption, {});
+        type = at_scene_key(stage.scene, key, [&] {
+            style.max_width_px = store.text().balanced_width_px(text, widest);
+            return store.set(text, style);
+        });
+    }
+
+    // With other numbers: in the same lines, unless they need more space.
+    TextBlock live(const TextCache& cache, std::string_view text, View& view) const {
+        const TextBlock set = cache.set_live(text, style, view);
+        if (set.height_px() < 1.3 * type.height_px()) return set;
+        return cache.set_live(text, widest, view);
+    }
+};
+
 Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo& halo) {
     CaptionColours colours(stage);
     TypeStyle style = text_style(stage, caption_size);
@@ -219,19 +253,17 @@ Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo
                  rank_of_caption, halo.presence(instant.film_s), builder, inks);
     };
     // Always set here, so that an invalid caption is rejected before the first frame.
-    const TextBlock type = at_scene_key(stage.scene, "caption", [&] {
-        return store.set(live_text(stage.scene, stage.scene.caption, {}), style);
-    });
+    const BalancedText balanced(stage, store, "caption", stage.scene.caption, style);
     if (!changes(stage.scene, stage.scene.caption)) {
-        return [place, type](const FrameInput& instant, ViewBuilder& builder) {
+        return [place, type = balanced.type](const FrameInput& instant, ViewBuilder& builder) {
             place(type, instant, builder);
         };
     }
-    return [&stage, style, place, &text = std::as_const(store).text()](const FrameInput& instant,
-                                                                       ViewBuilder& builder) {
-        place(text.set_live(live_text(stage.scene, stage.scene.caption, instant), style,
-                            builder.view),
-              instant, builder);
+    return [&stage, balanced, place, &text = std::as_const(store).text()](const FrameInput& instant,
+                                                                          ViewBuilder& builder) {
+        place(
+            balanced.live(text, live_text(stage.scene, stage.scene.caption, instant), builder.view),
+            instant, builder);
     };
 }
 
@@ -257,7 +289,7 @@ double presence_of(const TimedText& text, const StageContext& stage, const Frame
 // One of [[captions]], set.
 struct TimedCaption : TimedText {
     const TimedCaptionSpec* spec = nullptr;
-    std::optional<TextBlock> still;  // empty: contains numbers that change
+    std::optional<BalancedText> text;
 };
 
 bool wants_title(const Scene& scene) { return !scene.title.empty() && wants(scene, "title"); }
@@ -268,14 +300,12 @@ bool wants_chapters(const Scene& scene) {
 
 // The top of the first line below the title.
 double below_title(const Scene& scene, const OverlayRoom& room) {
-    return room.margin_px + (wants_title(scene) ? 62.0 * scene.type_scale * room.type_px : 0.0);
+    return room.margin_px + (wants_title(scene) ? 1.55 * em_px(scene, room, title_size) : 0.0);
 }
 // Below the titles of the chapters, if they are shown.
 double below_chapters(const Scene& scene, const OverlayRoom& room) {
     return below_title(scene, room) +
-           (wants_chapters(scene)
-                ? 1.6 * chapter_size * scale_of(scene, chapter_size) * room.type_px
-                : 0.0);
+           (wants_chapters(scene) ? 1.6 * em_px(scene, room, chapter_size) : 0.0);
 }
 
 // Sets the title of a chapter with the number under which players list it.
@@ -335,23 +365,22 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store, const W
         const auto [begin_s, end_s] = caption_span(scene, i);
         caption.begin_s = begin_s;
         caption.end_s = end_s;
-        const TextBlock type = at_scene_key(scene, fmt::format("captions[{}].text", i), [&] {
-            return store.set(live_text(scene, caption.spec->text, {}), style);
-        });
-        if (!changes(scene, caption.spec->text)) caption.still = type;
+        caption.text.emplace(stage, store, fmt::format("captions[{}].text", i), caption.spec->text,
+                             style);
         captions.push_back(caption);
     }
     const double foot = bottom_of_captions(stage, style);
     const double head = below_chapters(scene, OverlayRoom(stage));
-    return [&stage, halo, captions, style, foot, head, inks = std::move(colours.inks),
+    return [&stage, halo, captions, foot, head, inks = std::move(colours.inks),
             &text = std::as_const(store).text()](const FrameInput& instant, ViewBuilder& builder) {
         for (const TimedCaption& caption : captions) {
             const double presence = presence_of(caption, stage, instant);
             if (!(presence > 0.0)) continue;
             const TextBlock type =
-                caption.still ? *caption.still
-                              : text.set_live(live_text(stage.scene, caption.spec->text, instant),
-                                              style, builder.view);
+                !changes(stage.scene, caption.spec->text)
+                    ? caption.text->type
+                    : caption.text->live(text, live_text(stage.scene, caption.spec->text, instant),
+                                         builder.view);
             const double baseline = caption.spec->place == "top"
                                         ? head + type.baseline_px
                                         : foot - (type.height_px() - type.baseline_px);
@@ -398,9 +427,8 @@ OverlayBands overlay_bands(const Scene& scene, const OverlayRoom& room, TextCach
     OverlayBands bands;
     if (wants_title(scene) || wants_clock(scene)) {
         bands.top_px =
-            rows(room.margin_px + (wants_title(scene) ? 56.0 * scale_of(scene, title_size)
-                                                      : 40.0 * scale_of(scene, caption_size)) *
-                                      room.type_px);
+            rows(room.margin_px + (wants_title(scene) ? 1.4 * em_px(scene, room, title_size)
+                                                      : 1.54 * em_px(scene, room, caption_size)));
     }
     if (wants_title(scene)) {
         const TextBlock type = at_scene_key(scene, "title", [&] {

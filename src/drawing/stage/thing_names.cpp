@@ -36,8 +36,9 @@ struct NamedThing {
 
 namespace {
 
-// In this order: a name gives way to those before it.
-constexpr std::array<NamedThing, named_things.size()> things{{
+// In this order: a name gives way to those before it. The last three are of no scene's `names`:
+// they are shown where all names are.
+constexpr std::array<NamedThing, named_things.size() + 3> things{{
     {"body-cone",
      "cones",
      "body",
@@ -103,9 +104,31 @@ constexpr std::array<NamedThing, named_things.size()> things{{
      320.0,
      true,
      {"measured", "gemessen", "mesuré", "medido", "misurato", "測定値"}},
+    {"momentum-sphere",
+     "momentum-sphere",
+     "",
+     "text",
+     135.0,
+     true,
+     {"momentum sphere", "Drehimpulskugel", "sphère du moment", "esfera del momento",
+      "sfera del momento", "角運動量球"}},
+    {"energy-ellipsoid",
+     "momentum-sphere",
+     "ellipsoid",
+     "text",
+     225.0,
+     true,
+     {"energy ellipsoid", "Energieellipsoid", "ellipsoïde d'énergie", "elipsoide de energía",
+      "ellissoide dell'energia", "エネルギー楕円体"}},
+    {"rotation-axis",
+     "spin-axis",
+     "",
+     "omega",
+     290.0,
+     true,
+     {"axis of rotation", "Drehachse", "axe de rotation", "eje de rotación", "asse di rotazione",
+      "回転軸"}},
 }};
-
-constexpr double size_of_names = 0.8;  // of the names of vectors
 
 // What a name keeps away from.
 struct Surroundings {
@@ -510,7 +533,7 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
                                      : std::string(phrase_in(scene.language, thing.words));
         if (text.empty()) continue;
         const TypeStyle style{
-            .size_px = std::max(size_of_names * label_size * panel.type_px, least_type_px(stage)),
+            .size_px = std::max(type_sizes(stage).thing_name * panel.type_px, least_type_px(stage)),
             .mode = TypeMode::text};
         const Colour colour = line_of(stage.theme, thing.role);
         names.push_back({.thing = &thing,

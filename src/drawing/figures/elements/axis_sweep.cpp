@@ -98,7 +98,7 @@ void AxisSweep::add_to(const Eigen::Matrix3d& picture_from_principal, double sha
     number.type = text_->set_live(
         with_decimal_mark(fmt::format("I(\\mathbf{{n}}) = {:.3g}~\\mathrm{{kg\\,m^2}}", kg_m2),
                           decimal_mark_in_formula(panel.stage->scene.language)),
-        {.size_px = label_size * panel.type_px}, builder.view);
+        {.size_px = label_em_px(panel)}, builder.view);
     number.anchor_px = {panel.box.x_px + 0.76 * panel.box.width_px,
                         panel.box.y_px + 0.5 * panel.box.height_px};
     number.away = {0.0, 0.0};

@@ -28,8 +28,7 @@ struct UserMark {
 TextBlock name_of(const Panel& panel, StageStore& store, std::size_t i) {
     const StageContext& stage = *panel.stage;
     const double scale = 0.85 * stage.scene.style.label_scale.value_or(1.0);
-    const TypeStyle style{.size_px =
-                              std::max(scale * label_size * panel.type_px, least_type_px(stage))};
+    const TypeStyle style{.size_px = std::max(scale * label_em_px(panel), least_type_px(stage))};
     return at_scene_key(stage.scene, fmt::format("marks[{}].name", i),
                         [&] { return store.set(stage.scene.marks[i].name, style); });
 }

@@ -299,7 +299,7 @@ std::vector<Eigen::Vector3d> points_to_frame(const Panel& panel) {
 
 void make_body_panel(Panel& panel, StageStore& store) {
     const ConstructionPicture& picture = *panel.stage->rolling;
-    const double margin = 0.6 * label_size * panel.type_px + 26.0 * panel.px;
+    const double margin = 0.6 * label_em_px(panel) + 26.0 * panel.px;
     Margins margins = even_margins(panel.box, margin);
     // On a screen the corner of the heading stays free by itself.
     if (is_on_paper(*panel.stage)) margins.top_px += panel.header_px;

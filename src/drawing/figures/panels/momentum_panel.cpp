@@ -172,7 +172,7 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
     const Eigen::Vector3d axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
     for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
     for (const Eigen::Vector3d& tip : tips_of_arrows(panel)) points.push_back(tip);
-    const double margin = 0.6 * label_size * panel.type_px + 30.0 * panel.px;
+    const double margin = 0.6 * label_em_px(panel) + 30.0 * panel.px;
     const std::vector<Label> legend = legend_of(panel, store);
     // The legend is below the names of axes.
     const double rows_px = legend_rows(panel, legend);
@@ -190,6 +190,9 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
     energy.half_axes = half_axes.asDiagonal();
     energy.section_px = 0.8 * panel.px;
     energy.ruling_px = 0.0;
+    constexpr std::string_view element = "momentum-sphere";
+    sphere.name = {element, 0, ""};
+    energy.name = {element, 0, "ellipsoid"};
 
     std::vector<Curve> curves;
     const bool dissipates = panel.stage->rolling->dissipates;
@@ -198,6 +201,7 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
             curve_of(panel, keep_meeting_curve(panel, store), panel.stage->theme.polhode, 4.6);
         curve.on_surface = first_ellipsoid;
         curve.hidden_opacity = 0.72;
+        curve.name = {element, 0, "path"};
         curves.push_back(curve);
         // The other curve of intersection, which this motion does not reach.
         curve.placement.linear() = -Eigen::Matrix3d::Identity();

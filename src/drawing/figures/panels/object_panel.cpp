@@ -219,7 +219,7 @@ void make_object_panel(Panel& panel, StageStore& store) {
     // The names of forces are long.
     const double names_em = is_shown(stage, "inertial-forces") ? 3.5 : 0.7;
     aim_around(panel, points_to_frame(stage, shape, arrows, torque_scale),
-               names_em * label_size * panel.type_px + 24.0 * panel.px);
+               names_em * label_em_px(panel) + 24.0 * panel.px);
 
     const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");

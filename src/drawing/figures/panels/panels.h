@@ -65,7 +65,7 @@ inline constexpr PanelKind panel_rows[] = {
      "the sphere of constant |L| and the energy ellipsoid, which meet in the path of L in body "
      "axes",
      momentum_in_body_axes_title, true, keeps_momentum, needs_turning, make_momentum_panel,
-     takes_spiral | takes_comparison | takes_solid_angle, CameraUse::direction,
+     takes_spiral | takes_comparison | takes_solid_angle | takes_names, CameraUse::direction,
      principal_view_direction},
     {"object", "the turning body itself, with its principal axes, ω and L", body_in_space_title,
      true, any_motion, "", make_object_panel,

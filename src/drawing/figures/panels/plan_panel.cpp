@@ -93,7 +93,7 @@ double reach_of(const Panel& panel, const PlanScale& scale) {
 }
 
 void aim_from_above(Panel& panel, double reach) {
-    const double margin_px = 26.0 * panel.px + 0.5 * label_size * panel.type_px + panel.header_px;
+    const double margin_px = 26.0 * panel.px + 0.5 * label_em_px(panel) + panel.header_px;
     const double room_px =
         std::max(0.4 * std::min(panel.box.width_px, panel.box.height_px),
                  std::min(panel.box.width_px, panel.box.height_px) - 2.0 * margin_px);

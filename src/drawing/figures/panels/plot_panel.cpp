@@ -13,6 +13,7 @@
 #include "drawing/figures/charts/plot_quantity.h"
 #include "drawing/figures/charts/plot_record.h"
 #include "drawing/figures/charts/plotted_chart.h"
+#include "drawing/figures/elements/ghost.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/possible_motions.h"
 #include "measured/table_faults.h"
@@ -160,10 +161,22 @@ class PlotMaker {
         }
     }
 
+    // The word of a name that is one word in \mathrm{}; else empty.
+    static std::string word_of(std::string_view name) {
+        constexpr std::string_view begin = "\\mathrm{";
+        if (!name.starts_with(begin) || !name.ends_with('}')) return "";
+        const std::string_view word = name.substr(begin.size(), name.size() - begin.size() - 1);
+        return word.find_first_of("\\{}_^$") == std::string_view::npos ? std::string(word) : "";
+    }
+
     void set_names() {
         const auto set = [this](const std::string& name) {
+            // A word is set in the letters of the titles.
+            const std::string word = word_of(name);
             const TextBlock type =
-                set_chart_type(*panel_, *store_, name, TypeMode::math, chart_name_size);
+                word.empty()
+                    ? set_chart_type(*panel_, *store_, name, TypeMode::math, chart_name_size)
+                    : set_chart_type(*panel_, *store_, word, TypeMode::text, chart_title_size);
             widest_name_ = std::max(widest_name_, type.width_px());
             return type;
         };

@@ -72,7 +72,7 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
 
     // The plane continues behind the caption; the figure on it does not.
     const double per_px = 2.0 * pose.distance * std::tan(0.5 * field_rad) / panel.box.height_px;
-    const double label = 1.4 * label_size * panel.type_px * per_px;
+    const double label = 1.4 * label_em_px(panel) * per_px;
     std::vector<Eigen::Vector3d> points =
         swept_points(*panel.stage->rolling, swept_shapes(panel),
                      pose.azimuth_deg * std::numbers::pi / 180.0, label);

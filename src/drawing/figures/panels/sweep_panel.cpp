@@ -83,8 +83,7 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
     const Eigen::Vector3d half_axes = half_axes_of(panel);
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(
         (half_axes.array() + AxisSweep::beyond).matrix().asDiagonal().toDenseMatrix());
-    aim_around(panel, std::move(points),
-               margins_of(panel).left_px + 0.4 * label_size * panel.type_px);
+    aim_around(panel, std::move(points), margins_of(panel).left_px + 0.4 * label_em_px(panel));
 
     const AxisSweep axis_sweep(panel, store, half_axes);
     const Drawer body = resting_body(panel, store);

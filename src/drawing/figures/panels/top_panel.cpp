@@ -355,7 +355,7 @@ void make_top_panel(Panel& panel, StageStore& store) {
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
     std::erase_if(points, [&](const Eigen::Vector3d& point) { return point.z() < lowest; });
     points.emplace_back(0.0, 0.0, vertical_length);
-    aim_around(panel, std::move(points), 0.7 * label_size * panel.type_px + 24.0 * panel.px);
+    aim_around(panel, std::move(points), 0.7 * label_em_px(panel) + 24.0 * panel.px);
 
     const auto& gravity = std::get<GravityTorque>(panel.stage->motion.motion().problem().torque);
     const bool hangs = gravity.mgl_N_m < 0.0;

@@ -161,6 +161,26 @@ TextBlock TextCache::set(std::string_view text, const TypeStyle& style) {
     return type;
 }
 
+double TextCache::balanced_width_px(std::string_view text, const TypeStyle& style) const {
+    TypeStyle tried = style;
+    tried.size_px = std::max(style.size_px / samples_, least_.type_px);
+    tried.max_width_px = style.max_width_px / samples_;
+    if (tried.size_px < least_legible_px) return style.max_width_px;
+    const int n_lines = typesetter_.measure(text, tried).n_lines;
+    if (n_lines < 2) return style.max_width_px;
+    double low = 0.5 * tried.max_width_px, high = tried.max_width_px;
+    constexpr int n_rounds = 10;
+    for (int round = 0; round < n_rounds; ++round) {
+        tried.max_width_px = 0.5 * (low + high);
+        const TypeExtent extent = typesetter_.measure(text, tried);
+        const bool fits = extent.n_lines <= n_lines && extent.width <= tried.max_width_px;
+        (fits ? high : low) = tried.max_width_px;
+    }
+    // With space for wider digits.
+    constexpr double slack = 1.01;
+    return std::min(style.max_width_px, slack * high * samples_);
+}
+
 double TextCache::least_size_px() const {
     double least = std::numeric_limits<double>::infinity();
     for (const auto& [key, type] : known_)

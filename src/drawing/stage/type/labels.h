@@ -61,6 +61,10 @@ class TextCache {
     // For text that changes in every frame: the view owns the mask.
     TextBlock set_live(std::string_view text, const TypeStyle& style, View& view) const;
 
+    // The least width in which running text has as many lines as in the width of its style: its
+    // lines are of nearly equal length. The style's own where it has one line.
+    double balanced_width_px(std::string_view text, const TypeStyle& style) const;
+
     // The smallest em size of the cached text, in rendered pixels; infinite if there is none.
     double least_size_px() const;
 
