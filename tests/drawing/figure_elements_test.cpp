@@ -74,7 +74,7 @@ TEST(FigureElements, HerpolhodeIsOnTheFixedPlane) {
         for (const double t : {2.7, 9.1}) {
             const View view = staged.stage.at(t).views.front();
             ASSERT_EQ(view.planes.size(), 2u);
-            ASSERT_EQ(view.curves.size(), 1u);
+            ASSERT_EQ(view.curves.size(), 2u);  // the herpolhode and its edge
             ASSERT_GE(view.curves.front().on_plane, 0);
             centres.push_back(
                 view.planes.at(static_cast<std::size_t>(view.curves.front().on_plane)).centre);

@@ -212,7 +212,7 @@ TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     const Drawing drawing = still.stage.at(1e9);
     const StageContext& context = still.stage.context();
     const Panel& panel = still.stage.panels().front();
-    const Curve* ring = curve_of_width(drawing, 4.0 * panel.px);
+    const Curve* ring = curve_of_width(drawing, 4.0 * context.theme.herpolhode_weight * panel.px);
     ASSERT_NE(ring, nullptr);
     const auto& points = ring->geometry->points;
     const Polhode::Annulus annulus = context.rolling->polhode.annulus();
@@ -279,7 +279,8 @@ TEST(FarTimes, AFilmGoesOverFromTheCurveToTheRing) {
     Scene scene = generic("space");
     const Drawn film(scene, 1e6, 1, 0.05);
     ASSERT_EQ(film.stage.notes().size(), 1u);
-    const double width_px = 4.0 * film.stage.panels().front().px;
+    const double width_px =
+        4.0 * film.stage.context().theme.herpolhode_weight * film.stage.panels().front().px;
     const auto geometry_at = [&](double time_s) {
         const Drawing drawing = film.stage.at(time_s);
         for (const Curve& curve : drawing.views.front().curves)

@@ -244,6 +244,7 @@ const std::vector<Exception> faint{
     {"print", "e3", "sphere and ellipsoid", e3_is_an_arrow},
     {"colour-blind", "e3", "sphere and ellipsoid", e3_is_an_arrow},
     {"colour-blind", "measured", "body", "rows of dots, which no other line has"},
+    {"dark", "omega", "sphere and ellipsoid", "a wide arrow; measured 2.1 where the light is"},
     {"dark", "omega", "cones", "the line along which the cones, of other hues, touch"},
 };
 
