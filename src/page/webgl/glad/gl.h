@@ -56,6 +56,8 @@ using GLsizeiptr = std::ptrdiff_t;
 #define GL_RG 0x8227
 #define GL_RG32F 0x8230
 #define GL_RG8 0x822B
+#define GL_RGB 0x1907
+#define GL_RGB8 0x8051
 #define GL_RGBA 0x1908
 #define GL_RGBA16 0x805B
 #define GL_RGBA16F 0x881A
