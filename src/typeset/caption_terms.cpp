@@ -1,10 +1,10 @@
-#include "typeset/caption_terms.h"
-
+// Terms of a caption, such as "herpolhode" or ω, which are set in colours of their own.
 #include <algorithm>
 #include <cstddef>
 #include <string_view>
 
 #include "text/utf8.h"
+#include "typeset/caption_layout.h"
 #include "typeset/label_parser.h"
 
 namespace poinsot {

@@ -11,7 +11,7 @@ namespace poinsot {
 struct LabelCharacter {
     char32_t code = 0;
     int column = 1;
-    int tint = 0;  // of a term (caption_terms.h); 0: none
+    int tint = 0;  // of a term (CaptionTerm); 0: none
 };
 
 // The faces of running text.

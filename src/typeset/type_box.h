@@ -13,7 +13,7 @@ struct PlacedGlyph {
     GlyphId glyph = 0;
     double x = 0.0, y = 0.0;  // px from the box's origin on the baseline, y up
     double px_per_unit = 0.0;
-    int tint = 0;  // of a term (caption_terms.h); 0: none
+    int tint = 0;  // of a term (CaptionTerm); 0: none
 };
 
 // A filled rectangle. The glyphs from first_glyph up to last_glyph are attached to it (a root's

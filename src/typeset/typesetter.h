@@ -4,10 +4,10 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <string>
 #include <string_view>
 #include <vector>
 
-#include "typeset/caption_terms.h"
 #include "typeset/font_source.h"
 #include "typeset/label_error.h"
 
@@ -21,6 +21,14 @@ enum class TypeMode {
 };
 
 enum class TypeAlignment { left, centre, right };
+
+// A word or some words of running text, or a formula without dollar signs, which a caption sets
+// with a tint: term i of a list has tint i + 1.
+struct CaptionTerm {
+    std::string text;
+    bool is_formula = false;
+    bool operator==(const CaptionTerm&) const = default;
+};
 
 struct TypeStyle {
     double size_px = 24.0;  // px per em, 1…4096

@@ -28,10 +28,10 @@ double least_difference(const Colour& a, const Colour& b) {
     return least;
 }
 
-using Pair = std::pair<Colour, Colour>;
+using ColourPair = std::pair<Colour, Colour>;
 
 // Pairs of the same kind of object in one view, which are distinguished by colour alone.
-std::vector<Pair> main_pairs(const Theme& t) {
+std::vector<ColourPair> main_pairs(const Theme& t) {
     return {{t.polhode, t.herpolhode},  {t.polhode, t.momentum},    {t.polhode, t.omega},
             {t.herpolhode, t.omega},    {t.herpolhode, t.momentum}, {t.momentum, t.omega},
             {t.axes[0], t.axes[1]},     {t.axes[1], t.axes[2]},     {t.axes[2], t.axes[0]},

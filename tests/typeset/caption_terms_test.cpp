@@ -1,11 +1,11 @@
 // Terms of captions that get tints.
-#include "typeset/caption_terms.h"
-
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <map>
 #include <string>
 
+#include "typeset/caption_layout.h"
 #include "typeset/files/installed_fonts.h"
 #include "typeset/label_parser.h"
 #include "typeset/typesetter.h"

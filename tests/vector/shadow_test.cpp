@@ -11,11 +11,11 @@ namespace poinsot::vector {
 namespace {
 
 // A sphere that touches the plane, seen from above.
-struct Setting {
+struct ShadowSetting {
     Drawing drawing;
     Page page;
 
-    Setting() {
+    ShadowSetting() {
         drawing.width_px = 1000;
         drawing.height_px = 750;
         View& view = drawing.views.emplace_back();
@@ -50,7 +50,7 @@ double alpha_at(const RadialFade& fade, const Eigen::Vector2d& at) {
 // No band on paper or on a projector: from point to point, a tenth of a millimetre apart, the grey
 // changes by less than a viewer sees, and it is that of the light.
 TEST(Shadow, HasNoSteps) {
-    Setting setting;
+    ShadowSetting setting;
     const Plane& plane = setting.view().planes.front();
     const Canvas canvas(setting.drawing, setting.view(), 0.24, Shading::tone, setting.page);
     draw_shadow(canvas, plane, 0);
