@@ -419,6 +419,7 @@ TEST(LectureClaims, EnergyGoesFromOnePointThroughTheSeparatrixToAnother) {  // p
         EXPECT_NEAR(axes_of(view, lecture.theme()).determinant(), 1.0, 1e-13);
         // The polhode has this distance: √(F)/|Iρ| is constant along it.
         for (const Curve* curve : curves_of(view, lecture.theme().polhode)) {
+            if (curve->name.part == "leader") continue;  // of the polhode's name
             for (std::size_t k = 0; k < curve->geometry->points.size(); k += 11) {
                 const Vector3d p = curve->placement * curve->geometry->points[k];
                 EXPECT_NEAR(form(view.ellipsoids.front(), p), 1.0, 1e-13);

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <map>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -97,6 +99,68 @@ TEST_F(Legible, HeadingsHaveAContrastOfFourAndAHalf) {
                     EXPECT_TRUE(!lit || label.opacity > 0.99 || contrast(seen, ground_Y) >= 4.5)
                         << theme.name << " " << contrast(seen, ground_Y);
                 }
+    }
+}
+
+// Small letters of the names in a picture are a sixtieth of its height; their size is that of a
+// lower-case x in Latin Modern Sans, 0.444 em (measured in the font's outlines). Titles of panels
+// are as dark as the text, and no letter of a chart is larger than a name.
+TEST_F(Legible, NamesAreReadFromTheLastRow) {
+    Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "space");
+    scene.names.reset();
+    scene.film.width_px = 1280;
+    scene.film.height_px = 720;
+    const StagedScene staged(scene, 5.0, 0.0, true);
+    const Drawing drawing = staged.stage.at(5.0);
+    int n_names = 0;
+    for (const Label& label : drawing.views[0].labels)
+        if (!label.mask->source.is_formula) {
+            EXPECT_GE(0.444 * label.mask->source.em_px, 720.0 / 60.0) << label.mask->source.text;
+            ++n_names;
+        }
+    EXPECT_GE(n_names, 3);
+    PanelSpec chart;
+    chart.kind = "plot";
+    chart.column = 1;
+    scene.grid.columns = {1.0, 1.0};
+    scene.panels.push_back(chart);
+    const StagedScene two(scene, 5.0, 0.0, true);
+    const Drawing panels = two.stage.at(5.0);
+    double least_name_px = 1e9, largest_in_chart_px = 0.0;
+    for (const Label& label : panels.views[0].labels) {
+        if (label.rank == rank_of_things)
+            least_name_px = std::min(least_name_px, label.mask->source.em_px);
+        if (label.rank == rank_of_headings) {
+            EXPECT_EQ(label.opacity, 1.0);
+        }
+    }
+    for (const Label& label : panels.views[1].labels)
+        largest_in_chart_px = std::max(largest_in_chart_px, label.mask->source.em_px);
+    EXPECT_GT(largest_in_chart_px, 0.0);
+    EXPECT_LE(largest_in_chart_px, least_name_px);
+}
+
+// A caption of several lines has lines of nearly equal length: no word stands alone.
+TEST_F(Legible, CaptionsHaveBalancedLines) {
+    Scene scene = free_scene({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6}, "space");
+    scene.film.width_px = 1280;
+    scene.film.height_px = 720;
+    const std::string words = "The contact point traces the polhode on the ellipsoid ";
+    for (const char* const end : {"and the herpolhode on the plane",
+                                  "and the herpolhode on the plane, which need not close"}) {
+        scene.caption = words + words + end;
+        const StagedScene staged(scene, 1.0, 0.0, true);
+        const Drawing drawing = staged.stage.at(1.0);
+        const Label* caption = nullptr;
+        for (const Label& label : drawing.views.back().labels)
+            if (label.rank == rank_of_caption) caption = &label;
+        ASSERT_NE(caption, nullptr);
+        // The right ends of the lines, by their letters.
+        std::map<double, double> right_px;
+        for (const MaskLetter& letter : caption->mask->letters)
+            right_px[letter.baseline_px] = std::max(right_px[letter.baseline_px], letter.x_px);
+        ASSERT_EQ(right_px.size(), 2u) << end;
+        EXPECT_GT(right_px.rbegin()->second, 0.7 * right_px.begin()->second) << end;
     }
 }
 

@@ -108,15 +108,15 @@ TEST(ThingNames, AreInTheLanguageOfTheSceneOrAsTheSceneSays) {
         StageStore store(staged.stage.context());
         for (const ThingName& name : set_thing_names(staged.stage.panels().front(), store))
             texts.insert(name.type.mask->source.text);
-        EXPECT_EQ(texts.size(), named_things.size() + 3) << language;  // three have no key
+        EXPECT_EQ(texts.size(), named_things.size() + 3) << language;  // and those of all names
     }
 }
 
 TEST(ThingNames, AreMovedByHand) {
     Scene scene = rolling_scene();
-    const auto before = names_of(scene);
+    const auto before = names_of(scene, 10.0);
     scene.label_offsets_pt["inertia-ellipsoid"] = {-20.0, 10.0};
-    const auto after = names_of(scene);
+    const auto after = names_of(scene, 10.0);
     // A screen is 540 points high.
     const Eigen::Vector2d moved =
         after.at("inertia-ellipsoid").top_left_px - before.at("inertia-ellipsoid").top_left_px;
@@ -220,6 +220,62 @@ TEST(ThingNames, HaveLeadersThatTouchNoOtherLabel) {
         }
     }
     EXPECT_GT(n_leaders, 5);
+}
+
+// Both cones share the generator at the contact; a leader that ended there would name either.
+TEST(ThingNames, OfConesPointToTheirFarSides) {
+    Scene cones = free_scene({2.0, 2.0, 0.8}, {0.8, 0.0, 2.0}, "space");
+    cones.names = {"body-cone", "space-cone"};
+    cones.film.width_px = 1920;
+    cones.film.height_px = 1080;
+    int n_names = 0;
+    for (int k = 1; k <= 10; ++k) {
+        const StagedScene still(cones, 1.0 * k, 0.0, true);
+        const Drawing drawing = still.stage.at(1.0 * k);
+        const View& view = drawing.views.front();
+        ASSERT_EQ(view.cones.size(), 2u);
+        for (const auto& [name, label] : names_in(drawing)) {
+            ++n_names;
+            const bool is_body = view.cones[0].name.part == "body";
+            const Cone& other = view.cones[(name == "body-cone") == is_body ? 1 : 0];
+            const Eigen::Vector3d way = (*label.at - other.apex).normalized();
+            const double off_rad = std::abs(std::acos(way.dot(other.axis)) - other.half_angle_rad);
+            EXPECT_GT(off_rad, 0.1) << name << " " << k;
+        }
+    }
+    EXPECT_GE(n_names, 12);
+}
+
+// The name of a trail stands at its young part, not where it has faded away.
+TEST(ThingNames, OfTrailsStandWhereTheyAreSeen) {
+    Scene scene = rolling_scene();
+    scene.names = {"herpolhode"};
+    scene.trail.herpolhode = "fading";
+    int n_names = 0;
+    for (int k = 4; k <= 10; ++k) {
+        const StagedScene still(scene, 1.0 * k, 0.0, true);
+        const Drawing drawing = still.stage.at(1.0 * k);
+        const View& view = drawing.views.front();
+        const auto names = names_in(drawing);
+        const Curve* trail = nullptr;
+        for (const Curve& curve : view.curves)
+            if (curve.name == ShapeName{"herpolhode", 0, ""} && curve.fade_points > 0.0)
+                trail = &curve;
+        if (!names.contains("herpolhode") || trail == nullptr) continue;
+        ++n_names;
+        // A young part: turns of the trail may lie on each other.
+        double share = 0.0;
+        const auto& points = trail->geometry->points;
+        for (double i = std::ceil(trail->first); i <= trail->last; i += 1.0) {
+            const Eigen::Vector3d at =
+                trail->placement * points[static_cast<std::size_t>(i) % points.size()];
+            const double px =
+                (project(view, at).px - project(view, *names.at("herpolhode").at).px).norm();
+            if (px < 5.0) share = (i - trail->first) / (trail->last - trail->first);
+        }
+        EXPECT_GT(share, 0.5) << k;
+    }
+    EXPECT_GE(n_names, 4);
 }
 
 TEST(ThingNames, WithoutRoomAreReported) {

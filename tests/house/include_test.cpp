@@ -171,6 +171,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"drawing/user_style", "words, symbols, units and sizes that a scene chooses"},
     {"house/include", "reads all source files"},
     {"mechanics/extremes", "free motions at every extreme"},
+    {"production/label_rules", "the rules that names keep in every scene"},
     {"production/alone", "a drawing made without files, OpenGL or FFmpeg"},
     {"production/drawn_geometry", "pixels compared with geometry computed independently of src/"},
     {"production/palette", "colours of lines on surfaces as rendered, in every theme"},

@@ -142,11 +142,37 @@ struct Surroundings {
     struct Line {
         Eigen::Vector2d a, b;
         std::string_view element, part;
+        double weight = 1.0;  // of a curve's hidden part: less
     };
     std::vector<Line> lines;
     const View* view = nullptr;
     double margin_px = 6.0;
 };
+
+// Adds the whole of a curve on a body, of which a part is behind it and pale.
+void add_hidden(const Curve& curve, Surroundings& around) {
+    constexpr int n_pieces = 96;
+    const Projection projection(*around.view);
+    const std::vector<Eigen::Vector3d>& points = curve.geometry->points;
+    const auto n = static_cast<double>(points.size());
+    const double first = std::max(curve.first, 0.0);
+    const double last = std::min(curve.last, curve.geometry->closed ? n : n - 1.0);
+    Eigen::Vector2d before_px = Eigen::Vector2d::Zero();
+    bool is_joined = false;  // to the point before
+    for (int k = 0; k <= n_pieces && first < last; ++k) {
+        const auto index = static_cast<std::size_t>(first + (last - first) * k / n_pieces);
+        const Eigen::Vector3d at = curve.placement * points[index % points.size()];
+        if (projection.depth(at) <= projection.near_depth) {
+            is_joined = false;
+            continue;
+        }
+        const Eigen::Vector2d px = projection.place(at);
+        if (is_joined)
+            around.lines.push_back({before_px, px, curve.name.element, curve.name.part, 0.4});
+        before_px = px;
+        is_joined = true;
+    }
+}
 
 Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& overlays,
                              double margin_px) {
@@ -169,6 +195,7 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
         for (const VisiblePoint& point : outline_of(view, curve, 192))
             around.lines.push_back(
                 {point.before_px, point.px, curve.name.element, curve.name.part});
+        if (curve.on_surface >= 0 && curve.hidden_opacity > 0.15) add_hidden(curve, around);
     }
     return around;
 }
@@ -211,7 +238,7 @@ double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing
             std::min(line.a.y(), line.b.y()) > high.y())
             continue;
         const bool is_own = line.element == thing.element && line.part == thing.part;
-        (is_own ? own_length : length) += box.length_inside(line.a, line.b);
+        (is_own ? own_length : length) += line.weight * box.length_inside(line.a, line.b);
     }
     cost += 2.0 * smooth_step(length / (2.0 * em_px));
     // A name never lies on its own line.
@@ -281,8 +308,9 @@ class Spots {
                     if (whole > 0.0)
                         point.weight_px *= smooth_step(4.0 * point.weight_px / whole - 2.0);
                 }
+            if (thing.name == "rotation-axis") keep_free_end(curve, outline);
+            grows_ = grows_ || thing.name != "rotation-axis";
             add(outline, curve.opacity);
-            is_curve_ = true;
         }
         for (const Ellipsoid& ellipsoid : view.ellipsoids)
             if (is_own(ellipsoid)) add(outline_of(view, ellipsoid, 96), ellipsoid.presence);
@@ -297,7 +325,7 @@ class Spots {
         for (const VisiblePoint& point : outline_) length_px += point.weight_px;
         is_shown_ = opacity_ > 0.0;
         // The name of a curve that grows appears with it.
-        if (is_curve_) opacity_ *= smooth_step(length_px / (1.8 * em_px_));
+        if (grows_) opacity_ *= smooth_step(length_px / (1.2 * em_px_));
     }
 
     // Whether the view has the thing, seen or hidden.
@@ -329,6 +357,15 @@ class Spots {
     }
 
  private:
+    // The end of the axis of rotation away from the contact, where names crowd.
+    static void keep_free_end(const Curve& axis, Outline& outline) {
+        const Eigen::Vector3d end = axis.placement * axis.geometry->points.front();
+        const double length = axis.placement.linear().col(0).norm();
+        std::erase_if(outline, [&](const VisiblePoint& point) {
+            return (point.at - end).norm() > 0.4 * length;
+        });
+    }
+
     // The rim of a cone, where it is far from the other cones of the view: a name at the generator
     // that two cones share would name either.
     static Outline away_from_others(const View& view, const Cone& cone) {
@@ -378,13 +415,14 @@ class Spots {
     Outline outline_;
     const Plane* plane_ = nullptr;
     double opacity_ = 0.0;
-    bool is_shown_ = false, is_curve_ = false;
+    bool is_shown_ = false, grows_ = false;
 };
 
 // The places that are tried: directions in the picture, and distances.
 constexpr int n_directions = 24;
 constexpr std::array<double, 5> levels{0.0, 1.0, 2.0, 3.2, 4.6};
-constexpr double most_cost = 2.8;
+// The cost from which on a name is better absent. Cones are the subject where they are shown.
+double most_cost_of(const NamedThing& thing) { return thing.element == "cones" ? 5.0 : 2.8; }
 
 double angle_of(int direction) { return 2.0 * std::numbers::pi * direction / n_directions; }
 
@@ -450,7 +488,8 @@ std::optional<PlacedName> placed_at(const Spots& spots, const ThingName& name, c
                                     const Surroundings& around) {
     const auto spot = spots.at(side.angle_rad, side.level);
     if (!spot) return std::nullopt;
-    return PlacedName{*spot, room_cost(*spot, *name.thing, around, name.em_px) < most_cost};
+    return PlacedName{
+        *spot, room_cost(*spot, *name.thing, around, name.em_px) < most_cost_of(*name.thing)};
 }
 
 // Where there is most room at an instant.
@@ -466,7 +505,7 @@ std::optional<PlacedName> best_place(const Spots& spots, const ThingName& name,
         const double cost = room + preference_cost(*name.thing, side);
         if (!(cost < least)) continue;
         least = cost;
-        best = PlacedName{*spot, room < most_cost};
+        best = PlacedName{*spot, room < most_cost_of(*name.thing)};
     }
     return best;
 }
@@ -562,6 +601,30 @@ struct ShownName {
     double opacity = 0.0;
 };
 
+// Whether a box lies on a label, on an arrowhead or beyond the view, 0…1: a step, but for a little
+// of the letters' size, so that a name fades quickly.
+double covered_share(const LabelBox& box, const Surroundings& around, double em_px) {
+    const auto covered = [em_px](double distance_px) {
+        return smooth_step(0.5 - 12.0 * distance_px / em_px);
+    };
+    const View& view = *around.view;
+    const Eigen::Vector2d low = box.centre_px - box.half_px, high = box.centre_px + box.half_px;
+    const double inside =
+        std::min({low.x() - view.x_px, low.y() - view.y_px, view.x_px + view.width_px - high.x(),
+                  view.y_px + view.height_px - high.y()});
+    double free = 1.0 - covered(inside - around.margin_px);
+    for (const LabelBox& other : around.labels)
+        free *= 1.0 - other.opacity * covered(box.distance(other));
+    for (const Surroundings::Shaft& shaft : around.shafts) {
+        const Eigen::Vector2d way = shaft.tip - shaft.tail;
+        const double length = std::max(way.norm(), 1e-9);
+        const Eigen::Vector2d middle =
+            shaft.tip - std::min(0.5 * length, 0.5 * shaft.head_px) / length * way;
+        free *= 1.0 - shaft.opacity * covered(box.distance(middle) - 0.3 * shaft.head_px);
+    }
+    return 1.0 - free;
+}
+
 // The place that is planned for a second of the film. What crosses the name between the instants of
 // the plan makes it fade.
 ShownName planned_place(const Spots& spots, const ThingName& name, const Surroundings& around,
@@ -571,11 +634,7 @@ ShownName planned_place(const Spots& spots, const ThingName& name, const Surroun
         if (!(presence > 0.0)) continue;
         ShownName shown{placed_at(spots, name, span.side, around), presence};
         if (!shown.placed) return {};
-        for (const LabelBox& other : around.labels)
-            shown.opacity *=
-                1.0 -
-                other.opacity *
-                    smooth_step(0.5 - 4.0 * shown.placed->spot.box.distance(other) / name.em_px);
+        shown.opacity *= 1.0 - covered_share(shown.placed->spot.box, around, name.em_px);
         return shown;
     }
     return {};
@@ -588,23 +647,34 @@ std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vecto
                                             bool is_planned, View& view) {
     std::vector<UnnamedThing> left_out;
     const bool is_still = panel.stage->options.is_still;
+    // Nobody misses a name that no scene can ask for.
+    const auto leave_out = [&left_out](const ThingName& name, bool is_in_sight) {
+        const std::string_view of = name.thing->name;
+        if (std::find(named_things.begin(), named_things.end(), of) != named_things.end())
+            left_out.push_back({of, is_in_sight});
+    };
     std::optional<Surroundings> around;  // made for the first name that the view shows
     for (const ThingName& name : names) {
         if (name.type.mask->width == 0) continue;
         const Spots spots(view, name);
-        const double seen = is_still ? whole_or_absent(seen_share(spots)) : seen_share(spots);
-        if (spots.is_shown() && seen < 0.5) left_out.push_back({name.thing->name, false});
+        const double share = seen_share(spots);
+        if (spots.is_shown() && share < 0.5) leave_out(name, false);
+        const bool has_plan = name.spans && is_planned;
+        // The plan fades the name; what has nearly vanished has none between its instants.
+        const double seen = has_plan   ? smooth_step(10.0 * spots.opacity() - 1.5)
+                            : is_still ? whole_or_absent(share)
+                                       : share;
         if (!(seen > 0.0)) continue;
         if (!around) around = surroundings_of(view, overlays, margin_of(panel));
         ShownName shown;
-        if (name.spans && is_planned) {
+        if (has_plan) {
             shown = planned_place(spots, name, *around, film_s);
         } else {
             shown.placed = best_place(spots, name, *around);
             shown.opacity = shown.placed && shown.placed->has_room ? 1.0 : 0.0;
         }
         if (is_still) shown.opacity = whole_or_absent(shown.opacity);
-        if (shown.opacity < 0.5) left_out.push_back({name.thing->name});
+        if (shown.opacity < 0.5) leave_out(name, true);
         if (!(shown.opacity > 0.0)) continue;
         const Spot& spot = shown.placed->spot;
         Label label;
@@ -629,8 +699,8 @@ std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vecto
                             .colour = name.colour,
                             .width_px = 1.6 * panel.px,
                             .name = {name.thing->name, 0, "leader"}};
-        const double share = leader_share(box.distance(leader.from_px), name.em_px);
-        add_leader(leader, label.opacity * (is_still ? whole_or_absent(share) : share),
+        const double drawn = leader_share(box.distance(leader.from_px), name.em_px);
+        add_leader(leader, label.opacity * (is_still ? whole_or_absent(drawn) : drawn),
                    panel.unit_segment, view);
     }
     return left_out;
@@ -640,7 +710,6 @@ namespace {
 
 // Costs a second of film of a name's places, and of changes between them: a name that would stay
 // for a second or two is not worth its coming and going.
-constexpr double cost_of_absence = most_cost;
 constexpr double greatest_cost = 6.0;
 constexpr double cost_of_coming = 2.5, cost_of_change = 6.0;
 constexpr double least_stay_s = 2.0;
@@ -740,7 +809,7 @@ void plan_names(const Panel& panel, std::vector<PlacedLabels> instants, bool is_
         for (std::size_t k = 0; k < n; ++k) {
             spots.emplace_back(*instants[k].view, name);
             is_shown[k] = seen_share(spots[k]) >= 0.5;
-            costs[k][absent] = is_shown[k] ? cost_of_absence : 0.0;
+            costs[k][absent] = is_shown[k] ? most_cost_of(*name.thing) : 0.0;
             for (int s = 0; s < n_sides; ++s) {
                 const NameSide side = side_of(s);
                 const auto spot =

@@ -162,9 +162,8 @@ TextBlock TextCache::set(std::string_view text, const TypeStyle& style) {
 }
 
 double TextCache::balanced_width_px(std::string_view text, const TypeStyle& style) const {
-    TypeStyle tried = style;
-    tried.size_px = std::max(style.size_px / samples_, least_.type_px);
-    tried.max_width_px = style.max_width_px / samples_;
+    TypeStyle tried = style;  // then as it is set
+    set_legible(text, tried);
     if (tried.size_px < least_legible_px) return style.max_width_px;
     const int n_lines = typesetter_.measure(text, tried).n_lines;
     if (n_lines < 2) return style.max_width_px;
