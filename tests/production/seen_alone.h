@@ -66,6 +66,7 @@ inline Image seen_alone(LazyRenderer& renderer, const std::string& scene,
     settings.push_back("theme=\"transparent\"");
     settings.push_back("construction.plane=\"" + plane + "\"");
     settings.push_back("show=[" + elements + "]");
+    settings.push_back("names=false");  // they would cover what is measured
     SessionRequest request{installed_fonts()};
     request.times_s = {time_s};
     StillJob job(session_of(parse_scene(scene, "scene.toml", settings), request),
