@@ -77,6 +77,7 @@ TriangleMesh box_on(const Meridian& surface, double z_m, double width_m, double 
 TriangleMesh laces_on(const Meridian& ball) {
     std::vector<TriangleMesh> laces;
     constexpr double apart_m = 0.014;
+    laces.reserve(17);
     for (int i = 0; i < 8; ++i)
         laces.push_back(box_on(ball, apart_m * (i - 3.5), 0.030, 0.0055, 0.0060));
     for (int i = 0; i < 9; ++i)

@@ -128,10 +128,9 @@ std::string Lecture::description() const {
         film_.loop_s > 0.0 ? film_.clock.time_at(film_.length_s) : film_.last_time_s();
     // A film that waits at stops is seen from its beginning; any other opens as its still, with its
     // curves drawn.
-    const double opens_at_s =
-        scene.stops.empty() && scene.film.still_s
-            ? film_.clock.film_second_of(*scene.film.still_s).value_or(0.0)
-            : 0.0;
+    const double opens_at_s = scene.stops.empty() && scene.film.still_s
+                                  ? film_.clock.film_second_of(*scene.film.still_s).value_or(0.0)
+                                  : 0.0;
     return JsonObject()
         .add("title", plain_text(scene.title))
         .add("caption", plain_text(scene.caption))

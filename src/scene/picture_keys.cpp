@@ -75,8 +75,7 @@ std::span<const SceneKey> picture_keys() {
                         "supplied theme)"),
         one_of("crossings", &Scene::crossings, crossing_styles, R"("gap")",
                "how the line that is farther from the viewer is drawn at a crossing: through, or "
-               "with a gap on both sides of the nearer line; an arrow's shaft hides what is behind "
-               "it in both cases")
+               "with a gap on both sides of the nearer line")
             .default_is("that of the theme (gap in every supplied theme)"),
         boolean("overlays", &Scene::overlays, "false",
                 "whether the title, the chapter, the captions and the clock are drawn; the title "

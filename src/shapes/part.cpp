@@ -23,6 +23,9 @@ GlyphMask cut(const GlyphMask& mask, int x, int y, int width, int height) {
     for (int row = y; row < y + height; ++row) {
         const auto from = mask.coverage.begin() + static_cast<std::ptrdiff_t>(row) * mask.width + x;
         part.coverage.insert(part.coverage.end(), from, from + width);
+        if (mask.tints.empty()) continue;
+        const auto tint = mask.tints.begin() + static_cast<std::ptrdiff_t>(row) * mask.width + x;
+        part.tints.insert(part.tints.end(), tint, tint + width);
     }
     return part;
 }

@@ -29,7 +29,8 @@ struct Lecture {
     StagedScene staged;
 
     explicit Lecture(const std::string& name)
-        : scene(load_scene(source_folder() / "scenes" / (name + ".toml"), {})),
+        : scene(load_scene(source_folder() / "scenes" / (name + ".toml"),
+                           std::vector<std::string>{"crossings=through"})),  // whole curves
           last_time_s(scene.film.start_s + scene.film.duration_s.value_or(default_film_s)),
           staged(scene, last_time_s) {}
 
@@ -500,6 +501,7 @@ TEST(LectureClaims, EulerAnglesAreTheDrawnAngles) {  // pages 20–21
     const Lecture lecture("euler_angles");
     const double A = lecture.moments()[0];
     const double C = lecture.moments()[2];
+    int n_arcs = 0;
     for (const double t : lecture.instants()) {
         const Drawing drawing = lecture.staged.stage.at(t);
         const View& view = drawing.views.front();
@@ -514,7 +516,14 @@ TEST(LectureClaims, EulerAnglesAreTheDrawnAngles) {  // pages 20–21
         const Vector3d to[] = {e3, node, e1};
         const double angle[] = {angles[1], angles[0], angles[2]};
         for (std::size_t i = 0; i < 3; ++i) {
-            const DrawnArc arc = drawn_arc(*curves_of(view, lecture.theme().angles[i]).back());
+            const auto arcs = curves_of(view, lecture.theme().angles[i]);
+            if (arcs.empty()) {
+                // Too short to be drawn: at the start, where φ and ψ are zero.
+                EXPECT_LT(std::abs(angle[i]), 0.3) << t;
+                continue;
+            }
+            ++n_arcs;
+            const DrawnArc arc = drawn_arc(*arcs.back());
             EXPECT_LT((arc.first - from[i]).norm(), 1e-14) << i;
             EXPECT_LT((arc.last - to[i]).norm(), 1e-13) << i;
             EXPECT_NEAR(arc.angle_rad, std::abs(angle[i]), 1e-13) << i;
@@ -536,6 +545,7 @@ TEST(LectureClaims, EulerAnglesAreTheDrawnAngles) {  // pages 20–21
         EXPECT_NEAR(T, 0.5 * omega.dot(lecture.moments().cwiseProduct(omega)), 1e-9);
         EXPECT_NEAR(spin, lecture.scene.start.top->omega3_rad_s, 1e-9);
     }
+    EXPECT_GT(n_arcs, 10);
 }
 
 TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22

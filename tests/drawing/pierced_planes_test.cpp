@@ -123,11 +123,11 @@ TEST(PiercePlanes, AHeadFadesAsItGoesThrough) {
         const double opacity = setting.pierced().arrows.back().opacity;
         EXPECT_LE(opacity, before);
         EXPECT_LT(before - opacity, 0.02);
-        n_between += opacity < 1.0 && opacity > 0.61 ? 1 : 0;
+        n_between += opacity < 1.0 && opacity > 0.66 ? 1 : 0;
         before = opacity;
     }
     EXPECT_GT(n_between, 20);
-    EXPECT_LT(before, 0.61);
+    EXPECT_LT(before, 0.66);
 }
 
 }  // namespace

@@ -26,7 +26,8 @@ struct NamedScene {
 inline Scene free_scene(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega,
                         const std::string& panel) {
     Scene scene;
-    scene.names.emplace();  // none: thing_names_test.cpp tests them
+    scene.names.emplace();        // none: thing_names_test.cpp tests them
+    scene.crossings = "through";  // whole curves: line_style_test.cpp cuts them
     scene.body.inertia = InertiaTensor::from_principal_moments(moments, Physicality::waived);
     scene.start.omega_rad_s = omega;
     scene.film.duration_s = 10.0;

@@ -162,6 +162,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"cli/suffixes", "all commands ignore the case of suffixes"},
     {"cli/unfinished", "what lies in the place of the unfinished work of every command"},
     {"drawing/dissipation", "friction in all panels"},
+    {"drawing/level_scale", "the scale of distances beside the body"},
     {"drawing/kept_curves", "the bound of every curve of every panel"},
     {"production/page_labels", "labels over the whole page, in all scenes"},
     {"drawing/lecture_claims", "what the scenes of the lecture say, in all panels"},
@@ -174,9 +175,9 @@ const std::map<std::string, std::string> tests_without_source{
     {"production/label_rules", "the rules that names keep in every scene"},
     {"production/alone", "a drawing made without files, OpenGL or FFmpeg"},
     {"production/drawn_geometry", "pixels compared with geometry computed independently of src/"},
-    {"production/palette", "colours of lines on surfaces as rendered, in every theme"},
     {"production/taught_construction", "pixels compared with the textbooks' construction"},
     {"report/shown_films", "films of the same coded pictures that players show otherwise"},
+    {"vector/contours", "outlines of surfaces that are not filled"},
     {"scene/lecture_scenes", "the files of scenes/"},
     {"scene/random_scenes", "all keys at once, read and written"},
 };

@@ -78,7 +78,9 @@ void look_at(const Drawing& drawing, double px_per_pt, const std::string& where,
     for (const View& view : drawing.views) {
         const Projection projection(view);
         for (const Arrow& arrow : view.arrows) {
-            if (arrow.opacity < 0.5 || projection.depth(arrow.tip) <= projection.near_depth)
+            // The dashes of a shaft have no heads.
+            if (arrow.opacity < 0.5 || arrow.head_px <= arrow.shaft_px ||
+                projection.depth(arrow.tip) <= projection.near_depth)
                 continue;
             const Eigen::Vector2d tip = projection.place(arrow.tip);
             const Eigen::Vector2d tail = projection.place(arrow.tail);

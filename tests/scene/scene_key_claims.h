@@ -485,7 +485,6 @@ inline const Claims claims_of_rows{
      {with("trail", "axis = \"fading\""), [](const Scene& s) { return s.trail.axis == "fading"; }}},
     {"trail.length_s",
      {with("trail", "length_s = 4"), [](const Scene& s) { return s.trail.length_s == 4.0; }}},
-    {"trail.ticks", {with("trail", "ticks = true"), [](const Scene& s) { return s.trail.ticks; }}},
     {"trail.direction_marks",
      {with("trail", "direction_marks = true"),
       [](const Scene& s) { return s.trail.direction_marks; }}},

@@ -5,7 +5,6 @@
 #include <cmath>
 #include <map>
 #include <numbers>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -192,16 +191,13 @@ struct Piece {
     double depth_a = 0.0, depth_b = 0.0;
     double from = 0.0, to = 0.0;  // of a curve: point indices
     double width_px = 0.0;
-    int curve = -1;      // -1: an arrow, which never gets gaps
-    bool hides = false;  // whether it is opaque
+    int curve = -1;  // -1: an arrow, which never gets gaps
 };
 
-// Finds the gaps of lines that pass under others. Without `least_gap_px`, only where an opaque
-// arrow hides them.
+// Finds the gaps of lines that pass under others.
 class Crossing {
  public:
-    Crossing(const View& view, std::optional<double> least_gap_px)
-        : view_(view), least_gap_px_(least_gap_px) {
+    Crossing(const View& view, double least_gap_px) : view_(view), least_gap_px_(least_gap_px) {
         for (std::size_t k = 0; k < view.curves.size(); ++k) add_curve(static_cast<int>(k));
         for (const Arrow& arrow : view.arrows) add_arrow(arrow);
         find();
@@ -217,7 +213,8 @@ class Crossing {
             return;
         }
         auto gaps = found->second;
-        const auto [first, last] = range_of(whole);
+        const auto range = range_of(whole);
+        const double first = range.first, last = range.second;
         if (whole.geometry->closed && last - first == n_points(whole))
             for (std::size_t k = 0, n = gaps.size(); k < n; ++k) {
                 const auto [from, to] = gaps[k];
@@ -298,7 +295,6 @@ class Crossing {
     void add_arrow(const Arrow& arrow) {
         if (!(arrow.opacity > 0.0)) return;
         constexpr int n = 32;
-        constexpr double opaque = 0.95;
         const double length_px = (arrow.tip - arrow.tail).norm() * unit_px_of(view_);
         for (int k = 0; k < n; ++k) {
             // The head's width, where the piece is part of it.
@@ -306,8 +302,7 @@ class Crossing {
             const double head = to_tip_px / std::max(arrow.head_length_px, 1e-9);
             add(arrow.tail + (arrow.tip - arrow.tail) * k / n,
                 arrow.tail + (arrow.tip - arrow.tail) * (k + 1) / n,
-                {.width_px = head < 1.0 ? head * arrow.head_px : arrow.shaft_px,
-                 .hides = arrow.opacity > opaque});
+                {.width_px = head < 1.0 ? head * arrow.head_px : arrow.shaft_px});
         }
     }
 
@@ -338,10 +333,7 @@ class Crossing {
         const Piece& lower = p_is_lower ? p : q;
         const Piece& upper = p_is_lower ? q : p;
         if (lower.curve < 0) return;
-        if (!least_gap_px_ && !upper.hides) return;
-        // Without a gap, the round ends of both parts touch the arrow.
-        const double gap_px =
-            least_gap_px_ ? std::max(*least_gap_px_, 0.8 * lower.width_px) : 0.5 * lower.width_px;
+        const double gap_px = std::max(least_gap_px_, 0.8 * lower.width_px);
         const double half_px = (0.5 * upper.width_px + gap_px) / sine;
         const double length_px = (lower.b - lower.a).norm();
         const double there = lower.from + (p_is_lower ? s : t) * (lower.to - lower.from);
@@ -351,7 +343,7 @@ class Crossing {
 
     static constexpr double cell_px = 24.0;
     const View& view_;
-    std::optional<double> least_gap_px_;
+    double least_gap_px_;
     std::vector<Piece> pieces_;
     std::map<std::pair<int, int>, std::vector<int>> cells_;
     std::map<int, std::vector<std::pair<double, double>>> gaps_;
@@ -359,8 +351,7 @@ class Crossing {
 
 void break_crossings(const LineRules& rules, View& view) {
     constexpr double gap = 3.0;
-    const Crossing crossing(
-        view, rules.crossings == "gap" ? std::optional(gap * rules.px) : std::nullopt);
+    const Crossing crossing(view, gap * rules.px);
     std::vector<Curve> curves;
     curves.reserve(view.curves.size());
     for (std::size_t k = 0; k < view.curves.size(); ++k)
@@ -433,9 +424,9 @@ void break_shafts(View& view) {
 
 void follow_line_rules(const LineRules& rules, View& view) {
     if (has_solids(view)) {
-        pierce_planes(rules, view);
+        if (rules.crossings == "gap") pierce_planes(rules, view);
         if (rules.hidden != "pale" || rules.hidden_arrows != "pale") style_hidden(rules, view);
-        break_crossings(rules, view);
+        if (rules.crossings == "gap") break_crossings(rules, view);
     }
     if (rules.least_px > 0.0) thicken(rules.least_px, view);
     break_shafts(view);

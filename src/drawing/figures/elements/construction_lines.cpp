@@ -12,7 +12,6 @@
 #include <numbers>
 #include <span>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 #include "drawing/figures/elements/elements.h"
@@ -266,20 +265,6 @@ Drawer make_projection(const Panel& panel, StageStore& store) {
     };
 }
 
-namespace {
-
-// The point that is as many pixels beside `at` as `aside` is beside the centre. `aside` is
-// horizontal in the picture.
-Eigen::Vector3d beside_in_picture(const View& view, const Eigen::Vector3d& at,
-                                  const Eigen::Vector3d& aside) {
-    const auto units = [&view](const Eigen::Vector3d& point) {
-        return units_per_pixel(view, project(view, point).depth);
-    };
-    return at + units(at) / units(Eigen::Vector3d::Zero()) * aside;
-}
-
-}  // namespace
-
 // The plane's distance √(2T)/L from the centre, as a dimension line beside the ellipsoid.
 Drawer make_distance(const Panel& panel, StageStore& store) {
     const TextBlock type = set_label(panel, store, "\\sqrt{2T}/L", 0.9);
@@ -287,13 +272,12 @@ Drawer make_distance(const Panel& panel, StageStore& store) {
         // To the right of the ellipsoid's largest extent, in the camera's view.
         constexpr double aside = 1.22;
         const Eigen::Vector3d from = aside * right_of(builder);
-        const Eigen::Vector3d foot = picture_of(panel).foot(instant);
-        const Eigen::Vector3d to = beside_in_picture(builder.view, foot, from);
+        const Eigen::Vector3d to = from + picture_of(panel).foot(instant);
         const LineStyle& colour = panel.stage->theme.text;
         // From the centre, and in the plane from the foot of L.
-        for (const auto& [height, end] :
-             {std::pair(Eigen::Vector3d::Zero().eval(), from), std::pair(foot, to)}) {
-            Curve level = line_between(panel, height, height + 1.06 * (end - height), colour, 1.6);
+        for (const Eigen::Vector3d& height :
+             {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(to - from)}) {
+            Curve level = line_between(panel, height, height + 1.06 * from, colour, 1.6);
             level.hidden_opacity = 0.5;
             builder.view.curves.push_back(level);
         }
@@ -309,6 +293,19 @@ Drawer make_distance(const Panel& panel, StageStore& store) {
         away.x() = std::abs(away.x());
     };
 }
+
+namespace {
+
+// The point at the height of `at` in the picture that stands below or above the point `aside` of
+// the centre. `aside` is horizontal in the picture.
+Eigen::Vector3d below_or_above(const View& view, const Eigen::Vector3d& at,
+                               const Eigen::Vector3d& aside) {
+    const Projected here = project(view, at);
+    const double off_px = project(view, aside).px.x() - here.px.x();
+    return at + off_px * units_per_pixel(view, here.depth) * aside.normalized();
+}
+
+}  // namespace
 
 LevelScale::LevelScale(const Panel& panel, StageStore& store)
     : panel_(&panel), types_(set_half_axis_labels(panel, store, 0.9)) {
@@ -331,12 +328,11 @@ void LevelScale::add_to(ViewBuilder& builder, const Eigen::Vector3d& half_axes,
     const Theme& theme = panel.stage->theme;
     const Eigen::Vector3d right = right_of(builder);
     const Eigen::Vector3d normal = foot.stableNormalized();
-    // Upright in the picture, also in perspective: at every distance as many pixels from L.
-    const double out = aside(builder.view, right);
+    // Upright in the picture, also in perspective.
+    const Eigen::Vector3d zero = aside(builder.view, right) * right;
     const auto at = [&](double distance) {
-        return beside_in_picture(builder.view, distance * normal, out * right);
+        return below_or_above(builder.view, distance * normal, zero);
     };
-    const Eigen::Vector3d zero = at(0.0);
     const auto add = [&](const Eigen::Vector3d& a, const Eigen::Vector3d& b,
                          const LineStyle& colour, double width_px) {
         Curve line = line_between(panel, a, b, colour, width_px);

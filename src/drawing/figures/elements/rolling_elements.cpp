@@ -10,7 +10,6 @@
 #include "drawing/figures/elements/construction_lines.h"
 #include "drawing/figures/elements/direction_marks.h"
 #include "drawing/figures/elements/filled_ring.h"
-#include "drawing/figures/elements/length_ticks.h"
 #include "drawing/figures/elements/trail.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/smooth_paths.h"
@@ -81,37 +80,6 @@ constexpr double mark_spacing = 0.45;
 // Opacity of the curves' parts behind the ellipsoid: so pale that they are read as lying there.
 constexpr double under_the_body = 0.45;
 
-// Whether ticks are wanted and have a fixed place on both paths: with dissipation the ellipsoid in
-// the picture is not the one that rolls, and in axes that turn about L the plane turns under it.
-bool ticks_can_meet(const Panel& panel) {
-    return wants_ticks(panel) && !picture_of(panel).dissipates && !panel.stage->turns();
-}
-
-double spacing_of_ticks(const Panel& panel) {
-    const Polhode& polhode = picture_of(panel).polhode;
-    if (!polhode.closed()) return tick_spacing(0.0);
-    const double per_rho = picture_of(panel).picture_per_rho;
-    CurveGeometry geometry;
-    geometry.closed = true;
-    geometry.points = polhode.sampled(panel.curve_units() / per_rho);
-    return tick_spacing(polygon_length(geometry) * per_rho);
-}
-
-// The contact point at the film's first instant, in the axes of the polhode's points.
-Eigen::Vector3d first_contact(const Panel& panel) {
-    const StageContext& stage = *panel.stage;
-    const RotationState state =
-        stage.motion.motion().sample(stage.options.first_time_s, omega_alone).state;
-    return picture_of(panel).picture_per_rho * picture_of(panel).contact_body(state.omega_body);
-}
-
-// The ellipsoid's outward normal at one of its points, body axes: Iρ.
-Eigen::Vector3d body_normal(const Panel& panel, const Eigen::Vector3d& at) {
-    const InertiaTensor& inertia = picture_of(panel).construction.inertia();
-    const Eigen::Matrix3d& axes = inertia.body_from_principal();
-    return (axes * inertia.moments_kg_m2().cwiseProduct(axes.transpose() * at)).stableNormalized();
-}
-
 }  // namespace
 
 // The polhode and the part of it that is shown.
@@ -148,12 +116,7 @@ Drawer make_polhode(const Panel& panel, StageStore& store) {
         marks.emplace(panel, store, *curve.geometry, mark_spacing,
                       whole && runs_backwards(panel, curve.geometry->points));
     }
-    std::optional<LengthTicks> ticks;
-    if (ticks_can_meet(panel))
-        ticks.emplace(panel, store, *curve.geometry, spacing_of_ticks(panel),
-                      nearest_place(*curve.geometry, first_contact(panel)),
-                      [&panel](const Eigen::Vector3d& at) { return body_normal(panel, at); });
-    return [&panel, curve, trail, marks, ticks](const FrameInput& instant, ViewBuilder& builder) {
+    return [&panel, curve, trail, marks](const FrameInput& instant, ViewBuilder& builder) {
         Curve shown = curve;
         shown.placement.linear() = picture_of(panel).picture_from_body(instant).toRotationMatrix();
         ShownStretch stretch{0.0, curve.last, 0.0, false};
@@ -162,7 +125,6 @@ Drawer make_polhode(const Panel& panel, StageStore& store) {
         shown.lasting = false;  // the curve rotates with the body
         builder.view.curves.push_back(shown);
         if (marks) marks->add_to(builder, shown, stretch.grows);
-        if (ticks) ticks->add_to(builder, shown);
     };
 }
 
@@ -207,16 +169,7 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
     if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, mark_spacing, false);
     const std::optional<RingCurve> ring = ring_of(
         panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
-    std::optional<LengthTicks> ticks;
-    if (ticks_can_meet(panel)) {
-        // The instant at which the polhode's ticks have one at the contact.
-        const ShownStretch start = timed.trail.at(panel.stage->options.first_time_s);
-        const bool is_whole = panel.stage->scene.trail.herpolhode == "whole";
-        ticks.emplace(panel, store, *curve.geometry, spacing_of_ticks(panel),
-                      is_whole ? start.first : start.last,
-                      [](const Eigen::Vector3d&) { return Eigen::Vector3d::UnitZ(); });
-    }
-    return [&panel, &picture, curve, ring, trail = std::move(timed.trail), marks, ticks](
+    return [&panel, &picture, curve, ring, trail = std::move(timed.trail), marks](
                const FrameInput& instant, ViewBuilder& builder) {
         if (ring && instant.time_s >= ring->from_s)
             return builder.view.curves.push_back(ring->curve);
@@ -229,7 +182,6 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
         }
         add_on_grid(panel, shown, builder.view);
         if (marks) marks->add_to(builder, shown, stretch.grows);
-        if (ticks) ticks->add_to(builder, shown);
     };
 }
 

@@ -66,7 +66,7 @@ Drawer make_solid_angle(const Panel& panel, StageStore& store) {
     Mesh area;
     area.geometry = store.keep(std::move(geometry));
     area.colour = ink;
-    area.opacity = 0.5;  // a quarter through the sphere's surface
+    area.opacity = 0.95;  // the sphere and the ellipsoid in front leave about a quarter
     area.casts_shadow = false;
     const TextBlock type = set_label(panel, store, "S", 0.9);
     return [&panel, area, middles, type, ink](const FrameInput& instant, ViewBuilder& builder) {

@@ -71,36 +71,36 @@ bool spins_fast(const StageContext& stage) {
     return std::abs(turned_rad) > 2.0 * pi * most_turns_per_s * film_s;
 }
 
-// The upper face of the disc: domed, so that the light on it changes from the rim to the stem.
-constexpr std::array<ProfilePoint, 4> upper_face{
-    {{0.37, 0.452}, {0.30, 0.487}, {0.20, 0.506}, {0.07, 0.512}}};
-
 // A top about z with its point at the origin: cone, disc and stem.
 const MeshGeometry* keep_top(StageStore& store) {
-    std::vector<ProfilePoint> profile{{0.0, 0.0},     {0.018, 0.012}, {0.045, 0.10},
-                                      {0.09, 0.27},   {0.37, 0.375},  {0.405, 0.395},
-                                      {0.415, 0.415}, {0.405, 0.435}};
-    profile.insert(profile.end(), upper_face.begin(), upper_face.end());
-    profile.insert(profile.end(), {{0.032, 0.54}, {0.028, 0.66}, {0.0, 0.66}});
+    constexpr std::array<ProfilePoint, 13> profile{{{0.0, 0.0},
+                                                    {0.018, 0.012},
+                                                    {0.045, 0.10},
+                                                    {0.09, 0.27},
+                                                    {0.37, 0.375},
+                                                    {0.405, 0.395},
+                                                    {0.415, 0.42},
+                                                    {0.405, 0.445},
+                                                    {0.37, 0.46},
+                                                    {0.07, 0.505},
+                                                    {0.032, 0.54},
+                                                    {0.028, 0.66},
+                                                    {0.0, 0.66}}};
     ShadedCorners corners = shaded_corners(revolved(profile));
     return store.keep({0, std::move(corners.positions), std::move(corners.normals)});
 }
 
 // Radii on the disc's upper face, which make the spin visible.
-std::vector<Curve> spokes_of(const Panel& panel, StageStore& store) {
-    constexpr double above = 0.003;
-    std::vector<Eigen::Vector3d> points;
-    for (const ProfilePoint& point : upper_face)
-        points.emplace_back(point.radius_m, 0.0, point.z_m + above);
-    const CurveGeometry* radius =
-        keep(panel, store, {.points = std::move(points)}, 0.0, "the spokes of the top");
+std::vector<Curve> spokes_of(const Panel& panel) {
     std::vector<Curve> spokes;
     constexpr int n = 6;
     for (int k = 0; k < n; ++k) {
-        Curve spoke = curve_of(panel, radius, panel.stage->theme.solid_lines, k == 0 ? 4.0 : 1.6);
-        spoke.placement.linear() =
-            Eigen::AngleAxisd(2.0 * pi * k / n, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-        spokes.push_back(spoke);
+        const double angle = 2.0 * pi * k / n;
+        const auto point = [angle](double radius, double z) {
+            return Eigen::Vector3d(radius * std::cos(angle), radius * std::sin(angle), z);
+        };
+        spokes.push_back(line_between(panel, point(0.09, 0.507), point(0.365, 0.465),
+                                      panel.stage->theme.solid_lines, k == 0 ? 4.0 : 1.6));
     }
     return spokes;
 }
@@ -276,7 +276,8 @@ class TopDrawer {
     }
 
     // The centre of mass on the axis and its height above the fixed point, as in V = Mgl cos θ.
-    void height(const TextBlock& name, bool hangs) {
+    // It has no name where it is the whole distance.
+    void height(const TextBlock& name, bool hangs, bool is_named) {
         const LineStyle& colour = panel_->stage->theme.potential;
         const Eigen::Vector3d mass = (hangs ? -centre_of_mass : centre_of_mass) * axes_.col(2);
         const Eigen::Vector3d level(0.0, 0.0, mass.z());
@@ -287,7 +288,8 @@ class TopDrawer {
             sheet_->view.curves.push_back(line);
         }
         sheet_->view.dots.push_back(dot_at(*panel_, mass, colour, 6.0));
-        wish_beside(*panel_, 0.6 * level, 0.6 * level + (mass - level), name, colour, *sheet_);
+        if (is_named)
+            wish_beside(*panel_, 0.6 * level, 0.6 * level + (mass - level), name, colour, *sheet_);
     }
 
     void arrow(const Eigen::Vector3d& tip, const LineStyle& colour, double weight,
@@ -362,7 +364,7 @@ void make_top_panel(Panel& panel, StageStore& store) {
     const Stand stand = stand_of(panel, top.nutation());
     const Locus locus = locus_of(panel, store);
     const MeshGeometry* body = keep_top(store);
-    const std::vector<Curve> spokes = spokes_of(panel, store);
+    const std::vector<Curve> spokes = spokes_of(panel);
     const Names names = names_of(panel, store);
     const int vertical = vertical_axis(*panel.stage);
     const bool shows_psi = !spins_fast(*panel.stage);
@@ -385,7 +387,7 @@ void make_top_panel(Panel& panel, StageStore& store) {
         else
             drawer.angles(names, shows_psi);
         name_shapes("angles", builder);
-        drawer.height(names.height, hangs);
+        drawer.height(names.height, hangs, vertical == 0);
         name_shapes("height", builder);
         builder.view.curves.push_back(locus.curve);
         locus.trail.at(instant.time_s).apply_to(builder.view.curves.back());

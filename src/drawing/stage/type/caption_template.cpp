@@ -67,7 +67,7 @@ std::string formatted(double value, std::string_view format, std::string_view de
 }
 
 // A row of numbers as a formula. The common power of ten is a multiple of three.
-std::string formatted_row(std::vector<double> row, std::string_view format,
+std::string formatted_row(const std::vector<double>& row, std::string_view format,
                           std::string_view decimal_mark, std::size_t column) {
     double largest = 0.0;
     for (const double number : row) largest = std::max(largest, std::abs(number));
