@@ -92,7 +92,7 @@ def draw_map(program):
         sheet = pathlib.Path(folder) / "map.png"
         subprocess.run([program, "still", str(ROOT / "scenes" / "stability_map.toml"), "--portable", "--size", "400x226", "--sweep",
                         "start.omega_rad_s[1]=0:1.65:12", "--sheet", "4x3", "-q", "-o", str(sheet)], check=True)
-        palette(sheet, README_PICTURES / "stability_map.png", most_bytes=165_000)
+        palette(sheet, README_PICTURES / "stability_map.png", colours="96", most_bytes=165_000)
 
 
 def lines_of(name):
