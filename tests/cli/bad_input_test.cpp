@@ -164,9 +164,6 @@ INSTANTIATE_TEST_SUITE_P(
                "[motion]\nmethod = \"rk4\"\n[torque]\nkind = \"gravity\"\nmgl_N_m = 1.0\n"
                "[beside]\nmethod = \"dmv\"\n",
                "set beside.method to one of"),
-        motion("beside_with_no_panel_for_it",
-               "[beside]\nmethod = \"euler\"\n[[panels]]\nkind = \"plan\"\n",
-               "no panel here shows the comparison method"),
         motion("keyframe_where_no_camera_moves",
                "[[keyframes]]\nat_s = 1.0\nelevation_deg = 50.0\n[[panels]]\nkind = \"plan\"\n",
                "scene.toml:6:1: keyframes[0] moves [camera], but no panel here uses [camera]"),

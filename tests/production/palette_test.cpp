@@ -239,6 +239,8 @@ constexpr std::string_view e3_is_an_arrow =
 const std::vector<Exception> faint{
     {"light", "e3", "body", e3_is_an_arrow},
     {"print", "e3", "body", e3_is_an_arrow},
+    {"dark", "omega", "body", "2.8 at the lit side, where its shaft is lit, too"},
+    {"dark", "omega", "body over its shadow", "2.8 at the lit side, where its shaft is lit, too"},
     {"colour-blind", "e3", "body", e3_is_an_arrow},
     {"light", "e3", "sphere and ellipsoid", e3_is_an_arrow},
     {"print", "e3", "sphere and ellipsoid", e3_is_an_arrow},

@@ -70,7 +70,7 @@ const Theme dark{
     .light = {.towards = {0.3, -0.6, 0.8}, .key = 0.95, .sky = 0.26},
     .text = hex(0xe8edf3),
     .halo = hex(0x11161d),
-    .ellipsoid = hex(0x3b2b13),
+    .ellipsoid = hex(0x342610),
     .ellipsoid_opacity = 0.72,
     .ellipsoid_lines = hex(0xf2d9a8),
     .plane = hex(0x252f3d),

@@ -32,7 +32,7 @@ constexpr std::size_t most_page_bytes = 1'200'000;
 
 // Widths of the poster, of which the first that leaves room for the rest is taken.
 constexpr int poster_widths_px[] = {960, 640, 480, 320};
-constexpr std::size_t most_poster_bytes = 48'000;
+constexpr std::size_t most_poster_bytes = 32'000;
 
 std::string hex(const Colour& colour) {
     const auto level = [](double share) {

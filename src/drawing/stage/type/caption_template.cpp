@@ -197,7 +197,7 @@ std::string expand_live_text(std::string_view text, std::span<const LiveValue> v
                                  reference.column);
             std::vector<double> row = live.row;
             for (double& component : row) component *= factor;
-            return formatted_row(std::move(row), reference.format, decimal_mark, reference.column);
+            return formatted_row(row, reference.format, decimal_mark, reference.column);
         };
         if (!live.brings_unit) return number(1.0);
         const auto beside = unit_beside(reference);
