@@ -167,6 +167,10 @@ INSTANTIATE_TEST_SUITE_P(
         motion("keyframe_where_no_camera_moves",
                "[[keyframes]]\nat_s = 1.0\nelevation_deg = 50.0\n[[panels]]\nkind = \"plan\"\n",
                "scene.toml:6:1: keyframes[0] moves [camera], but no panel here uses [camera]"),
+        Case{"beside_with_no_panel_for_it",
+             "show = [\"plane\"]\n" + good +
+                 "[beside]\nmethod = \"euler\"\n[[panels]]\nkind = \"space\"\n",
+             "still scene.toml -o a.png", 2, "no panel here shows the comparison method"},
         Case{"panels_too_small",
              good +
                  "[grid]\ncolumns = [1.0, 0.01]\n[[panels]]\nkind = \"space\"\n[[panels]]\nkind = "
