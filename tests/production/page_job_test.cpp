@@ -27,9 +27,10 @@ TEST(Gallery, ThumbnailsHaveNoLetters) {
         request.fonts = installed_fonts();
         const Session session = session_of(load_scene(entry.path(), overrides), request);
         const double time_s = session.scene.film.start_s;
-        const Drawing drawing = stage_of(session, {.first_time_s = time_s, .last_time_s = time_s},
-                                         setting_of(session.scene, request.print))
-                                    .at(time_s);
+        // The masks of a drawing's labels belong to its stage.
+        const Stage stage = stage_of(session, {.first_time_s = time_s, .last_time_s = time_s},
+                                     setting_of(session.scene, request.print));
+        const Drawing drawing = stage.at(time_s);
         for (const View& view : drawing.views) {
             for (const Label& label : view.labels)
                 EXPECT_TRUE(label.mask == nullptr || label.mask->letters.empty())
