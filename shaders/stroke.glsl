@@ -14,8 +14,11 @@ vec2 from_segment(vec2 p, vec2 a, vec2 b) {
 // edges count, so that a line thinner than a pixel is pale but continuous.
 float stroke_coverage(vec2 pixel, vec4 ends, vec2 own, float width_px) {
     float reach = 0.5 * width_px;
-    vec2 nearest = mix(ends.xy, ends.zw, own.y);
-    vec2 away = own.x > 1e-4 ? (pixel - nearest) / own.x : vec2(1.0, 0.0);
+    // On the line itself, rounding hides the direction away from it: there it is across the segment.
+    vec2 away = pixel - mix(ends.xy, ends.zw, own.y);
+    if (length(away) < 0.01) away = vec2(ends.y - ends.w, ends.z - ends.x);
+    float square = dot(away, away);
+    away = square > 1e-12 ? away * inversesqrt(square) : vec2(1.0, 0.0);
     return edge_coverage(reach - own.x, away) + edge_coverage(reach + own.x, away) - 1.0;
 }
 
