@@ -14,7 +14,7 @@ namespace poinsot::vector {
 
 namespace {
 
-constexpr int most_levels = 22, n_spokes = 8;
+constexpr int most_levels = 12, n_spokes = 8;
 
 // The places of a level of darkness on paper, one for each spoke.
 using Outline = std::array<Eigen::Vector2d, n_spokes>;
@@ -130,7 +130,7 @@ void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster) {
     const Colour darkest = over(as_shade(tint, deepest, plane.colour), plane.colour);
     const double change = 255.0 * std::max({plane.colour.r - darkest.r, plane.colour.g - darkest.g,
                                             plane.colour.b - darkest.b});
-    constexpr double least_step = 4.0;
+    constexpr double least_step = 7.0;
     const int n_levels = std::clamp(static_cast<int>(change / least_step), 4, most_levels);
     std::vector<Outline> outlines(static_cast<std::size_t>(n_levels) + 1);
     for (int level = 0; level <= n_levels; ++level) {

@@ -33,7 +33,7 @@ Drawer make_solid_angle(const Panel& panel, StageStore& store) {
 
     // A mesh of points at equal angles about the axis, just below the surface, so that the lines on
     // the surface lie over it.
-    constexpr int n_around = 96, n_out = 8;
+    constexpr int n_around = 84, n_out = 8;
     constexpr double below = 0.998;
     std::vector<Eigen::Vector3d> middles;
     const auto at = [&](int k, double share) -> Eigen::Vector3d {
