@@ -427,7 +427,11 @@ TEST(Filling, FigureSpansFourFifthsOfItsPanel) {
                 if (boxes[i].isEmpty() || (i < scene.panels.size() && is_chart(scene.panels[i])))
                     continue;
                 const double spanned = boxes[i].sizes().maxCoeff();
-                EXPECT_GE(spanned, 0.74) << file.stem() << " " << width << " panel " << i;
+                // Matrices of three rows stand below `tensor`; in panels of 270 pixels and less,
+                // names of the least legible size take their room.
+                const bool is_cramped = width == 640 && scene.panels.size() > 1;
+                const double least = is_cramped ? 0.74 : file.stem() == "tensor" ? 0.78 : 0.8;
+                EXPECT_GE(spanned, least) << file.stem() << " " << width << " panel " << i;
             }
         }
     }
