@@ -52,7 +52,7 @@ class Bar {
   /** Puts the words of the language on the buttons. */
   name() {
     const words = this.words();
-    for (const [id, word] of [['previous', 'previous_stop'], ['next', 'next_stop'], ['options', 'options'], ['full', 'full_screen'],
+    for (const [id, word] of [['previous', 'previous_stop'], ['next', 'next_stop'], ['options', 'options'], ['say', 'notes'], ['full', 'full_screen'],
       ['begin', 'start_figure'], ['close', 'close']]) {
       part(/** @type {string} */ (id)).setAttribute('aria-label', words.of(/** @type {string} */ (word)));
       part(/** @type {string} */ (id)).title = words.of(/** @type {string} */ (word));
@@ -73,6 +73,7 @@ class Bar {
       mark.title = title;
       return mark;
     });
+    part('say').hidden = !stops.some((stop) => stop.title || stop.note);
     part('chapters').replaceChildren(...marks(chapters.filter((c) => c.at_s > 0)));
     part('stops').replaceChildren(...marks(stops));
   }
@@ -92,10 +93,12 @@ class Bar {
     part('done').style.setProperty('--part', String(length_s > 0 ? film.at_s / length_s : 0));
     [...part('stops').children].forEach((mark, i) => {
       mark.classList.toggle('now', i === film.waiting);
+      mark.classList.toggle('leaving', i === film.waiting && film.leaving);
       mark.classList.toggle('passed', (stops[i]?.at_s ?? 0) <= film.at_s + 1e-9);
     });
     const time = this.time_text();
-    part('time').textContent = time;
+    // A press in a loop is answered at once, and obeyed at the seam.
+    part('time').textContent = film.leaving ? words.of('at_seam') : time;
     const stop = stops[film.waiting];
     const place = [time, film.chapter()?.title, stop && `${words.of('stop')} ${film.waiting + 1} ${stop.title}`].filter(Boolean).join(', ');
     if (scrub.getAttribute('aria-valuetext') !== place) scrub.setAttribute('aria-valuetext', place);

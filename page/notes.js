@@ -78,10 +78,11 @@ class Notes {
     const after = stops[waits ? coming + 1 : coming];
     const passed_s = Math.floor((Date.now() - this.began_ms) / 1000);
     const now = new Date().toLocaleTimeString(words.code, {hour: '2-digit', minute: '2-digit'});
-    this.#write('clock', `${now} · ${words.of('elapsed')} ${clock_text(passed_s)}`);
-    const past = stops.filter((s) => s.at_s <= film.at_s + 1e-9);
-    const shown = waits ? stop : past[past.length - 1];
-    this.#write('where', shown?.title || film.chapter()?.title || '');
+    this.#write('clock', `${now} · ${words.of('elapsed')} ${clock_text(passed_s)} · ${words.of('film')} ${clock_text(film.at_s)} / ${clock_text(film.plan.length_s)}`);
+    // On the way to a stop, what to say there; after the last, what was said.
+    const shown = stop ?? stops[stops.length - 1];
+    const number = stops.length > 0 ? `${(stop ? coming : stops.length - 1) + 1} / ${stops.length}` : '';
+    this.#write('where', [number, shown?.title || film.chapter()?.title].filter(Boolean).join(' · '));
     this.#write('note', shown?.note ?? '');
     this.#write('next', `${words.of('next')}: ${after ? after.title || clock_text(after.at_s) : words.of('end')}`);
   }

@@ -25,14 +25,15 @@ class Page {
     this.bar = new Bar(this.figure, words, () => this.changed());
     this.views = new Views(part('views'), {
       changed: () => {
+        this.grips.let_go();
         this.figure.set_views(this.views.list());
         this.#settle();
       },
-      hovered: (x, y, panel) => this.#grip_at(x, y, panel) !== '',
-      picked: (x, y, panel) => this.#picked(x, y, panel),
-      dragged: (x, y, panel) => this.#dragged(x, y, panel),
+      hovered: (x, y, panel) => this.grips.at(x, y, panel) !== null,
+      picked: (x, y, panel) => this.grips.take(x, y, panel),
+      dragged: (x, y) => this.grips.drag(x, y),
       dropped: () => {
-        this.grip = '';
+        this.grips.drop();
         this.#settle();
       },
       touched: () => document.body.classList.add('begun'),
@@ -40,13 +41,17 @@ class Page {
       zooms_by_wheel: () => !this.embedded || document.body.classList.contains('begun'),
     });
     this.controls = new Controls(part('controls'), words, (key, value) => this.set_soon(key, value));
+    this.grips = new Grips(this.figure, part('views'), {
+      drags: (thing) => this.#drags(thing),
+      set_soon: (key, value) => this.set_soon(key, value),
+      words,
+      take_back: (values) => this.#reload({values}),
+    });
     this.notes = new Notes(part('notes'), words, (event) => this.#key(event));
     /** Called after a scene is loaded. @type {() => void} */
     this.said = () => {};
     /** Values that are set at the next frame. @type {Map<string, string>} */
     this.coming = new Map();
-    /** What the pointer drags: 'omega' or 'plane'. */
-    this.grip = '';
     /** Whether the colours follow the system and were not chosen. */
     this.follows_system = false;
     this.idle_timer = 0;
@@ -169,6 +174,7 @@ class Page {
     if (loaded && this.views.panels !== loaded.panels) this.views.place(loaded.panels, this.figure.ratio);
     this.bar.show();
     this.notes.show(film);
+    this.grips.show();
     document.body.classList.toggle('playing', film.playing);
     if (!film.playing) this.#settle();
   }
@@ -214,6 +220,8 @@ class Page {
   #read_fragment() {
     const state = state_of(location.hash);
     const {film} = this.figure;
+    // A drag sets both.
+    const controls = [...this.data.controls, ...(this.data.controls.includes('start.omega_rad_s') ? ['start.attitude'] : [])];
     if (state.at_s === null) film.untouched = true;
     else film.seek(state.at_s);
     film.speed = state.speed;
@@ -221,7 +229,7 @@ class Page {
     this.views.set(state.views);
     this.figure.set_views(state.views);
     return {
-      values: new Map([...state.values].filter(([key]) => this.data.controls.includes(key))),
+      values: new Map([...state.values].filter(([key]) => controls.includes(key))),
       shown: state.shown,
       names: state.names,
       theme: this.follows_system ? 'dark' : ['light', 'dark'].includes(state.theme) ? state.theme : '',
@@ -275,44 +283,11 @@ class Page {
     this.#settle();
   }
 
-  /** Whether viewers may drag the tip of ω, or the plane where the scene gives |L|. @param {string} thing */
+  /** Whether viewers may drag the tip of ω, or the plane. @param {string} thing */
   #drags(thing) {
     const has = (/** @type {string} */ key) => this.figure.loaded?.controls.some((c) => c.key === key) ?? false;
-    if (thing === 'omega') return has('start.omega_rad_s');
-    return has('start.energy_J') && /^\s*(start\.)?momentum_kg_m2_s\s*=/m.test(this.data.text);
-  }
-
-  /** What can be dragged from here. @param {number} x @param {number} y @param {number} panel */
-  #grip_at(x, y, panel) {
-    const {program, film} = this.figure;
-    if (!program || film.playing || !(this.#drags('omega') || this.#drags('plane'))) return '';
-    const found = program.pick(this.figure.time_s, x, y, film.at_s);
-    return found && found.panel === panel && this.#drags(found.thing) ? found.thing : '';
-  }
-
-  /** Whether the pointer takes something. @param {number} x @param {number} y @param {number} panel */
-  #picked(x, y, panel) {
-    const {film} = this.figure;
-    this.grip = this.#grip_at(x, y, panel);
-    if (!this.grip) return false;
-    // ω of the scene is that of t = 0.
-    film.pause();
-    film.seek(this.figure.film_second_of(0));
-    this.figure.invalidate();
-    return true;
-  }
-
-  /** @param {number} x @param {number} y @param {number} panel */
-  #dragged(x, y, panel) {
-    const {program, time_s, film} = this.figure;
-    const short = (/** @type {number} */ value) => Number(value.toPrecision(6));
-    if (this.grip === 'omega') {
-      const omega = program?.omegaAt(time_s, panel, x, y, film.at_s);
-      if (omega) this.set_soon('start.omega_rad_s', toml_of(omega.map(short)));
-    } else {
-      const energy = program?.energyAt(time_s, panel, x, y, film.at_s);
-      if (typeof energy === 'number') this.set_soon('start.energy_J', toml_of(short(energy)));
-    }
+    const has_momentum = /^\s*(start\.)?momentum_kg_m2_s\s*=/m.test(this.data.text);
+    return has('start.omega_rad_s') || (thing === 'plane' && has('start.energy_J') && has_momentum);
   }
 
   // ── The panel of options ────────────────────────────────────────────────────────────────
@@ -352,7 +327,7 @@ class Page {
     /** @type {[string[], string][]} */
     const rows = [
       [['Space'], 'key_play'], [['←', '→'], 'key_frame'], [['Page ↑', 'Page ↓'], 'key_stop'], [['Home', 'End'], 'key_ends'],
-      [['1', '…', '9'], 'key_digits'], [['[', ']'], 'key_speed'], [['B'], 'backwards'], [['R'], 'repeat'], [['Shift', '← ↑ → ↓'], 'key_turn'],
+      [['1', '…', '9'], 'key_digits'], [['[', ']'], 'key_speed'], [['J'], 'backwards'], [['B', 'W'], 'key_blank'], [['R'], 'repeat'], [['Shift', '← ↑ → ↓'], 'key_turn'],
       [['Alt', '← ↑ → ↓'], 'key_pan'], [['+', '−'], 'key_zoom'], [['C'], 'scene_view'], [['F'], 'full_screen'],
       [['T'], 'look'], [['N'], 'notes'], [['L'], 'copy_link'], [['O'], 'options'],
     ];
@@ -485,6 +460,8 @@ class Page {
         this.changed();
       }, () => {});
     });
+    part('say').addEventListener('click', () => this.notes.toggle());
+    part('blank').addEventListener('pointerdown', () => this.#blank(''));
     part('original').addEventListener('click', () => this.#reload({values: new Map()}));
     part('scene-view').addEventListener('click', () => this.views.reset());
     part('save-png').addEventListener('click', () => {
@@ -544,6 +521,11 @@ class Page {
     const typing = target?.matches('input[type=number], input[type=text], textarea, select') ?? false;
     const is_pressed = (target?.matches('button, input[type=checkbox], input[type=radio]') ?? false) && [' ', 'Enter'].includes(event.key);
     const slides = (target?.matches('input[type=range]:not(#scrub), input[type=radio]') ?? false) && /^(Arrow|Home|End|Page)/.test(event.key);
+    if (!part('blank').hidden) {
+      this.#blank('');
+      event.preventDefault();
+      return;
+    }
     if (event.key === 'Escape' && this.#escape()) return;
     if (typing || is_pressed || slides || event.ctrlKey || event.metaKey) return;
     if (this.figure.program && this.#act(event)) {
@@ -556,11 +538,18 @@ class Page {
     }
   }
 
+  /** Covers the page, as presenters' remotes and slide programs do; '' shows it again. @param {string} colour */
+  #blank(colour) {
+    const cover = part('blank');
+    cover.hidden = colour === '';
+    cover.style.background = colour;
+  }
+
   /** Closes what is open; false: nothing was. */
   #escape() {
     if (!part('speeds').hidden) this.bar.close_speeds();
     else if (!part('panel').hidden) this.#open_panel(false);
-    else return false;
+    else return this.grips.take_back();
     return true;
   }
 
@@ -599,7 +588,11 @@ class Page {
       End: () => film.seek(film.plan.length_s),
       '[': () => this.bar.shift_speed(-1),
       ']': () => this.bar.shift_speed(1),
-      b: () => this.bar.set_speed(-film.speed),
+      j: () => this.bar.set_speed(-film.speed),
+      b: () => this.#blank('black'),
+      '.': () => this.#blank('black'),
+      w: () => this.#blank('white'),
+      ',': () => this.#blank('white'),
       r: () => { film.repeat = !film.repeat; },
       c: () => this.views.reset(),
       '+': () => zoom(1.15),

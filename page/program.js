@@ -507,15 +507,32 @@ class Program {
     return new Uint8ClampedArray(this.memory.bytes.slice(at, at + this.exports.answer_size()).buffer);
   }
 
+  /** Holds the cameras of an instant, also for other values, or lets them go. @param {boolean} holds @param {number} t @param {number} [film_s] */
+  hold(holds, t, film_s = NaN) {
+    this.#call('hold', t, film_s, Number(holds));
+  }
+
   /**
-   * What can be dragged at a pixel of the canvas: 'omega' within 12 pixels of the tip of ω or ρ, 'plane' of the point
-   * where L meets the invariable plane.
-   * @param {number} t @param {number} x @param {number} y @param {number} [film_s]
-   * @returns {{panel: number, thing: string}|null}
+   * What can be dragged, and where on the canvas: 'omega' at the tips of ω and of ρ, 'plane' where L meets the
+   * invariable plane.
+   * @param {number} t @param {number} [film_s]
+   * @returns {Grip[]}
    */
-  pick(t, x, y, film_s = NaN) {
-    this.#call('pick', t, film_s, x, y);
+  grips(t, film_s = NaN) {
+    this.#call('grips', t, film_s);
     return JSON.parse(this.#answer());
+  }
+
+  /**
+   * The start, at t = 0, of the free motion whose grip is at a pixel at this instant: ω in body axes, then the attitude
+   * w, x, y, z. Null where the motion is not free.
+   * @param {number} t @param {Grip} grip @param {number} x @param {number} y @param {number} [film_s]
+   * @returns {{omega: number[], attitude: number[]}|null}
+   */
+  startAt(t, grip, x, y, film_s = NaN) {
+    this.#call('start_at', t, film_s, grip.panel, grip.thing === 'omega' ? 0 : 1, x, y);
+    const start = this.#numbers();
+    return start.length === 7 ? {omega: start.slice(0, 3), attitude: start.slice(3)} : null;
   }
 
   /**

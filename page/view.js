@@ -142,6 +142,7 @@ class Views {
     frame.addEventListener('pointermove', (event) => this.#move(frame, panel(), event));
     frame.addEventListener('pointerup', (event) => this.#up(event));
     frame.addEventListener('pointercancel', (event) => this.#up(event));
+    frame.addEventListener('blur', () => frame.classList.remove('touched'));
     frame.addEventListener('dblclick', () => this.reset(panel()));
     frame.addEventListener('contextmenu', (event) => event.preventDefault());
     frame.addEventListener('wheel', (event) => this.#wheel(panel(), event), {passive: false});
@@ -158,6 +159,7 @@ class Views {
   /** @param {HTMLElement} frame @param {number} panel @param {PointerEvent} event */
   #down(frame, panel, event) {
     this.events.touched();
+    frame.classList.add('touched');
     frame.focus({preventScroll: true});
     frame.setPointerCapture(event.pointerId);
     this.pointers.set(event.pointerId, {x: event.clientX, y: event.clientY});

@@ -14,6 +14,7 @@
 #include "drawing/stage/stage_context.h"
 #include "drawing/stage/type/labels.h"
 #include "error/error.h"
+#include "mechanics/free/polhode_start.h"
 #include "production/session/picture_setting.h"
 #include "production/session/scene_summary.h"
 #include "scene/parse_scene.h"
@@ -200,7 +201,24 @@ FilmTime Lecture::moment_of(double time_s, double film_s) const {
     return moment_of_time(film_.clock, time_s);
 }
 
-Drawing Lecture::drawing_at(const FilmTime& moment) const { return stage_->at(moment, cameras_); }
+std::vector<Camera> Lecture::cameras_at(const FilmTime& moment) const {
+    const Drawing drawing = drawing_at(moment);
+    std::vector<Camera> cameras;
+    for (std::size_t k = 0; k < stage_->panels().size(); ++k)
+        cameras.push_back(drawing.views[k].camera);
+    return cameras;
+}
+
+void Lecture::hold(const std::vector<Camera>& cameras) {
+    held_.clear();
+    if (cameras.size() != stage_->panels().size()) return;
+    for (const Camera& camera : cameras)
+        held_.emplace_back([camera](const Camera&) { return camera; });
+}
+
+Drawing Lecture::drawing_at(const FilmTime& moment) const {
+    return stage_->at(moment, held_.empty() ? cameras_ : held_);
+}
 
 Drawing Lecture::drawing_of_size(const FilmTime& moment, int width_px, int height_px) {
     picture_stage_.emplace(stage_of_size({width_px, height_px}));
@@ -276,30 +294,47 @@ const Plane* invariable_plane_of(const View& view) {
 
 }  // namespace
 
-std::string Lecture::picked_at(const FilmTime& moment, const Eigen::Vector2d& px) const {
-    constexpr double reach_px = 12.0;
+std::string Lecture::grips_at(const FilmTime& moment) const {
     const Drawing drawing = drawing_at(moment);
-    double nearest_px = reach_px * session_.scene.film.height_px / 1080.0;
-    nearest_px = std::max(nearest_px, reach_px);
-    std::string picked = "null";
+    std::vector<std::string> grips;
     for (std::size_t k = 0; k < stage_->panels().size(); ++k) {
         const View& view = drawing.views[k];
         const Projection projection(view);
-        const auto offer = [&](const Eigen::Vector3d& point, std::string_view thing) {
+        // `moved`: the point that a drag moves to the pointer.
+        const auto offer = [&](const Eigen::Vector3d& point, const Eigen::Vector3d& moved,
+                               std::string_view thing) {
             if (projection.perspective && projection.depth(point) <= projection.near_depth) return;
-            const double off_px = (projection.place(point) - px).norm();
-            if (off_px > nearest_px) return;
-            nearest_px = off_px;
-            picked = JsonObject().add("panel", k).add("thing", thing).line();
+            const Eigen::Vector2d at = projection.place(point), to = projection.place(moved);
+            grips.push_back(JsonObject()
+                                .add("panel", k)
+                                .add("thing", thing)
+                                .add("x", at.x())
+                                .add("y", at.y())
+                                .add("moved_x", to.x())
+                                .add("moved_y", to.y())
+                                .line());
         };
-        if (const Plane* plane = invariable_plane_of(view)) offer(plane->centre, "plane");
+        const Ellipsoid* ellipsoid = inertia_ellipsoid_of(view);
+        if (ellipsoid == nullptr) continue;
+        if (const Plane* plane = invariable_plane_of(view))
+            offer(plane->centre, plane->centre, "plane");
+        // The farthest tip, for an arrow beyond the plane is drawn in pieces; along ω the ellipsoid
+        // is met at the tip of ρ.
+        Eigen::Vector3d tip = ellipsoid->centre;
         for (const Arrow& arrow : view.arrows) {
             const bool is_rate = arrow.name.element == "omega" || arrow.name.element == "radius";
             if (!is_rate || arrow.opacity <= 0.0) continue;
-            offer(arrow.tip, "omega");
+            const double reach = (arrow.tip - ellipsoid->centre).norm();
+            if (reach > (tip - ellipsoid->centre).norm()) tip = arrow.tip;
         }
+        const Eigen::Vector3d along = tip - ellipsoid->centre;
+        const double reach = (ellipsoid->half_axes.inverse() * along).norm();
+        if (!(reach > 0.0)) continue;
+        const Eigen::Vector3d contact = ellipsoid->centre + along / reach;
+        offer(contact, contact, "omega");
+        if (reach > 1.0 + 1e-6) offer(tip, contact, "omega");
     }
-    return picked;
+    return json_list(grips);
 }
 
 std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int panel,
@@ -309,22 +344,78 @@ std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int 
     const View& view = drawing.views[static_cast<std::size_t>(panel)];
     const Ellipsoid* ellipsoid = inertia_ellipsoid_of(view);
     if (ellipsoid == nullptr) return std::nullopt;
-    // The line of sight in the axes in which the ellipsoid is the unit sphere: its nearer crossing,
-    // or else its point nearest to the sphere.
     const Projection projection(view);
-    const Eigen::Matrix3d to_sphere = ellipsoid->half_axes.inverse();
-    const Eigen::Vector3d from = to_sphere * (projection.ray_origin(px) - ellipsoid->centre);
-    const Eigen::Vector3d along = (to_sphere * projection.ray(px)).normalized();
-    const double middle = -from.dot(along);
-    const double half2 = 1.0 - (from + middle * along).squaredNorm();
-    const Eigen::Vector3d u =
-        (from + (middle - std::sqrt(std::max(half2, 0.0))) * along).normalized();
     const InertiaTensor& inertia = session_.motion.problem().inertia;
-    const Eigen::Vector3d omega = session_.motion.at(moment.time_s).omega_body;
-    const double twice_energy = omega.dot(inertia.matrix_body() * omega);
-    const Eigen::Vector3d rate =
-        std::sqrt(twice_energy) * u.cwiseQuotient(inertia.moments_kg_m2().cwiseSqrt().eval());
-    return inertia.body_from_principal() * rate;
+    const RotationState now = session_.motion.at(moment.time_s);
+    const Eigen::Matrix3d& tensor = inertia.matrix_body();
+    const Eigen::Matrix3d body_from_principal = inertia.body_from_principal();
+    const Eigen::Vector3d root_moments = inertia.moments_kg_m2().cwiseSqrt();
+    const double speed = std::sqrt(now.omega_body.dot(tensor * now.omega_body));
+    // u: the tip of ρ in the axes in which the ellipsoid is the unit sphere.
+    const auto omega_of = [&](const Eigen::Vector3d& u) {
+        return (body_from_principal * (speed * u.cwiseQuotient(root_moments))).eval();
+    };
+    // In space L keeps its direction, so the body turns with ω; in a panel of its own it does not.
+    const bool turns = stage_->panels()[static_cast<std::size_t>(panel)].spec.kind == "space";
+    const Eigen::Matrix3d space_from_body = now.space_from_body.toRotationMatrix();
+    const Eigen::Matrix3d view_from_space = ellipsoid->half_axes.colwise().normalized() *
+                                            (space_from_body * body_from_principal).transpose();
+    const Eigen::Vector3d momentum = space_from_body * (tensor * now.omega_body);
+    const auto place_of = [&](const Eigen::Vector3d& u) {
+        Eigen::Vector3d tip = ellipsoid->half_axes * u;
+        if (turns) {
+            const Eigen::Vector3d turned = space_from_body * (tensor * omega_of(u));
+            const auto back = Eigen::Quaterniond::FromTwoVectors(turned, momentum);
+            tip = view_from_space * (back * (view_from_space.transpose() * tip));
+        }
+        return projection.place(ellipsoid->centre + tip);
+    };
+    // The tip moves to the pixel by Gauss and Newton's method, damped, so that beyond the outline
+    // it stays at the nearest point that is seen.
+    Eigen::Vector3d u =
+        (body_from_principal.transpose() * now.omega_body).cwiseProduct(root_moments).normalized();
+    double off = (place_of(u) - px).squaredNorm(), damping = 1e-3;
+    for (int k = 0; k < 60 && off > 1e-6 && damping < 1e6; ++k) {
+        const Eigen::Vector3d across = u.unitOrthogonal(), beside = u.cross(across);
+        constexpr double step = 1e-5;
+        const Eigen::Vector2d here = place_of(u);
+        Eigen::Matrix2d slope;
+        slope << (place_of((u + step * across).normalized()) - here) / step,
+            (place_of((u + step * beside).normalized()) - here) / step;
+        const Eigen::Matrix2d normal = slope.transpose() * slope;
+        const Eigen::Vector2d turn =
+            (normal + damping * normal.trace() * Eigen::Matrix2d::Identity()).inverse() *
+            (slope.transpose() * (px - here));
+        constexpr double longest_turn = 0.2;
+        const double scale = std::min(1.0, longest_turn / std::max(turn.norm(), 1e-12));
+        const Eigen::Vector3d tried =
+            (u + scale * (turn.x() * across + turn.y() * beside)).normalized();
+        const double left = (place_of(tried) - px).squaredNorm();
+        if (std::isfinite(left) && left < off) {
+            u = tried;
+            off = left;
+            damping = std::max(0.2 * damping, 1e-9);
+        } else {
+            damping *= 5.0;
+        }
+    }
+    return omega_of(u);
+}
+
+std::optional<RotationState> Lecture::start_with(
+    const FilmTime& moment, const std::optional<Eigen::Vector3d>& omega) const {
+    const bool is_free = session_.motion.free_rotation() != nullptr &&
+                         session_.scene.start.given_by_conserved() == nullptr;
+    if (!omega || !is_free) return std::nullopt;
+    MotionProblem problem = session_.motion.problem();
+    const RotationState now = session_.motion.at(moment.time_s);
+    const Eigen::Matrix3d& inertia = problem.inertia.matrix_body();
+    const Eigen::Vector3d kept = now.space_from_body * (inertia * now.omega_body).eval();
+    const Eigen::Vector3d turned = now.space_from_body * (inertia * *omega).eval();
+    const auto back = Eigen::Quaterniond::FromTwoVectors(turned, kept);
+    problem.start = {0.0, back * now.space_from_body, *omega};
+    problem.on_separatrix = false;
+    return Motion(problem).at(-moment.time_s);
 }
 
 std::optional<double> Lecture::energy_of_plane_at(const FilmTime& moment, int panel,
@@ -354,6 +445,16 @@ std::optional<double> Lecture::energy_of_plane_at(const FilmTime& moment, int pa
     const Eigen::Array3d bounds =
         0.5 * momentum.squaredNorm() / problem.inertia.moments_kg_m2().array();
     return std::clamp(energy * ratio * ratio, bounds.minCoeff(), bounds.maxCoeff());
+}
+
+std::optional<Eigen::Vector3d> Lecture::omega_of_plane_at(const FilmTime& moment, int panel,
+                                                          const Eigen::Vector2d& px) const {
+    const std::optional<double> energy_J = energy_of_plane_at(moment, panel, px);
+    if (!energy_J) return std::nullopt;
+    const InertiaTensor& inertia = session_.motion.problem().inertia;
+    const Eigen::Vector3d omega = session_.motion.at(moment.time_s).omega_body;
+    const double momentum = (inertia.matrix_body() * omega).norm();
+    return start_on_polhode(inertia, {*energy_J, momentum, std::nullopt}, omega).omega_body;
 }
 
 std::string Lecture::panels_text() const {

@@ -57,6 +57,10 @@ class Lecture {
     // Lays out anew for a canvas of this size.
     void resize(const CanvasSize& size);
     void set_views(const std::vector<PanelView>& views);
+    // The cameras of the panels at an instant, and whether they stay as they were at one: while a
+    // value is dragged, the figure is not framed anew. Empty: they do not.
+    std::vector<Camera> cameras_at(const FilmTime& moment) const;
+    void hold(const std::vector<Camera>& cameras);
 
     // `film_s`: second of the film; NaN: the first that shows the instant.
     FilmTime moment_of(double time_s, double film_s = PanelView::none) const;
@@ -76,21 +80,32 @@ class Lecture {
     // The instant as an SVG file, with all type as paths.
     std::string svg_at(const FilmTime& moment) const;
 
-    // What can be dragged at a pixel of the canvas, as JSON, or null: {"panel": 0, "thing":
-    // "omega"} at the tip of ω or ρ, "plane" where L or the normal meets the invariable plane.
-    std::string picked_at(const FilmTime& moment, const Eigen::Vector2d& px) const;
+    // What can be dragged, and where on the canvas, as a list in JSON: {"panel": 0, "thing":
+    // "omega", "x": 412.5, "y": 300.25, "moved_x": 398.0, "moved_y": 287.5} at the tips of ω and
+    // of ρ, which both move the tip of ρ; "plane" where L meets the invariable plane.
+    std::string grips_at(const FilmTime& moment) const;
 
-    // The ω in body axes, with the energy of the instant, whose tip is seen at a pixel of the
-    // canvas; beside the ellipsoid that of its outline. Empty where the panel has no inertia
-    // ellipsoid.
+    // The ω in body axes, with the energy of the instant, with which the tip of ρ is seen at a
+    // pixel of the canvas, or as near to it as it can be. L keeps its direction in space, and the
+    // body of a panel in space turns with that as little as it needs. Empty where the panel has no
+    // inertia ellipsoid.
     std::optional<Eigen::Vector3d> omega_under(const FilmTime& moment, int panel,
                                                const Eigen::Vector2d& px) const;
+
+    // The start, at t = 0, of the free motion whose ω at this instant is this one, and whose L has
+    // the direction that it has now; the body is turned as little as that needs. Empty where the
+    // motion is not free, or its ω is chosen by conserved quantities.
+    std::optional<RotationState> start_with(const FilmTime& moment,
+                                            const std::optional<Eigen::Vector3d>& omega) const;
 
     // The kinetic energy with which the invariable plane, moved along L at constant |L|, meets L
     // as near as possible to a pixel of the canvas; within the energies that this |L| allows.
     // Empty where the panel has no such plane.
     std::optional<double> energy_of_plane_at(const FilmTime& moment, int panel,
                                              const Eigen::Vector2d& px) const;
+    // The ω with that energy and the |L| of the instant, nearest to its ω.
+    std::optional<Eigen::Vector3d> omega_of_plane_at(const FilmTime& moment, int panel,
+                                                     const Eigen::Vector2d& px) const;
 
     // The scene, its film and its panels, as JSON.
     std::string description() const;
@@ -110,6 +125,7 @@ class Lecture {
     FilmPlan film_;
     std::optional<Stage> stage_, picture_stage_;
     std::vector<CameraChange> cameras_;  // by panel
+    std::vector<CameraChange> held_;     // likewise, in their place; empty: not held
 };
 
 }  // namespace poinsot

@@ -122,7 +122,7 @@ std::string Lecture::description() const {
                             .json("loop_s", stop.loop_s ? json_number(*stop.loop_s) : "null")
                             .add("note", stop.note)
                             .line());
-    for (const std::string& key : scene.page.controls) controls.push_back(control_of(scene, key));
+    for (const std::string& key : controls_of(scene)) controls.push_back(control_of(scene, key));
     // A loop goes on until it meets its beginning.
     const double last_s =
         film_.loop_s > 0.0 ? film_.clock.time_at(film_.length_s) : film_.last_time_s();

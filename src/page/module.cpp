@@ -30,6 +30,7 @@ struct Program {
     std::optional<Renderer> renderer;
     std::string answer;
     std::vector<double> numbers;
+    std::vector<Camera> held;  // cameras of the panels, while they stay as they are
 };
 Program& program() {
     static Program it;
@@ -123,6 +124,7 @@ int load(const char* text, std::uint32_t text_size, const char* name, std::uint3
                          program().files},
             kept_fonts(), CanvasSize{width_px, height_px, type_scale});
         program().answer = loaded->description();
+        loaded->hold(program().held);
         program().lecture = std::move(loaded);
     });
 }
@@ -142,6 +144,15 @@ POINSOT_EXPORT(set_views) int set_views(const double* numbers, std::uint32_t n_v
         for (std::uint32_t k = 0; k < n_views; ++k)
             views.push_back(panel_view(std::span(numbers + 8 * k, 8)));
         lecture().set_views(std::move(views));
+    });
+}
+
+// Holds the cameras of this instant, also for scenes that are loaded later, or lets them go.
+POINSOT_EXPORT(hold) int hold(double time_s, double film_s, int holds) {
+    return answered([&] {
+        program().held.clear();
+        if (holds != 0) program().held = lecture().cameras_at(lecture().moment_of(time_s, film_s));
+        lecture().hold(program().held);
     });
 }
 
@@ -187,10 +198,9 @@ POINSOT_EXPORT(svg) int svg(double time_s, double film_s) {
         [&] { program().answer = lecture().svg_at(lecture().moment_of(time_s, film_s)); });
 }
 
-POINSOT_EXPORT(pick) int pick(double time_s, double film_s, double x_px, double y_px) {
-    return answered([&] {
-        program().answer = lecture().picked_at(lecture().moment_of(time_s, film_s), {x_px, y_px});
-    });
+POINSOT_EXPORT(grips) int grips(double time_s, double film_s) {
+    return answered(
+        [&] { program().answer = lecture().grips_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(omega_at)
@@ -200,6 +210,22 @@ int omega_at(double time_s, double film_s, int panel, double x_px, double y_px) 
         if (const auto omega =
                 lecture().omega_under(lecture().moment_of(time_s, film_s), panel, {x_px, y_px}))
             program().numbers.assign(omega->begin(), omega->end());
+    });
+}
+// thing: 0 the tip of ω, 1 the plane.
+POINSOT_EXPORT(start_at)
+int start_at(double time_s, double film_s, int panel, int thing, double x_px, double y_px) {
+    return answered([&] {
+        program().numbers.clear();
+        const FilmTime moment = lecture().moment_of(time_s, film_s);
+        const Eigen::Vector2d px(x_px, y_px);
+        const auto omega = thing == 0 ? lecture().omega_under(moment, panel, px)
+                                      : lecture().omega_of_plane_at(moment, panel, px);
+        const auto start = lecture().start_with(moment, omega);
+        if (!start) return;
+        const Eigen::Vector3d& at_start = start->omega_body;
+        const Eigen::Quaterniond& q = start->space_from_body;
+        program().numbers = {at_start.x(), at_start.y(), at_start.z(), q.w(), q.x(), q.y(), q.z()};
     });
 }
 POINSOT_EXPORT(energy_at)

@@ -207,8 +207,9 @@ void check_stops(const SceneDraft& draft) {
 // A control of an item of an array needs that item.
 void check_controls(const SceneDraft& draft) {
     const Scene& scene = draft.scene;
-    for (std::size_t i = 0; i < scene.page.controls.size(); ++i) {
-        const std::string& control = scene.page.controls[i];
+    if (!scene.page.controls) return;
+    for (std::size_t i = 0; i < scene.page.controls->size(); ++i) {
+        const std::string& control = (*scene.page.controls)[i];
         const std::string path = path_of_assignment(control);
         for (const SceneArray& array : scene_arrays()) {
             if (!path.starts_with(fmt::format("{}[]", array.path))) continue;

@@ -198,7 +198,7 @@ struct StopSpec {
 
 // [page]: what a page lets its viewers change.
 struct PageSpec {
-    std::vector<std::string> controls;                 // keys as in --set
+    std::optional<std::vector<std::string>> controls;  // keys as in --set; absent: controls_of()
     std::optional<std::vector<std::string>> elements;  // absent: all that are shown
 };
 
@@ -334,6 +334,11 @@ struct Scene {
 // The problem for mechanics/: inertia, start, torque, method, and the span of the film, which
 // contains t = 0.
 MotionProblem problem_of(const Scene& scene);
+
+// The keys that viewers of a page may change: those of [page], or else the start and the moments of
+// a free body that the scene gives by numbers. None for loops and measured motions: with other
+// values they would not close, or not be what was measured.
+std::vector<std::string> controls_of(const Scene& scene);
 
 // How far beyond a problem's span its curves are drawn, in s.
 double overshoot_s(const MotionProblem& problem);

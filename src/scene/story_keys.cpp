@@ -165,7 +165,9 @@ std::span<const SceneKey> story_keys() {
         texts("page.controls", in(&Scene::page, &PageSpec::controls), R"(["start.omega_rad_s"])",
               "keys of this scene that the viewers of a page can change; each takes numbers, true "
               "and false, or one of a few names")
-            .read_by(read_controls),
+            .read_by(read_controls)
+            .default_is(
+                "start.omega_rad_s and body.moments_kg_m2 of a free motion that gives them"),
         texts("page.elements", in(&Scene::page, &PageSpec::elements), R"(["plane", "momentum"])",
               "elements and overlays that the viewers of a page can show and hide")
             .from_list("elements")

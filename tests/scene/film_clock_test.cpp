@@ -157,7 +157,7 @@ TEST(BadFilm, IsRefusedInOneLine) {
     EXPECT_EQ(refusal(a_scene + "[film]\nloop = \"5 by 3\"\n"),
               "scenes/a.toml:7:8: film.loop is \"5 by 3\"; give turns over periods, each 1 to "
               "1000, as in \"5/3\", or \"period\"");
-    EXPECT_EQ(refusal(a_scene + "[film]\nloop = \"period\"\n"),
+    EXPECT_EQ(refusal(a_scene + "[film]\nloop = \"5/3\"\n"),
               "scenes/a.toml:7:1: film.loop is \"period\", but after one polhode period only a "
               "co-precessing camera sees the same picture; set camera.motion to \"co-precessing\", "
               "or give film.loop as turns/periods, as in \"5/3\"");
@@ -203,6 +203,24 @@ TEST(FilmClock, AcceptsStopsAtTheirLimits) {
         2U);
 }
 
+TEST(Controls, OfFreeMotionsAreTheirStartAndMoments) {
+    const std::string free =
+        "[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n[start]\nomega_rad_s = [0.5, 1.0, 0.2]\n";
+    const auto of = [](const std::string& text) { return controls_of(scene_of(text)); };
+    const std::vector<std::string> start{"start.omega_rad_s"}, none;
+    EXPECT_EQ(of(free), (std::vector<std::string>{"start.omega_rad_s", "body.moments_kg_m2"}));
+    EXPECT_EQ(of(free + "[page]\ncontrols = []\n"), none);
+    EXPECT_EQ(of(free + "[film]\nloop = \"5/3\"\n"), none);
+    EXPECT_EQ(of(free + "[torque]\nkind = \"body\"\ntorque_body_N_m = [0.1, 0.0, 0.0]\n"), none);
+    EXPECT_EQ(of("[body]\nshape = \"box\"\nsize_m = [1, 2, 3]\nmass_kg = 1\n"
+                 "[start]\nomega_rad_s = [0.5, 1.0, 0.2]\n"),
+              start);
+    EXPECT_EQ(of("[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n"
+                 "[start]\nenergy_J = 2.0\nmomentum_kg_m2_s = 2.8\n")
+                  .at(0),
+              "start.energy_J");
+}
+
 TEST(FilmClock, RefusesControlsThatNoSliderCanHold) {
     const auto refusal_of = [](const std::string& control) {
         return refusal(a_scene + "[page]\ncontrols = [\"film.speed\", \"" + control + "\"]\n");
@@ -221,8 +239,9 @@ TEST(FilmClock, RefusesControlsThatNoSliderCanHold) {
     // A number, an item of a vector, a switch and a choice.
     for (const char* good : {"film.speed", "start.omega_rad_s[2]", "body.allow_unphysical",
                              "camera.projection", "body.moments_kg_m2"})
-        EXPECT_EQ(scene_of(a_scene + "[page]\ncontrols = [\"" + good + "\"]\n").page.controls.at(0),
-                  good);
+        EXPECT_EQ(
+            scene_of(a_scene + "[page]\ncontrols = [\"" + good + "\"]\n").page.controls->at(0),
+            good);
 }
 
 }  // namespace

@@ -628,7 +628,8 @@ inline const Claims claims_of_rows{
     {"page.controls",
      {with("page", "controls = [\"start.omega_rad_s[1]\", \"film.fps\"]"),
       [](const Scene& s) {
-          return s.page.controls == std::vector<std::string>{"start.omega_rad_s[1]", "film.fps"};
+          return s.page.controls.value() ==
+                 std::vector<std::string>{"start.omega_rad_s[1]", "film.fps"};
       }}},
     {"page.elements",
      {with("page", "elements = [\"plane\"]"),

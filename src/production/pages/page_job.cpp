@@ -89,7 +89,7 @@ PageContents contents_of(const SceneRequest& request) {
     contents.title = title_of(scene);
     contents.language = scene.language;
     contents.overrides = request.overrides;
-    contents.controls = scene.page.controls;
+    contents.controls = controls_of(scene);
     contents.width_px = scene.film.width_px;
     contents.height_px = scene.film.height_px;
     return contents;
