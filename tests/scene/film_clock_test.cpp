@@ -211,7 +211,9 @@ TEST(Controls, OfFreeMotionsAreTheirStartAndMoments) {
     EXPECT_EQ(of(free), (std::vector<std::string>{"start.omega_rad_s", "body.moments_kg_m2"}));
     EXPECT_EQ(of(free + "[page]\ncontrols = []\n"), none);
     EXPECT_EQ(of(free + "[film]\nloop = \"5/3\"\n"), none);
-    EXPECT_EQ(of(free + "[torque]\nkind = \"constant_body\"\ntorque_body_N_m = [0.1, 0.0, 0.0]\n"), none);
+    EXPECT_EQ(of(free + "[torque]\nkind = \"constant_body\"\ntorque_body_N_m = [0.1, 0.0, 0.0]\n"
+                        "[motion]\nmethod = \"rk4\"\n"),
+              none);
     EXPECT_EQ(of("[body]\nshape = \"box\"\nsize_m = [1, 2, 3]\nmass_kg = 1\n"
                  "[start]\nomega_rad_s = [0.5, 1.0, 0.2]\n"),
               start);
