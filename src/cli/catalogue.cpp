@@ -107,11 +107,13 @@ std::vector<CatalogueEntry> document_entries() {
 
 std::vector<CatalogueEntry> column_entries() {
     std::vector<CatalogueEntry> entries;
-    for (const SampleQuantity& quantity : sample_quantities()) {
-        std::vector<std::string_view> names;
-        for (const SampleColumn& column : quantity.columns) names.push_back(column.name);
-        entries.push_back({std::string(quantity.name),
-                           fmt::format("{} ({})", quantity.summary, fmt::join(names, ", "))});
+    for (const Quantity& quantity : quantities()) {
+        const std::string symbol = quantity.symbol.empty()
+                                       ? std::string()
+                                       : fmt::format("; also called {}", quantity.symbol);
+        entries.push_back(
+            {std::string(quantity.name), fmt::format("{}{} ({})", quantity.summary, symbol,
+                                                     fmt::join(quantity.components, ", "))});
     }
     return entries;
 }

@@ -244,17 +244,18 @@ std::string Lecture::state_at(const FilmTime& moment) const {
     // In the order of language_codes.
     static constexpr Phrase sentence{
         "Time {t:.4g}. Angular velocity {omega:.3g}; its components along the body axes are "
-        "{omega_1:.3g}, {omega_2:.3g} and {omega_3:.3g}.",
+        "{omega_body_1:.3g}, {omega_body_2:.3g} and {omega_body_3:.3g}.",
         "Zeit {t:.4g}. Winkelgeschwindigkeit {omega:.3g}; ihre Komponenten entlang der "
-        "Körperachsen sind {omega_1:.3g}, {omega_2:.3g} und {omega_3:.3g}.",
+        "Körperachsen sind {omega_body_1:.3g}, {omega_body_2:.3g} und {omega_body_3:.3g}.",
         "Temps {t:.4g}. Vitesse angulaire {omega:.3g} ; ses composantes selon les axes du corps "
-        "sont {omega_1:.3g}, {omega_2:.3g} et {omega_3:.3g}.",
+        "sont {omega_body_1:.3g}, {omega_body_2:.3g} et {omega_body_3:.3g}.",
         "Tiempo {t:.4g}. Velocidad angular {omega:.3g}; sus componentes según los ejes del cuerpo "
-        "son {omega_1:.3g}, {omega_2:.3g} y {omega_3:.3g}.",
+        "son {omega_body_1:.3g}, {omega_body_2:.3g} y {omega_body_3:.3g}.",
         "Tempo {t:.4g}. Velocità angolare {omega:.3g}; le sue componenti lungo gli assi del corpo "
-        "sono {omega_1:.3g}, {omega_2:.3g} e {omega_3:.3g}.",
-        "時刻 {t:.4g}。角速度 {omega:.3g}。物体軸に沿った成分は {omega_1:.3g}、{omega_2:.3g}、"
-        "{omega_3:.3g}。"};
+        "sono {omega_body_1:.3g}, {omega_body_2:.3g} e {omega_body_3:.3g}.",
+        "時刻 {t:.4g}。角速度 {omega:.3g}。物体軸に沿った成分は "
+        "{omega_body_1:.3g}、{omega_body_2:.3g}、"
+        "{omega_body_3:.3g}。"};
     FrameInput instant;
     static_cast<MotionSample&>(instant) =
         session_.motion.sample(moment.time_s, {.attitude = false});

@@ -8,7 +8,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::array<std::string_view, 3> changes{"omega_1", "omega_2", "omega_3"};
+constexpr std::array<std::string_view, 3> changes{"omega_body_1", "omega_body_2", "omega_body_3"};
 constexpr int most_in_ratio = 1000;
 
 }  // namespace

@@ -16,8 +16,8 @@ struct LoopRatio {
 // None if the text is not a ratio of positive integers up to 1000.
 std::optional<LoopRatio> loop_ratio_of(std::string_view text);
 
-// "omega_1", "omega_2", "omega_3": the start values that a loop may change, components of
-// start.omega_rad_s.
+// "omega_body_1", "omega_body_2", "omega_body_3": the start values that a loop may change,
+// components of start.omega_rad_s.
 std::span<const std::string_view> loop_values();
 
 }  // namespace poinsot

@@ -132,11 +132,10 @@ TEST(SampleColumns, MayBeNamedByTheLecturesSymbols) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);
     const std::string run = "sample scene.toml --times 0:1:0.5 --columns ";
-    const std::string by_symbol = run_program_in(folder, run + "T,L,omega,rho").out;
-    EXPECT_TRUE(by_symbol.starts_with("kinetic_energy_J,momentum_kg_m2_s,omega_body_1_rad_s,"))
-        << by_symbol;
+    const std::string by_symbol = run_program_in(folder, run + "T,L,t,rho").out;
+    EXPECT_TRUE(by_symbol.starts_with("kinetic_energy_J,momentum_kg_m2_s,time_s,")) << by_symbol;
     EXPECT_EQ(by_symbol,
-              run_program_in(folder, run + "kinetic_energy,momentum,omega_body,contact_body").out);
+              run_program_in(folder, run + "kinetic_energy,momentum,time,contact_body").out);
 }
 
 TEST(SampleColumns, UnknownDuplicateOrMissingColumnsAreRefused) {

@@ -132,10 +132,12 @@ TEST(Loop, FitsTheGivenLengthAndKeepsSlowMotion) {
 }
 
 TEST(Loop, ReportsChangesOfTheStartWithTheirSize) {
-    const Session session = session_from("[film]\nloop = \"5/3\"\nloop_changes = \"omega_1\"\n");
+    const Session session =
+        session_from("[film]\nloop = \"5/3\"\nloop_changes = \"omega_body_1\"\n");
     ASSERT_EQ(session.notes.size(), 1u);
     const std::string& note = session.notes[0];
-    EXPECT_EQ(note.rfind("film.loop = \"5/3\": omega_1 was changed from 1.5 to ", 0), 0u) << note;
+    EXPECT_EQ(note.rfind("film.loop = \"5/3\": omega_body_1 was changed from 1.5 to ", 0), 0u)
+        << note;
     EXPECT_NE(note.find("% of |omega|"), std::string::npos) << note;
     EXPECT_EQ(session.scene.start.omega_rad_s[1], 0.3);
     EXPECT_EQ(session.scene.start.omega_rad_s[2], 0.75);

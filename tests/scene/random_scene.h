@@ -359,7 +359,7 @@ inline void write_film(Dice& dice, Text& text) {
     if (loop == 1)
         text.set_text("film.loop",
                       fmt::format("{}/{}", 1 + dice.below(1000), 1 + dice.below(1000)));
-    if (loop == 1 && dice.one_in(2)) text.set_text("film.loop_changes", "omega_2");
+    if (loop == 1 && dice.one_in(2)) text.set_text("film.loop_changes", "omega_body_2");
     if (loop == 2) text.set_text("film.loop", "period");
     if (loop >= 2) text.set_text("camera.motion", "co-precessing");
 }

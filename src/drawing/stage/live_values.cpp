@@ -3,8 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 
 #include "construction/montgomery_phase.h"
+#include "construction/quantities.h"
 #include "drawing/stage/type/clock_text.h"
 #include "error/error.h"
 #include "scene/film_clock.h"
@@ -15,6 +17,11 @@
 namespace poinsot {
 
 namespace {
+
+// Quantities of which a caption may name every component, with and without its unit, and the
+// symbol.
+constexpr std::string_view in_captions[] = {"time", "omega", "omega_body", "kinetic_energy",
+                                            "momentum"};
 
 // Of the scene's motion. Throws InputError if it has none; `name`: the number that needs it.
 MontgomeryPhase phase_for(std::string_view name, const Scene& scene) {
@@ -27,32 +34,31 @@ MontgomeryPhase phase_for(std::string_view name, const Scene& scene) {
 
 std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant,
                                    std::string_view text) {
-    const Eigen::Vector3d& omega = instant.state.omega_body;
-    const Eigen::Vector3d momentum = scene.body.inertia.matrix_body() * omega;
-    const double energy_J = 0.5 * omega.dot(momentum);
-    std::vector<LiveValue> values{{"time_s", instant.time_s, "s"},
-                                  {"time_h", instant.time_s / 3600.0, "h"},
-                                  {"time_d", instant.time_s / 86400.0, "d"},
-                                  {"omega_1_rad_s", omega[0], "rad/s"},
-                                  {"omega_2_rad_s", omega[1], "rad/s"},
-                                  {"omega_3_rad_s", omega[2], "rad/s"},
-                                  {"kinetic_energy_J", energy_J, "J"},
-                                  {"momentum_kg_m2_s", momentum.stableNorm(), "kg m²/s"}};
+    std::vector<LiveValue> values{{"time_h", instant.time_s / 3600.0, "h"},
+                                  {"time_d", instant.time_s / 86400.0, "d"}};
     // In the unit in which the scene shows such a quantity, which the number brings along.
     const auto add = [&](std::string_view name, double value, std::string_view unit) {
         const ShownUnit shown = unit_shown(scene.units, unit);
-        values.push_back({name, value * shown.per_SI, shown.name, true});
+        values.push_back({std::string(name), value * shown.per_SI, shown.name, true});
     };
-    add("t", instant.time_s, "s");
+    MotionSample sample = instant;
+    sample.state.time_s = instant.time_s;
+    for (const std::string_view name : in_captions) {
+        const Quantity& quantity = *find_row(quantities(), name);
+        std::array<double, 3> numbers{};
+        quantity.values({scene.body.inertia}, sample, numbers.data());
+        const std::string_view unit = quantity.unit.printed;
+        for (std::size_t i = 0; i < quantity.components.size(); ++i) {
+            values.push_back({name_with_unit(quantity, i), numbers[i], std::string(unit)});
+            add(quantity.components[i], numbers[i], unit);
+        }
+        if (!quantity.symbol.empty()) add(quantity.symbol, numbers[0], unit);
+    }
+    add("omega", instant.state.omega_body.stableNorm(), "rad/s");
     const ClockText clock(scene.film.start_s, film_end_time_s(scene));
-    values.back().format = clock.format_in(unit_shown(scene.units, "s").per_SI);
-    add("omega_1", omega[0], "rad/s");
-    add("omega_2", omega[1], "rad/s");
-    add("omega_3", omega[2], "rad/s");
-    add("omega", omega.stableNorm(), "rad/s");
-    for (const std::string_view name : {"T", "kinetic_energy"}) add(name, energy_J, "J");
-    for (const std::string_view name : {"L", "momentum"})
-        add(name, momentum.stableNorm(), "kg m²/s");
+    for (LiveValue& value : values)
+        if (value.name == "t" || value.name == "time")
+            value.format = clock.format_in(unit_shown(scene.units, "s").per_SI);
     // Rows of three numbers that are the same at every instant.
     const auto add_row = [&](std::string_view name, const Eigen::Vector3d& row,
                              std::string_view unit) {

@@ -11,7 +11,6 @@
 #include <iterator>
 
 #include "error/error.h"
-#include "production/sampling/sampled_motion.h"
 #include "system/interrupt.h"
 #include "system/suffix.h"
 #include "text/printable.h"
@@ -164,7 +163,7 @@ Quantities wanted_of(const Motion& motion, std::span<const ChosenColumn> columns
 
 // Adjacent columns of one quantity, whose values are computed once.
 struct Run {
-    const SampleQuantity* quantity = nullptr;
+    const Quantity* quantity = nullptr;
     std::vector<std::size_t> indices;
 };
 
@@ -178,11 +177,11 @@ std::vector<Run> runs_of(std::span<const ChosenColumn> columns) {
     return runs;
 }
 
-void append_row(const SampledMotion& motion, const MotionSample& sample, std::span<const Run> runs,
+void append_row(const QuantitySource& source, const MotionSample& sample, std::span<const Run> runs,
                 std::vector<double>& values) {
     std::array<double, 8> of_quantity{};
     for (const Run& run : runs) {
-        run.quantity->values(motion, sample, of_quantity.data());
+        run.quantity->values(source, sample, of_quantity.data());
         for (const std::size_t index : run.indices) {
             if (!std::isfinite(of_quantity[index]))
                 throw InputError(
@@ -205,18 +204,21 @@ void each_row(const Motion& motion, std::span<const ChosenColumn> columns,
                         asked_by, times_s.size(), columns.size(), most_sampled_values));
     const Quantities wanted = wanted_of(motion, columns);
     const std::vector<Run> runs = runs_of(columns);
-    SampledMotion sampled{wanted.euler_angles, motion.problem().inertia.matrix_body(), {}};
+    QuantitySource source{motion.problem().inertia, nullptr, wanted.euler_angles};
     const bool certifies = std::any_of(columns.begin(), columns.end(), [](const auto& column) {
         return column.quantity->offered != nullptr;
     });
-    if (certifies) sampled.construction.emplace(motion.problem().inertia, motion.problem().start);
+    std::optional<PoinsotConstruction> construction;
+    if (certifies)
+        source.construction =
+            &construction.emplace(motion.problem().inertia, motion.problem().start);
     std::vector<double> row;
     constexpr std::size_t rows_between_looks = 4096;
     for (std::size_t k = 0; k < times_s.size(); ++k) {
         if (k % rows_between_looks == 0) stop_if_interrupted();
         row.clear();
         try {
-            append_row(sampled, motion.sample(times_s[k], wanted), runs, row);
+            append_row(source, motion.sample(times_s[k], wanted), runs, row);
         } catch (const InputError& error) {
             throw InputError(fmt::format("{} {}: {}", asked_by, times_s[k], error.what()));
         }

@@ -10,35 +10,13 @@
 #include <string_view>
 #include <vector>
 
-#include "mechanics/motion.h"
+#include "construction/quantities.h"
 
 namespace poinsot {
 
-// One column: its name, and its unit as a name's suffix, empty for a dimensionless number.
-struct SampleColumn {
-    std::string_view name;
-    std::string_view unit;
-};
-
-struct SampledMotion;
-
-// Columns that are computed together: a row of the table of quantities.
-struct SampleQuantity {
-    std::string_view name;
-    std::string_view summary;
-    std::span<const SampleColumn> columns;
-    Quantities wanted;               // from the motion
-    bool (*offered)(const Motion&);  // null: by every motion
-    std::string_view offered_by;     // description of those motions, for messages
-    // One value per column.
-    void (*values)(const SampledMotion& motion, const MotionSample& sample, double* values);
-};
-
-std::span<const SampleQuantity> sample_quantities();
-
-// A column of a table: a quantity's column, and its heading.
+// A column of a table: a component of a quantity, and its heading.
 struct ChosenColumn {
-    const SampleQuantity* quantity = nullptr;
+    const Quantity* quantity = nullptr;
     std::size_t index = 0;
     std::string heading;
 };
@@ -47,9 +25,9 @@ struct ChosenColumn {
 // angles.
 std::vector<ChosenColumn> default_columns(const Motion& motion);
 
-// Columns by name: a quantity ("omega_body": all of its columns) or a column ("omega_body_1", with
-// or without its unit). Headings include the unit. Throws InputError for a name that is unknown,
-// with the nearest one, that occurs twice, or that this motion does not have.
+// Columns by name: a quantity ("omega_body" or its symbol: all of its components) or a component
+// ("omega_body_1", with or without its unit). Headings include the unit. Throws InputError for a
+// name that is unknown, with the nearest one, that occurs twice, or that this motion does not have.
 std::vector<ChosenColumn> columns_named(const Motion& motion, std::span<const std::string> names);
 
 // Rows of numbers, one per instant.

@@ -7,6 +7,7 @@
 #include <numbers>
 #include <string>
 
+#include "construction/quantities.h"
 #include "drawing/figures/charts/plot_frame.h"
 #include "drawing/stage/possible_motions.h"
 #include "error/error.h"
@@ -33,6 +34,10 @@ LineStyle plane_colour(const Theme& theme) { return theme.polhode; }
 
 LineStyle body_cone_colour(const Theme& theme) { return theme.body_cone; }
 LineStyle space_cone_colour(const Theme& theme) { return theme.space_cone; }
+
+const InertiaTensor& inertia_of(const StageContext& stage) {
+    return stage.motion.motion().problem().inertia;
+}
 
 bool rolls_with_cones(const StageContext& stage) { return rolls(stage) && stage.rolling->cones; }
 
@@ -67,9 +72,7 @@ constexpr PlotCurve omega_curves[] = {
 };
 // Components along the principal axes.
 PlotValues omega_values(const StageContext& stage, const FrameInput& instant) {
-    const Eigen::Vector3d omega =
-        stage.motion.motion().problem().inertia.body_from_principal().transpose() *
-        instant.state.omega_body;
+    const Eigen::Vector3d omega = omega_principal(inertia_of(stage), instant);
     return {omega[0], omega[1], omega[2]};
 }
 
@@ -99,11 +102,10 @@ constexpr PlotCurve energy_curves[] = {
     {formula("E"), energy_colour, DashPattern::dotted},
 };
 PlotValues energy_values(const StageContext& stage, const FrameInput& instant) {
-    const MotionProblem& problem = stage.motion.motion().problem();
-    const Eigen::Vector3d& omega = instant.state.omega_body;
-    const double kinetic = 0.5 * omega.dot(problem.inertia.matrix_body() * omega);
+    const double kinetic = kinetic_energy_J(inertia_of(stage), instant);
     double potential = 0.0;
-    if (const auto* gravity = std::get_if<GravityTorque>(&problem.torque)) {
+    const Torque& torque = stage.motion.motion().problem().torque;
+    if (const auto* gravity = std::get_if<GravityTorque>(&torque)) {
         const Eigen::Vector3d arm = instant.state.space_from_body * gravity->arm_body;
         potential = gravity->mgl_N_m * arm.z();
     }
@@ -119,21 +121,25 @@ constexpr PlotCurve momentum_curves[] = {
 // Components along the principal axes, which change in the body, and the length, which is
 // conserved.
 PlotValues momentum_values(const StageContext& stage, const FrameInput& instant) {
-    const InertiaTensor& inertia = stage.motion.motion().problem().inertia;
-    const Eigen::Vector3d momentum = inertia.moments_kg_m2().cwiseProduct(
-        inertia.body_from_principal().transpose() * instant.state.omega_body);
+    const Eigen::Vector3d momentum = momentum_principal(inertia_of(stage), instant);
     return {momentum[0], momentum[1], momentum[2], momentum.stableNorm()};
 }
 
+constexpr PlotCurve kinetic_curves[] = {{formula("T"), energy_colour, DashPattern::solid}};
+PlotValues kinetic_values(const StageContext& stage, const FrameInput& instant) {
+    return {kinetic_energy_J(inertia_of(stage), instant)};
+}
+constexpr PlotCurve length_curves[] = {{formula("L"), momentum_colour, DashPattern::solid}};
+PlotValues length_values(const StageContext& stage, const FrameInput& instant) {
+    return {momentum_body(inertia_of(stage), instant).stableNorm()};
+}
 constexpr PlotCurve invariant_curves[] = {
     {formula("T"), energy_colour, DashPattern::solid},
     {formula("L"), momentum_colour, DashPattern::dashed},
 };
 // T and |L|, which a free motion conserves.
 PlotValues invariant_values(const StageContext& stage, const FrameInput& instant) {
-    const Eigen::Vector3d& omega = instant.state.omega_body;
-    const Eigen::Vector3d momentum = stage.motion.motion().problem().inertia.matrix_body() * omega;
-    return {0.5 * omega.dot(momentum), momentum.stableNorm()};
+    return {kinetic_values(stage, instant)[0], length_values(stage, instant)[0]};
 }
 
 constexpr PlotCurve tilt_curves[] = {
@@ -160,11 +166,10 @@ constexpr PlotCurve conserved_curves[] = {
 // top's axis; both, and E = T + V with V = Mgl cos θ, are computed from the state at the instant.
 // Source: Landau & Lifshitz §35, problem 1.
 PlotValues conserved_values(const StageContext& stage, const FrameInput& instant) {
-    const MotionProblem& problem = stage.motion.motion().problem();
-    const auto& gravity = std::get<GravityTorque>(problem.torque);
-    const Eigen::Vector3d momentum_body = problem.inertia.matrix_body() * instant.state.omega_body;
-    const double along_axis = momentum_body.dot(gravity.arm_body);
-    const double along_vertical = (instant.state.space_from_body * momentum_body).z();
+    const auto& gravity = std::get<GravityTorque>(stage.motion.motion().problem().torque);
+    const Eigen::Vector3d momentum = momentum_body(inertia_of(stage), instant);
+    const double along_axis = momentum.dot(gravity.arm_body);
+    const double along_vertical = (instant.state.space_from_body * momentum).z();
     const PlotValues energy = energy_values(stage, instant);
     return {along_vertical, along_axis, energy[2], energy[1]};
 }
@@ -204,22 +209,13 @@ PlotValues residual_values(const StageContext& stage, const FrameInput& instant)
             decade(r.unit_quaternion)};
 }
 
-// T alone, |L| alone, and the angle between L in space and L at the start: constants of the free
-// motion, each with an axis of its own, on which the drift of a measured motion is visible.
-constexpr PlotCurve kinetic_curves[] = {{formula("T"), energy_colour, DashPattern::solid}};
-PlotValues kinetic_values(const StageContext& stage, const FrameInput& instant) {
-    return {invariant_values(stage, instant)[0]};
-}
-constexpr PlotCurve length_curves[] = {{formula("L"), momentum_colour, DashPattern::solid}};
-PlotValues length_values(const StageContext& stage, const FrameInput& instant) {
-    return {invariant_values(stage, instant)[1]};
-}
+// The angle between L in space and L at the start: like T and |L| alone, a constant of the free
+// motion on whose axis the drift of a measured motion is visible.
 constexpr PlotCurve momentum_tilt_curves[] = {
     {formula("\\mathbf{L}"), momentum_colour, DashPattern::solid}};
 PlotValues momentum_tilt_values(const StageContext& stage, const FrameInput& instant) {
     const Eigen::Vector3d momentum =
-        instant.state.space_from_body *
-        (stage.motion.motion().problem().inertia.matrix_body() * instant.state.omega_body);
+        instant.state.space_from_body * momentum_body(inertia_of(stage), instant);
     const Eigen::Vector3d& normal = stage.rolling->construction.normal_space();
     return {std::atan2(momentum.cross(normal).norm(), momentum.dot(normal))};
 }

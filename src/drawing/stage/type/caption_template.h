@@ -10,7 +10,7 @@ namespace poinsot {
 
 // A number that a caption may refer to.
 struct LiveValue {
-    std::string_view name;  // "omega_3"
+    std::string name;  // "omega_3"
     double value = 0.0;
     std::string unit{};         // of the value: "deg/s"
     bool brings_unit = false;   // whether the unit is printed; it is not where the name says it
