@@ -102,7 +102,6 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"library/mechanics", {"library/poinsot"}},
     {"library/construction", {"library/poinsot", "library/mechanics"}},
     {"library/production", {"library/poinsot", "library/mechanics", "library/construction"}},
-    {"page/webgl/glad", {}},
     {"render/context", {}},
     {"render/passes", {"render/context", "render/cache"}},
     {"render/cache", {"render/context", "render/passes"}},
