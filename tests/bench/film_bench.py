@@ -6,7 +6,7 @@
 
 Prints Markdown. CPU time includes all threads; every number is the median of --repeat runs. --quick takes a few minutes on two idle
 cores: it omits the repetitions and three quarters of each film's frames, and draws 600 frames instead of the film of 3,000. Build
-the targets poinsot, film_phases, picture_error and bench_picture first. The plot needs python3-matplotlib.
+the targets poinsot, film_phases and bench_picture first. The plot needs python3-matplotlib.
 """
 import argparse
 import datetime
@@ -76,17 +76,6 @@ class Bench:
         return max(6, self.options.frames // few)
 
     # Each function below prints one section and stores its numbers in `found`.
-
-    def picture(self):
-        error = json.loads(Run([self.tools / "picture_error", self.options.scene, "1920x1080"]).out)
-        cost = self.phase("render", "1920x1080", "lecture", self.options.frames)
-        self.found["picture"] = {"error": error, "render": cost}
-        print("\n### One picture, 1920×1080, against 64 samples a pixel\n")
-        print("| | rms error, levels | at edges | PSNR, dB | CPU, ms |\n|---|---|---|---|---|")
-        for name, key, ms in (("poinsot, analytic edges", "picture", f"{cost['cpu_ms']:.1f}"),
-                              ("four samples a pixel (the best that 4× MSAA can do)", "four_samples", "")):
-            row = error[key]
-            print(f"| {name} | {row['rms']:.2f} | {row['edge_rms']:.2f} | {row['psnr_db']:.1f} | {ms} |")
 
     def parts(self):
         least = "0.2" if self.options.quick else "1"
@@ -219,7 +208,7 @@ def main():
     parser.add_argument("--repeat", type=int, default=3)
     parser.add_argument("--quick", action="store_true", help="60 frames a film instead of 240, one run of each, no film of "
                                                               "3,000 frames")
-    parser.add_argument("--only", help="a comma-separated choice of: picture, parts, first_picture, folder, floor, films, "
+    parser.add_argument("--only", help="a comma-separated choice of: parts, first_picture, folder, floor, films, "
                                        "memory")
     parser.add_argument("--plot")
     parser.add_argument("--json")
@@ -233,7 +222,7 @@ def main():
             parser.error("--plot needs matplotlib: apt install python3-matplotlib, and run with /usr/bin/python3")
     bench = Bench(options)
     print(machine())
-    parts = ["picture", "parts", "first_picture", "folder", "floor", "films", "memory"]
+    parts = ["parts", "first_picture", "folder", "floor", "films", "memory"]
     try:
         for part in options.only.split(",") if options.only else parts:
             getattr(bench, part)()

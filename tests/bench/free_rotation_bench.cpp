@@ -1,5 +1,5 @@
 // The cost of an instant of the exact free motion in every regime, near the start and 1e12 s away,
-// and of its setup. cost_table compares it with stepping.
+// and of its setup.
 #include <benchmark/benchmark.h>
 
 #include <string>
