@@ -347,47 +347,31 @@ int run(const CompareChoices& choices) {
     return all_pass(pictures) ? 0 : 1;
 }
 
+Option option_of(const NumberLimit& limit, Gates& gates) {
+    std::string option = fmt::format("--{}", limit.name);
+    std::replace(option.begin(), option.end(), '_', '-');
+    const auto read = [&gates, &limit, option](const std::string& text) {
+        double number = 0.0;
+        if (limit.kind == LimitKind::level) number = parse_whole(option, text, limit.wanted);
+        if (limit.kind == LimitKind::number) number = parse_number(option, text, limit.wanted);
+        gates.*limit.value = value_of(option, [&] {
+            return limit.kind == LimitKind::share ? parse_share(text) : limit.checked(number);
+        });
+    };
+    return {option, std::string(limit.help), ReadText{read}, "", std::string(limit.takes)};
+}
+
 CommandLine compare_line(std::any& storage) {
     auto& c = storage.emplace<CompareChoices>();
-    return {
-        &c.pictures,
-        {{"--profile",
-          "portable: no pixel may differ; native: pixels may differ by rounding; default: chosen "
-          "by the renderer that the baselines' manifest names, portable without a manifest",
-          &c.profile, "", "NAME", false, "portable|native"},
-         {"--max-differing", "share of the pixels that may differ, as 0.001 or 0.1%",
-          ReadText{[&c](const std::string& text) {
-              c.gates.max_differing =
-                  value_of("--max-differing", [&] { return parse_share(text); });
-          }},
-          "", "SHARE"},
-         {"--max-over", "share of the pixels that may differ by more than --over-levels",
-          ReadText{[&c](const std::string& text) {
-              c.gates.max_over = value_of("--max-over", [&] { return parse_share(text); });
-          }},
-          "", "SHARE"},
-         {"--over-levels", "threshold of --max-over in levels of 255; default 2",
-          ReadText{[&c](const std::string& text) {
-              const int level = parse_whole("--over-levels", text, "a level of 0 to 255");
-              c.gates.over_levels = value_of("--over-levels", [&] { return checked_level(level); });
-          }},
-          "", "N"},
-         {"--max-flip",
-          "most visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of pixels "
-          "may differ unless another option limits it",
-          ReadText{[&c](const std::string& text) {
-              const double value = parse_number("--max-flip", text, "0 to 1");
-              c.gates.max_flip = value_of("--max-flip", [&] { return checked_flip(value); });
-          }},
-          "", "FLIP"},
-         {"--min-ssim",
-          "least structural similarity (SSIM, 1: equal) that passes, as 0.99; likewise",
-          ReadText{[&c](const std::string& text) {
-              const double value = parse_number("--min-ssim", text, "at most 1");
-              c.gates.min_ssim = value_of("--min-ssim", [&] { return checked_ssim(value); });
-          }},
-          "", "SSIM"},
-         {"--antialiasing",
+    std::vector<Option> options{
+        {"--profile",
+         "portable: no pixel may differ; native: pixels may differ by rounding; default: chosen "
+         "by the renderer that the baselines' manifest names, portable without a manifest",
+         &c.profile, "", "NAME", false, "portable|native"}};
+    for (const NumberLimit& limit : number_limits()) options.push_back(option_of(limit, c.gates));
+    options.insert(
+        options.end(),
+        {{"--antialiasing",
           "allow differences at edges that anti-aliasing explains: edges that move by less than a "
           "pixel; not for textures, which are edges everywhere",
           &c.antialiasing},
@@ -422,11 +406,11 @@ CommandLine compare_line(std::any& storage) {
           {},
           false,
           "file"},
-         quiet_option(c.quiet)},
-        [&c] {
-            if (c.antialiasing) c.gates.antialiasing = true;
-            return run(c);
-        }};
+         quiet_option(c.quiet)});
+    return {&c.pictures, std::move(options), [&c] {
+                if (c.antialiasing) c.gates.antialiasing = true;
+                return run(c);
+            }};
 }
 
 }  // namespace

@@ -29,33 +29,32 @@ py::array array_of_image(const Image& image) {
 
 // Reads a limit by a function of report/gates.h; an error names the limit.
 template <typename Read>
-auto named(const char* name, Read read) {
+auto named(const std::string& name, Read read) {
     try {
         return read();
     } catch (const InputError& error) {
-        throw InputError(std::string(name) + ": " + error.what());
+        throw InputError(name + ": " + error.what());
     }
 }
 
 // The limits, under the names of the options of `poinsot compare`.
 Gates gates_of(const py::dict& options) {
     Gates gates;
-    const auto read = [&options](const char* name, auto& value, auto checked) {
-        using Value = typename std::decay_t<decltype(value)>::value_type;
-        if (const auto given = option<Value>(options, name))
-            value = named(name, [&] { return checked(*given); });
-    };
-    const auto read_share = [&](const char* name, std::optional<double>& share) {
-        if (options.contains(name) && py::isinstance<py::str>(options[name]))
-            share = named(name, [&] { return parse_share(options[name].cast<std::string>()); });
+    for (const NumberLimit& limit : number_limits()) {
+        const std::string name(limit.name);
+        std::optional<double>& value = gates.*limit.value;
+        if (limit.kind == LimitKind::share && options.contains(name) &&
+            py::isinstance<py::str>(options[name.c_str()])) {
+            value =
+                named(name, [&] { return parse_share(options[name.c_str()].cast<std::string>()); });
+            continue;
+        }
+        if (limit.kind == LimitKind::level)
+            value = option<int>(options, name.c_str());
         else
-            read(name, share, checked_share);
-    };
-    read_share("max_differing", gates.max_differing);
-    read_share("max_over", gates.max_over);
-    read("over_levels", gates.over_levels, checked_level);
-    read("max_flip", gates.max_flip, checked_flip);
-    read("min_ssim", gates.min_ssim, checked_ssim);
+            value = option<double>(options, name.c_str());
+        if (value) value = named(name, [&] { return limit.checked(*value); });
+    }
     gates.antialiasing = option<bool>(options, "antialiasing");
     if (options.contains("ignore"))
         for (const py::handle region : options["ignore"]) {

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 
 #include "error/error.h"
 #include "scene/scene_error.h"
@@ -30,11 +29,11 @@ double number_in(const TomlEntry& entry, std::string_view wanted) {
     return entry.value.number;
 }
 
-// A number, or a text with a percent sign.
-double share_in(const TomlEntry& entry) {
+// A share may be a text with a percent sign.
+double number_limit_in(const TomlEntry& entry, const NumberLimit& limit) {
+    if (limit.kind != LimitKind::share) return limit.checked(number_in(entry, limit.wanted));
     if (entry.value.type == Type::text) return parse_share(entry.value.text);
-    const double share = number_in(entry, "a share of the pixels, as 0.001 or \"0.1%\"");
-    return parse_share(fmt::format("{}", share));
+    return parse_share(fmt::format("{}", number_in(entry, limit.wanted)));
 }
 
 std::vector<IgnoredRegion> regions_in(const TomlEntry& entry) {
@@ -52,47 +51,32 @@ std::vector<IgnoredRegion> regions_in(const TomlEntry& entry) {
     return regions;
 }
 
-// A key of the limits and how its value is read.
-struct GateKey {
-    std::string_view name;
-    void (*read)(const TomlEntry& entry, Gates& gates);
-};
-constexpr std::array<GateKey, 7> gate_keys{
-    {{"max_differing", [](const TomlEntry& entry, Gates& g) { g.max_differing = share_in(entry); }},
-     {"max_over", [](const TomlEntry& entry, Gates& g) { g.max_over = share_in(entry); }},
-     {"over_levels",
-      [](const TomlEntry& entry, Gates& g) {
-          g.over_levels = checked_level(number_in(entry, "a level from 0 to 255"));
-      }},
-     {"max_flip",
-      [](const TomlEntry& entry, Gates& g) {
-          g.max_flip = checked_flip(number_in(entry, "a number from 0 to 1"));
-      }},
-     {"min_ssim",
-      [](const TomlEntry& entry, Gates& g) {
-          g.min_ssim = checked_ssim(number_in(entry, "a number of at most 1"));
-      }},
-     {"antialiasing",
-      [](const TomlEntry& entry, Gates& g) {
-          if (entry.value.type != Type::boolean) refuse_type(entry, "true or false");
-          g.antialiasing = entry.value.boolean;
-      }},
-     {"ignore", [](const TomlEntry& entry, Gates& g) { g.ignore = regions_in(entry); }}}};
+// Returns false for a key that is no limit.
+bool read_limit(const TomlEntry& entry, Gates& gates) {
+    if (const NumberLimit* limit = find_row(number_limits(), entry.key)) {
+        gates.*limit->value = number_limit_in(entry, *limit);
+    } else if (entry.key == "antialiasing") {
+        if (entry.value.type != Type::boolean) refuse_type(entry, "true or false");
+        gates.antialiasing = entry.value.boolean;
+    } else if (entry.key == "ignore") {
+        gates.ignore = regions_in(entry);
+    } else {
+        return false;
+    }
+    return true;
+}
 
 void read_key(const TomlEntry& entry, std::string_view besides, Gates& gates) {
-    const auto* const key = find_row(gate_keys, entry.key);
-    if (key == nullptr) {
-        std::vector<std::string_view> names = names_of(gate_keys);
-        names.push_back(besides);
-        throw SceneError(entry.where, unknown("key", entry.key, names));
-    }
     try {
-        key->read(entry, gates);
+        if (read_limit(entry, gates)) return;
     } catch (const SceneError&) {
         throw;
     } catch (const InputError& error) {
         throw SceneError(entry.value.where, fmt::format("{}: {}", entry.key, error.what()));
     }
+    std::vector<std::string_view> names = names_of(number_limits());
+    names.insert(names.end(), {"antialiasing", "ignore", besides});
+    throw SceneError(entry.where, unknown("key", entry.key, names));
 }
 
 CompareFile::Entry entry_of(const TomlValue& table) {

@@ -30,7 +30,51 @@ std::optional<IgnoredRegion::Length> parse_length(std::string_view text) {
     return length;
 }
 
+double checked_share(double value) {
+    if (value >= 0 && value <= 1) return value;
+    throw InputError(
+        fmt::format("{:g}: not a share of the pixels; give a share from 0 to 1", value));
+}
+
+double checked_level(double value) {
+    if (value >= 0 && value <= 255 && value == std::floor(value)) return value;
+    throw InputError(fmt::format("{:g}: not a level; give a level from 0 to 255", value));
+}
+
+double checked_flip(double value) {
+    if (value >= 0 && value <= 1) return value;
+    throw InputError(
+        fmt::format("{:g}: not a FLIP value; give 0 (equal) to 1, such as 0.01", value));
+}
+
+double checked_ssim(double value) {
+    if (value >= -1 && value <= 1) return value;
+    throw InputError(
+        fmt::format("{:g}: not an SSIM value; give at most 1 (equal), such as 0.99", value));
+}
+
+constexpr std::string_view share_wanted = "a share of the pixels, as 0.001 or \"0.1%\"";
+constexpr NumberLimit limit_rows[] = {
+    {"max_differing", &Gates::max_differing, LimitKind::share,
+     "share of the pixels that may differ, as 0.001 or 0.1%", "SHARE", share_wanted, checked_share},
+    {"max_over", &Gates::max_over, LimitKind::share,
+     "share of the pixels that may differ by more than --over-levels", "SHARE", share_wanted,
+     checked_share},
+    {"over_levels", &Gates::over_levels, LimitKind::level,
+     "threshold of --max-over in levels of 255; default 2", "N", "a level from 0 to 255",
+     checked_level},
+    {"max_flip", &Gates::max_flip, LimitKind::number,
+     "most visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of pixels may "
+     "differ unless another option limits it",
+     "FLIP", "a number from 0 to 1", checked_flip},
+    {"min_ssim", &Gates::min_ssim, LimitKind::number,
+     "least structural similarity (SSIM, 1: equal) that passes, as 0.99; likewise", "SSIM",
+     "a number of at most 1", checked_ssim},
+};
+
 }  // namespace
+
+std::span<const NumberLimit> number_limits() { return limit_rows; }
 
 PictureRegion IgnoredRegion::in(int width, int height) const {
     const auto px = [&](std::size_t i, int side) {
@@ -85,39 +129,12 @@ double parse_share(std::string_view text) {
     return share;
 }
 
-double checked_share(double value) {
-    if (value >= 0 && value <= 1) return value;
-    throw InputError(
-        fmt::format("{:g}: not a share of the pixels; give a share from 0 to 1", value));
-}
-
-double checked_flip(double value) {
-    if (value >= 0 && value <= 1) return value;
-    throw InputError(
-        fmt::format("{:g}: not a FLIP value; give 0 (equal) to 1, such as 0.01", value));
-}
-
-double checked_ssim(double value) {
-    if (value >= -1 && value <= 1) return value;
-    throw InputError(
-        fmt::format("{:g}: not an SSIM value; give at most 1 (equal), such as 0.99", value));
-}
-
-int checked_level(double value) {
-    if (value >= 0 && value <= 255 && value == std::floor(value)) return static_cast<int>(value);
-    throw InputError(fmt::format("{:g}: not a level; give a level from 0 to 255", value));
-}
-
 Gates Gates::over(const Gates& below) const {
     Gates both = *this;
     const auto fill = [](auto& value, const auto& from) {
         if (!value) value = from;
     };
-    fill(both.max_differing, below.max_differing);
-    fill(both.max_over, below.max_over);
-    fill(both.over_levels, below.over_levels);
-    fill(both.max_flip, below.max_flip);
-    fill(both.min_ssim, below.min_ssim);
+    for (const NumberLimit& limit : number_limits()) fill(both.*limit.value, below.*limit.value);
     fill(both.antialiasing, below.antialiasing);
     for (const IgnoredRegion& region : below.ignore)
         if (std::find(both.ignore.begin(), both.ignore.end(), region) == both.ignore.end())
@@ -135,7 +152,7 @@ CompareLimits limits_of(const Gates& gates, const std::optional<CompareLimits>& 
         limits = CompareLimits::any_pixels();
     if (gates.max_differing) limits.differing_share = *gates.max_differing;
     if (gates.max_over) limits.over_level_share = *gates.max_over;
-    if (gates.over_levels) limits.level = *gates.over_levels;
+    if (gates.over_levels) limits.level = static_cast<int>(*gates.over_levels);
     limits.most_flip = gates.max_flip;
     limits.least_ssim = gates.min_ssim;
     limits.antialiasing = gates.antialiasing.value_or(false);

@@ -4,6 +4,7 @@
 
 #include <array>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -34,12 +35,6 @@ IgnoredRegion parse_region(std::string_view text);
 // Reads a share of the pixels: "0.001" or "0.1%". Throws InputError without a place.
 double parse_share(std::string_view text);
 
-// The smallest and greatest values of the limits. Throw InputError without a place.
-double checked_share(double value);
-double checked_flip(double value);
-double checked_ssim(double value);
-int checked_level(double value);
-
 // The limits of a profile; none without a name. Within a portable one no pixel may differ; the
 // default limits of a native one separate a processor's rounding from a defect. Throws InputError
 // without a place.
@@ -48,8 +43,7 @@ std::optional<CompareLimits> limits_of_profile(std::string_view name);
 // Limits as somebody gives them; empty: not given.
 struct Gates {
     std::optional<double> max_differing{}, max_over{};  // shares of the pixels
-    std::optional<int> over_levels{};
-    std::optional<double> max_flip{}, min_ssim{};
+    std::optional<double> over_levels{}, max_flip{}, min_ssim{};
     std::optional<bool> antialiasing{};
     std::vector<IgnoredRegion> ignore{};
 
@@ -58,6 +52,19 @@ struct Gates {
     bool limits_pixels() const { return max_differing || max_over || over_levels; }
     bool operator==(const Gates&) const = default;
 };
+
+// A limit that is a number, as an option of `compare`, a key of compare.toml and a keyword of
+// Python.
+enum class LimitKind { share, level, number };
+struct NumberLimit {
+    std::string_view name;  // "max_flip"; the option is --max-flip
+    std::optional<double> Gates::*value;
+    LimitKind kind;
+    std::string_view help, takes;      // of the option
+    std::string_view wanted;           // what the value is, for messages
+    double (*checked)(double number);  // throws InputError without a place if out of range
+};
+std::span<const NumberLimit> number_limits();
 
 // The limits of a pair. If `gates` limits pixels, the defaults of CompareLimits complete it,
 // whatever the profile. Else the profile applies; without one, any number of pixels may differ if a

@@ -107,24 +107,7 @@ def _profile(given: Any) -> str:
     return toml.unicode_text("profile", str(profile or ""))
 
 
-def _limits(
-    max_differing: Optional[Share],
-    max_over: Optional[Share],
-    over_levels: Optional[int],
-    max_flip: Optional[float],
-    min_ssim: Optional[float],
-    antialiasing: Optional[bool],
-    ignore: Iterable[str],
-) -> Dict[str, Any]:
-    given = {
-        "max_differing": max_differing,
-        "max_over": max_over,
-        "over_levels": over_levels,
-        "max_flip": max_flip,
-        "min_ssim": min_ssim,
-        "antialiasing": antialiasing,
-        "ignore": ignore,
-    }
+def _limits(**given: Any) -> Dict[str, Any]:
     return {name: plain_limit(name, value) for name, value in given.items()}
 
 
@@ -174,7 +157,10 @@ def compare(
     >>> bool(compare(grey, other, max_differing="10%", over_levels=2))
     True
     """
-    limits = _limits(max_differing, max_over, over_levels, max_flip, min_ssim, antialiasing, ignore)
+    limits = _limits(
+        max_differing=max_differing, max_over=max_over, over_levels=over_levels, max_flip=max_flip, min_ssim=min_ssim,
+        antialiasing=antialiasing, ignore=ignore,
+    )
     with tempfile.TemporaryDirectory() as folder:
         a, b = _file("expected", expected, folder), _file("actual", actual, folder)
         for name, file in (("expected", a), ("actual", b)):
@@ -201,7 +187,10 @@ def compare_folders(
     measures: bool = False,
 ) -> List[Comparison]:
     """Compares all pictures of two folders, worst first; `report` names an HTML page to be written."""
-    limits = _limits(max_differing, max_over, over_levels, max_flip, min_ssim, antialiasing, ignore)
+    limits = _limits(
+        max_differing=max_differing, max_over=max_over, over_levels=over_levels, max_flip=max_flip, min_ssim=min_ssim,
+        antialiasing=antialiasing, ignore=ignore,
+    )
     a, b = path_text(expected), path_text(actual)
     page = "" if report is None else page_name(report)
     heading = toml.unicode_text("title", title or f"{b} compared with {a}")
