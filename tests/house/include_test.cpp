@@ -151,7 +151,7 @@ const std::map<std::string, std::set<std::string>> library_owners{
     {"cairo", {"vector"}},         {"ft2build.h", {"typeset", "vector"}},
     {"hb", {"typeset", "vector"}}, {"boost/", {"text", "numerics", "mechanics"}},
     {"sleef.h", {"libm"}},         {"xxhash.h", {"image"}},
-    {"pybind11/", {"python"}},
+    {"pybind11/", {"python"}},     {"stb_image.h", {"page"}},
 };
 
 // Test files that no source file gives its name, and why.
