@@ -22,28 +22,39 @@ std::string item_name(std::string_view array, std::size_t i) {
     return fmt::format("{}[{}]", array, i);
 }
 
-// Requires these keys in each item.
-void need(const SceneDraft& draft, std::string_view array, std::size_t n_items,
-          std::initializer_list<std::string_view> keys) {
-    for (std::size_t i = 0; i < n_items; ++i) {
+// Requires these keys in each item, and items in order of time.
+template <typename Item>
+void need_items(const SceneDraft& draft, std::string_view array, const std::vector<Item>& items,
+                std::initializer_list<std::string_view> keys) {
+    for (std::size_t i = 0; i < items.size(); ++i)
         for (const std::string_view key : keys) {
             const std::string name = fmt::format("{}.{}", item_name(array, i), key);
-            if (draft.has(name)) continue;
-            refuse(draft.scene, item_name(array, i), fmt::format("{} is missing; give it", name));
+            if (!draft.has(name))
+                refuse(draft.scene, item_name(array, i),
+                       fmt::format("{} is missing; give it", name));
         }
-    }
+    for (std::size_t i = 1; i < items.size(); ++i)
+        if (items[i].at_s < items[i - 1].at_s)
+            refuse(draft.scene, item_name(array, i) + ".at_s",
+                   fmt::format("{}.at_s is {}, before the {} s of {}; put them in order of time",
+                               item_name(array, i), items[i].at_s, items[i - 1].at_s,
+                               item_name(array, i - 1)));
 }
 
-// Requires items in order of time.
-template <typename Item>
-void need_order(const Scene& scene, std::string_view array, const std::vector<Item>& items) {
-    for (std::size_t i = 1; i < items.size(); ++i) {
-        if (items[i].at_s >= items[i - 1].at_s) continue;
-        refuse(scene, item_name(array, i) + ".at_s",
-               fmt::format("{}.at_s is {}, before the {} s of {}; put them in order of time",
-                           item_name(array, i), items[i].at_s, items[i - 1].at_s,
-                           item_name(array, i - 1)));
-    }
+// Requires a time within the film; the length of a loop is known only with its motion.
+void need_within_film(const Scene& scene, const std::string& item, double at_s, double length_s,
+                      bool is_within, std::string_view remedy) {
+    if (is_within || !scene.film.loop.empty()) return;
+    refuse(scene, item + ".at_s",
+           fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; {}", item, at_s, length_s,
+                       remedy));
+}
+
+// A camera aims at a point or at a thing.
+void need_one_aim(const Scene& scene, const std::string& camera, bool target, bool look_at) {
+    if (target && look_at)
+        refuse(scene, camera + ".target",
+               fmt::format("{0}.target contradicts {0}.look_at; give one of them", camera));
 }
 
 // Fills the values that a keyframe does not give from its view.
@@ -75,38 +86,33 @@ bool holds(const std::vector<std::string_view>& names, std::string_view name) {
 
 void check_keyframes(SceneDraft& draft) {
     Scene& scene = draft.scene;
-    need(draft, "keyframes", scene.keyframes.size(), {"at_s"});
-    need_order(scene, "keyframes", scene.keyframes);
+    need_items(draft, "keyframes", scene.keyframes, {"at_s"});
     for (std::size_t i = 0; i < scene.keyframes.size(); ++i) {
         KeyframeSpec& key = scene.keyframes[i];
-        if (key.target && draft.has(item_name("keyframes", i) + ".look_at")) {
-            refuse(scene, item_name("keyframes", i) + ".target",
-                   fmt::format("{0}.target contradicts {0}.look_at; give one of them",
-                               item_name("keyframes", i)));
-        }
+        const std::string item = item_name("keyframes", i);
+        need_one_aim(scene, item, key.target.has_value(), draft.has(item + ".look_at"));
         apply_view(key);
         const auto names = values_of(key);
         if (names.empty()) {
-            refuse(scene, item_name("keyframes", i),
+            refuse(scene, item,
                    fmt::format("{} sets nothing; give a view, a value of the camera, or the speed",
-                               item_name("keyframes", i)));
+                               item));
         }
         const auto n_panels = static_cast<int>(std::max<std::size_t>(1, scene.panels.size()));
         if (key.panel.value_or(0) >= n_panels)
-            refuse(scene, item_name("keyframes", i) + ".panel",
+            refuse(scene, item + ".panel",
                    fmt::format("{}.panel is {}, but the scene has {}, counted from 0; name one of "
                                "those",
-                               item_name("keyframes", i), *key.panel,
+                               item, *key.panel,
                                n_panels == 1 ? "one panel" : fmt::format("{} panels", n_panels)));
         for (std::size_t j = 0; j < i; ++j) {
             if (scene.keyframes[j].at_s != key.at_s) continue;
             const bool other_camera = scene.keyframes[j].panel != key.panel;
             for (const std::string_view name : values_of(scene.keyframes[j])) {
                 if (!holds(names, name) || (other_camera && name != "speed")) continue;
-                refuse(scene, item_name("keyframes", i) + ".at_s",
+                refuse(scene, item + ".at_s",
                        fmt::format("{} and {} both set the {} at {} s; remove one of them",
-                                   item_name("keyframes", j), item_name("keyframes", i), name,
-                                   key.at_s));
+                                   item_name("keyframes", j), item, name, key.at_s));
             }
         }
     }
@@ -114,8 +120,7 @@ void check_keyframes(SceneDraft& draft) {
 
 void check_fades(const SceneDraft& draft) {
     const Scene& scene = draft.scene;
-    need(draft, "fades", scene.fades.size(), {"at_s", "elements"});
-    need_order(scene, "fades", scene.fades);
+    need_items(draft, "fades", scene.fades, {"at_s", "elements"});
     for (std::size_t i = 0; i < scene.fades.size(); ++i) {
         const std::string item = item_name("fades", i);
         if (scene.fades[i].elements.empty()) {
@@ -139,11 +144,9 @@ void check_fades(const SceneDraft& draft) {
     }
 }
 
-void check_chapters(const SceneDraft& draft) {
+void check_chapters(const SceneDraft& draft, double length_s) {
     const Scene& scene = draft.scene;
-    need(draft, "chapters", scene.chapters.size(), {"at_s", "title"});
-    need_order(scene, "chapters", scene.chapters);
-    const double length_s = FilmClock(scene).length_s().value_or(0.0);
+    need_items(draft, "chapters", scene.chapters, {"at_s", "title"});
     for (std::size_t i = 0; i < scene.chapters.size(); ++i) {
         const std::string item = item_name("chapters", i);
         const double at_s = scene.chapters[i].at_s;
@@ -152,21 +155,14 @@ void check_chapters(const SceneDraft& draft) {
                    fmt::format("{} begins with {}, at {} s; let each last a while", item,
                                item_name("chapters", i - 1), at_s));
         }
-        // The length of a loop is known only with its motion.
-        if (scene.film.loop.empty() && at_s >= length_s) {
-            refuse(scene, item + ".at_s",
-                   fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; begin it earlier",
-                               item, at_s, length_s));
-        }
+        need_within_film(scene, item, at_s, length_s, at_s < length_s, "begin it earlier");
     }
 }
 
 // Stops are a frame apart, within the film; a loop lies between its stop and the one before.
-void check_stops(const SceneDraft& draft) {
+void check_stops(const SceneDraft& draft, double length_s) {
     const Scene& scene = draft.scene;
-    need(draft, "stops", scene.stops.size(), {"at_s"});
-    need_order(scene, "stops", scene.stops);
-    const double length_s = FilmClock(scene).length_s().value_or(0.0);
+    need_items(draft, "stops", scene.stops, {"at_s"});
     const double frame_s = static_cast<double>(scene.film.fps_denominator) /
                            static_cast<double>(scene.film.fps_numerator);
     // Of decimal numbers such as 0.1 and 0.4 at 10 frames a second.
@@ -185,11 +181,7 @@ void check_stops(const SceneDraft& draft) {
                    fmt::format("{} is {:.3g} s after {}, less than a frame ({:.3g} s); move one of "
                                "them",
                                item, apart_s, item_name("stops", i - 1), frame_s));
-        // The length of a loop is known only with its motion.
-        if (scene.film.loop.empty() && stop.at_s > length_s)
-            refuse(scene, item + ".at_s",
-                   fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; put it earlier", item,
-                               stop.at_s, length_s));
+        need_within_film(scene, item, stop.at_s, length_s, stop.at_s <= length_s, "put it earlier");
         if (stop.loop_s.value_or(frame_s) < frame_s * (1.0 - rounding))
             refuse(
                 scene, item + ".loop_s",
@@ -225,19 +217,15 @@ void check_controls(const SceneDraft& draft) {
 }
 
 // Each caption begins within the film and has a duration; those of one place do not overlap.
-void check_captions(const SceneDraft& draft) {
+void check_captions(const SceneDraft& draft, double length_s) {
     const Scene& scene = draft.scene;
-    need(draft, "captions", scene.captions.size(), {"at_s", "text"});
-    need_order(scene, "captions", scene.captions);
-    const double length_s = FilmClock(scene).length_s().value_or(0.0);
+    need_items(draft, "captions", scene.captions, {"at_s", "text"});
     std::map<std::string, std::size_t> before;
     for (std::size_t i = 0; i < scene.captions.size(); ++i) {
         const TimedCaptionSpec& caption = scene.captions[i];
         const std::string item = item_name("captions", i);
-        if (scene.film.loop.empty() && caption.at_s >= length_s)
-            refuse(scene, item + ".at_s",
-                   fmt::format("{}.at_s is {}, but the film ends at {:.6g} s; begin it earlier",
-                               item, caption.at_s, length_s));
+        need_within_film(scene, item, caption.at_s, length_s, caption.at_s < length_s,
+                         "begin it earlier");
         const auto last = before.find(caption.place);
         if (last != before.end()) {
             const TimedCaptionSpec& other = scene.captions[last->second];
@@ -286,16 +274,12 @@ void check_loop(SceneDraft& draft) {
 void complete_camera(SceneDraft& draft) {
     Scene& scene = draft.scene;
     CameraSpec& camera = scene.camera;
-    if (camera.target && draft.has("camera.look_at") && camera.look_at != CameraSpec{}.look_at) {
-        refuse(scene, "camera.target",
-               "camera.target contradicts camera.look_at; give one of them");
-    }
+    need_one_aim(scene, "camera", camera.target.has_value(),
+                 draft.has("camera.look_at") && camera.look_at != CameraSpec{}.look_at);
     for (std::size_t i = 0; i < scene.panels.size(); ++i) {
         const PanelCameraSpec& own = scene.panels[i].camera;
-        if (own.target && !own.look_at.empty())
-            refuse(scene, item_name("panels", i) + ".camera.target",
-                   fmt::format("{0}.target contradicts {0}.look_at; give one of them",
-                               item_name("panels", i) + ".camera"));
+        need_one_aim(scene, item_name("panels", i) + ".camera", own.target.has_value(),
+                     !own.look_at.empty());
     }
     if (camera.view.empty()) return;
     const CameraView& view = camera_view_named(camera.view);
@@ -338,9 +322,9 @@ void complete_film(SceneDraft& draft) {
                            n_frames, most_frames,
                            film.length_s ? "film.length_s" : "film.duration_s"));
     }
-    check_chapters(draft);
-    check_captions(draft);
-    check_stops(draft);
+    check_chapters(draft, *length_s);
+    check_captions(draft, *length_s);
+    check_stops(draft, *length_s);
     check_controls(draft);
 }
 
