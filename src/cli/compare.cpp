@@ -64,8 +64,7 @@ std::optional<CompareLimits> profile_limits(const CompareChoices& choices) {
 // The limits of the command line; none if it sets none.
 std::optional<CompareLimits> limits_of_line(const CompareChoices& choices) {
     const Gates& gates = choices.gates;
-    const bool own =
-        gates.limits_pixels() || gates.max_flip || gates.min_ssim || gates.antialiasing;
+    const bool own = gates.decides() || gates.antialiasing;
     const std::optional<CompareLimits> profile = profile_limits(choices);
     if (!own && !profile) return std::nullopt;
     return limits_of(gates, profile, CompareLimits::exact());

@@ -556,8 +556,7 @@ ComparedPicture compare_pair(const std::string& name, const fs::path& expected,
         request.gates.over(request.file ? request.file->gates_of(baseline_name) : Gates{});
     for (const IgnoredRegion& region : gates.ignore) result.ignored.push_back(region.text);
     std::optional<CompareLimits> by_renderer = CompareLimits::exact();
-    const bool decides = gates.limits_pixels() || gates.max_flip || gates.min_ssim;
-    if (!request.limits && !decides && is_listed) {
+    if (!request.limits && !gates.decides() && is_listed) {
         const Baseline& approved = baselines->manifest().at(baseline_name);
         if (const auto now = record_of(actual))
             by_renderer = limits_between(approved, now->renderer, now->mesa);

@@ -129,12 +129,18 @@ double parse_share(std::string_view text) {
     return share;
 }
 
+bool Gates::decides() const {
+    return std::any_of(
+        std::begin(limit_rows), std::end(limit_rows),
+        [this](const NumberLimit& limit) { return (this->*limit.value).has_value(); });
+}
+
 Gates Gates::over(const Gates& below) const {
     Gates both = *this;
     const auto fill = [](auto& value, const auto& from) {
         if (!value) value = from;
     };
-    for (const NumberLimit& limit : number_limits()) fill(both.*limit.value, below.*limit.value);
+    for (const NumberLimit& limit : limit_rows) fill(both.*limit.value, below.*limit.value);
     fill(both.antialiasing, below.antialiasing);
     for (const IgnoredRegion& region : below.ignore)
         if (std::find(both.ignore.begin(), both.ignore.end(), region) == both.ignore.end())

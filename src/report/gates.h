@@ -49,6 +49,8 @@ struct Gates {
 
     // These values where they are given, else those of `below`; regions of both.
     Gates over(const Gates& below) const;
+    // Whether one of the numbers, which decide without a profile, is given.
+    bool decides() const;
     bool limits_pixels() const { return max_differing || max_over || over_levels; }
     bool operator==(const Gates&) const = default;
 };

@@ -1,0 +1,49 @@
+"""The numbers of files in docs/extending.md: counted from what is there already.
+
+For each kind of addition the files that name an existing one, such as the limit max_flip, are the files that one more would touch. The
+test fails when a heading has another number: when it is smaller, a table has been typed a second time.
+Usage: extending_check.py
+"""
+
+import pathlib
+import re
+import sys
+
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+SUFFIXES = (".cpp", ".h", ".py", ".pyi", ".js", ".html")
+# The beginning of a heading, and the names by which an existing one is found.
+EXISTING = {
+    "An element": r"period-turn|period_turn",
+    "A panel": r"make_potential_panel",
+    "A physical quantity": r'"contact_space"',
+    "A plot quantity": r'"wobble"|wobble_values',
+    "A format": r"(open|recover|join)_gif",
+    "A scene key": r"&Scene::labels\b|bool labels\b",
+    "An integrator": r"\bsplitting\(const MethodStart|make = splitting",
+    "A command": r"explain_command",
+    "A limit of `compare`": r"\b(max|most)_flip\b",
+    "A theme": r'"colour-blind"',
+    "A quality": r'"reference"',
+    "A shape": r"\bConePass\b|std::vector<Cone>",
+    "A function of the library and of Python": r"\btop_constants\b",
+}
+
+
+def main():
+    texts = {file.relative_to(ROOT): file.read_text("utf-8") for folder in ("src", "page") for file in sorted((ROOT / folder).rglob("*"))
+             if file.suffix in SUFFIXES and file.is_file()}
+    headings = re.findall(r"^## (.*) \((\d+)(?: to (\d+))? files?\b.*\)$", (ROOT / "docs/extending.md").read_text("utf-8"), re.M)
+    wrong = []
+    counted = set()
+    for name, least, most in headings:
+        if name not in EXISTING:
+            continue
+        counted.add(name)
+        files = [str(file) for file, text in texts.items() if re.search(EXISTING[name], text)]
+        if not int(least) <= len(files) <= int(most or least):
+            wrong.append(f"docs/extending.md: \"{name}\" touches {len(files)} files, not {most or least}: {', '.join(files)}")
+    wrong += [f"docs/extending.md: no heading \"{name} (N files)\"" for name in EXISTING.keys() - counted]
+    sys.exit("\n".join(wrong) or None)
+
+
+main()
