@@ -1,5 +1,6 @@
-// The film of a page: playing, stops, loops, steps. No browser is needed.
+// The film of a page: playing, stops, loops, steps; its words. No browser is needed.
 'use strict';
+const {execFileSync} = require('node:child_process');
 const test = require('node:test');
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
@@ -10,8 +11,8 @@ const pages = path.join(__dirname, '../../page');
 const context = vm.createContext({URLSearchParams, Intl});
 for (const name of ['words.js', 'film.js', 'link.js', 'controls.js'])
   vm.runInContext(fs.readFileSync(path.join(pages, name), 'utf8'), context, {filename: name});
-const {Film, Words, all_words, languages, fragment_of, state_of, empty_state, toml_of, slider_span, component_of} =
-  vm.runInContext('({Film, Words, all_words, languages, fragment_of, state_of, empty_state, toml_of, slider_span, component_of})', context);
+const {Film, Words, all_words, element_words, key_words, languages, fragment_of, state_of, empty_state, toml_of, slider_span, component_of} =
+  vm.runInContext('({Film, Words, all_words, element_words, key_words, languages, fragment_of, state_of, empty_state, toml_of, slider_span, component_of})', context);
 
 const stop = (at_s, loop_s = 0) => ({at_s, title: '', loop_s, note: ''});
 const film_with = (changes = {}) => new Film({length_s: 10, frames_per_s: 30, loops: false, stops: [], chapters: [], ...changes});
@@ -204,8 +205,21 @@ test('the space bar plays, pauses and goes on', () => {
   assert.equal(film.leaving, true);
 });
 
+// `node film_test.js PROGRAM`
+const listed = (what) => execFileSync(process.argv[2], ['list', what], {encoding: 'utf8'}).trim().split('\n').map((line) => line.split(/\s+/)[0]);
+
+test('every element and overlay of the program has its words', () => {
+  assert.deepEqual(Object.keys(element_words).sort(), [...listed('elements'), ...listed('overlays')].sort());
+});
+
+test('the languages are those of the program', () => {
+  const header = fs.readFileSync(path.join(__dirname, '../../src/text/languages.h'), 'utf8');
+  const codes = /language_codes\{(.*)\}/.exec(header)[1];
+  assert.deepEqual(JSON.parse(`[${codes}]`), [...languages]);
+});
+
 test('every word has six languages', () => {
-  for (const [name, words] of Object.entries(all_words)) {
+  for (const [name, words] of [all_words, element_words, key_words].flatMap((table) => Object.entries(table))) {
     assert.equal(words.length, languages.length, name);
     for (const word of words) assert.ok(word.trim().length > 0, name);
   }

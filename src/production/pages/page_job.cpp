@@ -99,9 +99,9 @@ void need_module() {
     if (!page_module_lzma().empty()) return;
     throw EnvironmentError(
         "this program was built without its module for browsers, so it cannot write .html; run "
-        "`sh .ci/setup page` in its sources, or install clang-19, lld-19, libc++-19-dev-wasm32, "
-        "libc++abi-19-dev-wasm32, wasi-libc, libclang-rt-19-dev-wasm32, libstb-dev, binaryen and "
-        "xz-utils and build it again");
+        "`sh .ci/setup page` in its sources, or install clang-19, lld-19, llvm-19, "
+        "libc++-19-dev-wasm32, libc++abi-19-dev-wasm32, wasi-libc, libclang-rt-19-dev-wasm32, "
+        "libstb-dev, binaryen and xz-utils and build it again");
 }
 
 }  // namespace
