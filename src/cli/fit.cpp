@@ -292,7 +292,7 @@ CommandLine fit_line(std::any& storage) {
               "start and the drag are fitted",
               &c.moments},
              {"--drag",
-              "none, linear, axes or quadratic: the torque of the air, −γL, −γ_i I_i ω_i or "
+              "MODEL: none, linear, axes or quadratic, the torque of the air, −γL, −γ_i I_i ω_i or "
               "−γ_i I_i |ω_i| ω_i along the principal axes; default: linear where this describes "
               "the rows to their noise, else axes or quadratic",
               &c.drag},

@@ -350,10 +350,10 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
         return std::sqrt(found.squares / (static_cast<double>(3 * rows.size()) - n));
     };
     FoundFlight best = linear;
-    constexpr double like_noise = 1.2;
+    constexpr double like_noise = 1.2, rounding_of_rows = 1e-6;
     if (wanted)
         best = with_drag(rows, linear, *wanted, moments);
-    else if (residual_of(linear) > like_noise * noise)
+    else if (residual_of(linear) > std::max(like_noise * noise, rounding_of_rows))
         for (const DragModel drag : {DragModel::axes, DragModel::quadratic}) {
             const FoundFlight richer = with_drag(rows, linear, drag, moments);
             if (residual_of(richer) < residual_of(best)) best = richer;

@@ -111,7 +111,6 @@ FirstTensor tensor_of(std::span<const MeasuredRow> rows, double window_rad,
     return best;
 }
 
-// ω at the first row, as a mean of the first rows, where the body turns little.
 Flight flight_of(const Eigen::Vector3d& moments, const Eigen::Matrix3d& axes, double damping,
                  std::span<const MeasuredRow> rows) {
     Flight flight;
