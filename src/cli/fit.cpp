@@ -33,7 +33,7 @@ namespace {
 struct FitChoices {
     std::vector<std::string> files;
     std::string output;
-    std::string moments;
+    std::string moments, drag;
     bool json = false;
 };
 
@@ -55,6 +55,15 @@ Eigen::Vector3d moments_in(const std::string& text) {
                         "--moments 4,3,1.5",
                         printable(text)));
     return {moments[0], moments[1], moments[2]};
+}
+
+std::optional<DragModel> drag_named(const std::string& text) {
+    if (text.empty()) return std::nullopt;
+    for (const DragModel drag :
+         {DragModel::none, DragModel::linear, DragModel::axes, DragModel::quadratic})
+        if (text == name_of(drag)) return drag;
+    throw InputError(
+        fmt::format("--drag {}: give none, linear, axes or quadratic", printable(text)));
 }
 
 // As many decimals as the standard deviation has a say in.
@@ -83,9 +92,31 @@ std::string json_of(const FittedMotion& fit) {
     answer.json("omega_rad_s", list(fit.omega_rad_s))
         .json("omega_sd_rad_s", list(fit.omega_sd_rad_s));
     if (fit.I1_kg_m2) answer.add("I1_kg_m2", *fit.I1_kg_m2);
-    answer.add("damping_1_s", fit.damping_1_s).add("damping_sd_1_s", fit.damping_sd_1_s);
+    answer.add("drag", std::string(name_of(fit.drag)));
+    answer.json("drag_rates", list(fit.drag_rates)).json("drag_rates_sd", list(fit.drag_rates_sd));
+    if (fit.drag == DragModel::linear)
+        answer.add("damping_1_s", fit.drag_rates[0]).add("damping_sd_1_s", fit.drag_rates_sd[0]);
     answer.add("residual_rad_s", fit.residual_rad_s).add("noise_rad_s", fit.noise_rad_s);
+    answer.add("residual_correlation", fit.correlation);
     return answer.lines();
+}
+
+// The air's torque.
+void add_drag(const FittedMotion& fit, std::vector<std::string>& lines) {
+    const auto& rates = fit.drag_rates;
+    const auto& sd = fit.drag_rates_sd;
+    if (fit.drag == DragModel::none) return;
+    if (fit.drag == DragModel::linear) {
+        lines.push_back(fmt::format("damping of L: {} 1/s", with_sd(rates[0], sd[0])));
+        return;
+    }
+    lines.push_back(
+        fmt::format("drag {}, torques −γ_i I_i {}: γ = {}, {}, {} {}", name_of(fit.drag),
+                    fit.drag == DragModel::axes ? "ω_i" : "|ω_i| ω_i", with_sd(rates[0], sd[0]),
+                    with_sd(rates[1], sd[1]), with_sd(rates[2], sd[2]),
+                    fit.drag == DragModel::axes ? "1/s" : "1/rad"));
+    lines.push_back(fmt::format("linear drag, −γL, would leave a residual of {:.3g} rad/s",
+                                fit.linear_residual_rad_s));
 }
 
 // What was found, a line each: for the console, and as comments of the scene.
@@ -113,18 +144,20 @@ std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion&
                                 with_sd(fit.omega_rad_s[0], fit.omega_sd_rad_s[0]),
                                 with_sd(fit.omega_rad_s[1], fit.omega_sd_rad_s[1]),
                                 with_sd(fit.omega_rad_s[2], fit.omega_sd_rad_s[2])));
-    lines.push_back(
-        fmt::format("damping of L: {} 1/s", with_sd(fit.damping_1_s, fit.damping_sd_1_s)));
+    add_drag(fit, lines);
     lines.push_back(
         fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
     if (fit.residual_rad_s > least_sds * fit.noise_rad_s)
         lines.push_back(fmt::format(
             "note: the residual is larger than the noise of the rows, {:.2g} rad/s: {}; "
-            "the standard deviations are too small",
+            "residuals are alike from row to row (correlation {:.2f}), which the standard "
+            "deviations "
+            "allow for",
             fit.noise_rad_s,
             measured.has_omega ? "the body was not quite free"
                                : "the body was not quite free, or the attitudes are "
-                                 "too far apart for differences"));
+                                 "too far apart for differences",
+            fit.correlation));
     if (excess_of(fit) > least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
         lines.push_back(fmt::format(
             "note: I1 > I2 + I3 by {:.2g}, which no rigid body has: check the units, the "
@@ -166,14 +199,14 @@ void check_name_in_scene(const std::filesystem::path& scene, const std::filesyst
     }
 }
 
-// A scene of the fitted motion, without its damping, with the table beside it. Its times are those
+// A scene of the fitted motion, without its drag, with the table beside it. Its times are those
 // of the table: the motion is followed back to t = 0. ω(t) tells moments up to a common factor
 // only: I1 = 1 kg m² unless they were given.
 std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene,
                      const std::filesystem::path& file, const MeasuredMotion& measured) {
     std::string text = fmt::format("# Fitted to {}.\n", printable(file.filename().string()));
     for (const std::string& line : words_of(fit, measured)) text += fmt::format("# {}\n", line);
-    text += "# The scene leaves the damping out.\n";
+    text += "# The scene leaves the drag out.\n";
     const InertiaTensor inertia = InertiaTensor::from_matrix(fit.tensor(), Physicality::waived);
     const RotationState first{fit.first_time_s, measured.rows.front().space_from_body,
                               fit.omega_rad_s};
@@ -213,6 +246,7 @@ int run(const FitChoices& choices) {
     if (!choices.output.empty()) check_name_in_scene(choices.output, file);
     std::optional<Eigen::Vector3d> moments;
     if (!choices.moments.empty()) moments = moments_in(choices.moments);
+    const std::optional<DragModel> drag = drag_named(choices.drag);
     MeasuredMotion measured;
     FittedMotion fit;
     {
@@ -222,7 +256,7 @@ int run(const FitChoices& choices) {
         measured = load_measured(file);
         add_omega_by_differences(measured);
         try {
-            fit = fit_motion(measured.rows, moments);
+            fit = fit_motion(measured.rows, moments, drag);
         } catch (const InputError& error) {
             throw InputError(fmt::format("{}: {}", printable(file.string()), error.what()));
         }
@@ -255,8 +289,13 @@ CommandLine fit_line(std::any& storage) {
                            "the measured points"),
              {"--moments",
               "I,I,I: the principal moments in kg m², if they are known; then only the axes, the "
-              "start and the damping are fitted",
+              "start and the drag are fitted",
               &c.moments},
+             {"--drag",
+              "MODEL: none, linear, axes or quadratic, the torque of the air, −γL, −γ_i I_i ω_i or "
+              "−γ_i I_i |ω_i| ω_i along the principal axes; default: linear where this describes "
+              "the rows to their noise, else axes or quadratic",
+              &c.drag},
              json_option(c.json)},
             [&c] { return run(c); }};
 }
@@ -269,7 +308,7 @@ extern const Command fit_command{
     1,
     1,
     "find the body behind a measured ω(t) or attitude: ratios of moments, principal axes, start "
-    "and damping",
+    "and drag",
     fit_line,
     {{{"poinsot fit gyro.csv",
        "prints what a gyroscope's table says about the body, with uncertainties"},

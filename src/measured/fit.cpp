@@ -2,20 +2,20 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Dense>
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <optional>
-#include <unsupported/Eigen/NonLinearOptimization>
-#include <utility>
 #include <vector>
 
 #include "error/error.h"
+#include "measured/fit_start.h"
+#include "measured/flight_model.h"
 #include "measured/table_faults.h"
-#include "mechanics/free/free_rotation.h"
 
 namespace poinsot {
 
@@ -25,276 +25,10 @@ constexpr std::size_t most_rows = 20'000;
 constexpr std::size_t least_rows = 30;
 constexpr double most_turn_rad = 0.5;  // from row to row
 
-// What is fitted: the values of a family of tensors, then ω at the first instant, then the damping.
-using Parameters = Eigen::VectorXd;
-constexpr int n_besides_tensor = 4;
-Eigen::Vector3d omega_in(const Parameters& p) { return p.tail<n_besides_tensor>().head<3>(); }
-double damping_in(const Parameters& p) { return p[p.size() - 1]; }
-
-using Tensor = Eigen::Matrix3d;
-const std::array<Tensor, 5>& shapes() {
-    static const std::array<Tensor, 5> all = [] {
-        std::array<Tensor, 5> made;
-        const double half = std::sqrt(0.5);
-        made[0] = Eigen::Vector3d(half, -half, 0.0).asDiagonal();
-        made[1] = Eigen::Vector3d(1.0, 1.0, -2.0).asDiagonal();
-        made[1] /= std::sqrt(6.0);
-        for (int k = 0; k < 3; ++k) {
-            Tensor& off = made[2U + static_cast<std::size_t>(k)];
-            off.setZero();
-            off((k + 1) % 3, (k + 2) % 3) = off((k + 2) % 3, (k + 1) % 3) = half;
-        }
-        return made;
-    }();
-    return all;
-}
-
-// f of the eigenvalues of a symmetric tensor.
-template <typename Function>
-Tensor mapped(const Tensor& tensor, Function f) {
-    const Eigen::SelfAdjointEigenSolver<Tensor> eigen(tensor);
-    const Tensor made = eigen.eigenvectors() * eigen.eigenvalues().unaryExpr(f).asDiagonal() *
-                        eigen.eigenvectors().transpose();
-    return 0.5 * (made + made.transpose());  // symmetric to the last bit
-}
-
-// The tensors among which one is fitted. Without known moments these are five components of the
-// logarithm of the tensor, which has no trace, so that every value is a positive tensor of
-// determinant 1. With known moments these are turns about principal axes, from a first guess of
-// them; a turn about the axis of two equal moments changes nothing and is left out.
-class Family {
- public:
-    Family() = default;
-    // Precondition: moments in falling order.
-    Family(const Eigen::Vector3d& moments, const Eigen::Matrix3d& first_axes)
-        : moments_(moments), first_axes_(first_axes) {
-        for (int k = 0; k < 3; ++k)
-            if (moments[(k + 1) % 3] != moments[(k + 2) % 3]) turned_.push_back(k);
-    }
-
-    bool has_moments() const { return moments_.has_value(); }
-    const Eigen::Vector3d& moments() const { return *moments_; }
-    int n_of_tensor() const { return moments_ ? static_cast<int>(turned_.size()) : 5; }
-    int n_parameters() const { return n_of_tensor() + n_besides_tensor; }
-
-    // Precondition: the moments are known.
-    Eigen::Matrix3d axes(const Parameters& p) const {
-        Eigen::Vector3d turn = Eigen::Vector3d::Zero();
-        for (std::size_t k = 0; k < turned_.size(); ++k)
-            turn[turned_[k]] = p[static_cast<Eigen::Index>(k)];
-        const double angle = turn.norm();
-        if (!(angle > 0.0)) return first_axes_;
-        return first_axes_ * Eigen::AngleAxisd(angle, turn / angle).toRotationMatrix();
-    }
-
-    Tensor tensor(const Parameters& p) const {
-        if (moments_) {
-            const Eigen::Matrix3d turned = axes(p);
-            const Tensor made = turned * moments_->asDiagonal() * turned.transpose();
-            return 0.5 * (made + made.transpose());
-        }
-        Tensor logarithm = Tensor::Zero();
-        for (int k = 0; k < 5; ++k) logarithm += p[k] * shapes()[static_cast<std::size_t>(k)];
-        return mapped(logarithm, [](double x) { return std::exp(x); });
-    }
-
-    // The parameters of a tensor; with known moments those of the first axes.
-    Parameters parameters(const Tensor& tensor, const Eigen::Vector3d& omega,
-                          double damping) const {
-        Parameters p = Parameters::Zero(n_parameters());
-        if (!moments_) {
-            const Tensor logarithm = mapped(tensor, [](double x) { return std::log(x); });
-            for (int k = 0; k < 5; ++k)
-                p[k] = logarithm.cwiseProduct(shapes()[static_cast<std::size_t>(k)]).sum();
-        }
-        p.tail<n_besides_tensor>() << omega, damping;
-        return p;
-    }
-
- private:
-    std::optional<Eigen::Vector3d> moments_;
-    Eigen::Matrix3d first_axes_ = Eigen::Matrix3d::Identity();
-    std::vector<int> turned_;  // the axes about which a turn changes the tensor
-};
-
-// The time that a free motion takes for what the damped one does in t, over it: (1 − e^(−γt))/(γt).
-double slowed(double damping, double t) {
-    const double x = damping * t;
-    return std::abs(x) < 1e-12 ? 1.0 : -std::expm1(-x) / x;
-}
-
-// The damped motion of some parameters.
-class Model {
- public:
-    Model(const Family& family, const Parameters& p)
-        : free_(InertiaTensor::from_matrix(family.tensor(p), Physicality::waived),
-                RotationState{0.0, Eigen::Quaterniond::Identity(), omega_in(p)}),
-          damping_(damping_in(p)) {}
-
-    // `t`: since the first row.
-    Eigen::Vector3d omega(double t) const {
-        const Quantities omega_alone{.attitude = false};
-        return std::exp(-damping_ * t) *
-               free_.sample(t * slowed(damping_, t), omega_alone).state.omega_body;
-    }
-
- private:
-    FreeRotation free_;
-    double damping_;
-};
-
-// Model less measurement, three components a row.
-struct Residuals {
-    std::span<const MeasuredRow> rows;
-    const Family* family;
-
-    Eigen::Index n_values() const { return static_cast<Eigen::Index>(3 * rows.size()); }
-
-    Eigen::VectorXd at(const Parameters& p) const {
-        Eigen::VectorXd out(n_values());
-        const Model model(*family, p);
-        for (std::size_t i = 0; i < rows.size(); ++i)
-            out.segment<3>(static_cast<Eigen::Index>(3 * i)) =
-                model.omega(rows[i].time_s - rows.front().time_s) - rows[i].omega_body;
-        return out;
-    }
-    // Central differences: the model is smooth, and exact to rounding.
-    Eigen::MatrixXd jacobian_at(const Parameters& p) const {
-        Eigen::MatrixXd jacobian(n_values(), p.size());
-        const double rate = omega_in(p).norm();
-        const int n_of_tensor = family->n_of_tensor();
-        for (int k = 0; k < p.size(); ++k) {
-            const double step = 1e-6 * (k < n_of_tensor       ? 1.0
-                                        : k < n_of_tensor + 3 ? rate
-                                                              : 1.0 / span_s());
-            Parameters above = p, below = p;
-            above[k] += step;
-            below[k] -= step;
-            jacobian.col(k) = (at(above) - at(below)) / (2.0 * step);
-        }
-        return jacobian;
-    }
-    double span_s() const { return rows.back().time_s - rows.front().time_s; }
-};
-
 double rate_of(std::span<const MeasuredRow> rows) {
     double sum = 0.0;
     for (const MeasuredRow& row : rows) sum += row.omega_body.squaredNorm();
     return std::sqrt(sum / static_cast<double>(rows.size()));
-}
-
-// The six elements of a symmetric tensor.
-constexpr std::array<std::array<int, 2>, 6> places{
-    {{0, 0}, {1, 1}, {2, 2}, {1, 2}, {0, 2}, {0, 1}}};
-using Elements = Eigen::Matrix<double, 6, 1>;
-using Normal = Eigen::Matrix<double, 6, 6>;
-
-// Euler's equations, integrated over windows of this angle: J(ω_b − ω_a) + ∫ ω × Jω dt = 0 is
-// linear in J. With damping, the same holds for e^(γt) ω in the time (1 − e^(−γt))/γ. Returns the
-// matrix of the sum of squares of what is left, as a form in the elements of J; zero for rows too
-// short.
-Normal normal_of(std::span<const MeasuredRow> rows, double damping, double window_rad) {
-    using Row = Eigen::Matrix<double, 3, 6>;
-    std::array<Tensor, 6> basis;
-    for (std::size_t k = 0; k < 6; ++k) {
-        basis[k].setZero();
-        basis[k](places[k][0], places[k][1]) = basis[k](places[k][1], places[k][0]) = 1.0;
-    }
-    const double start = rows.front().time_s;
-    std::vector<Row> sums(rows.size(), Row::Zero()), ends(rows.size());
-    std::vector<double> times(rows.size());
-    Row before = Row::Zero();
-    for (std::size_t i = 0; i < rows.size(); ++i) {
-        const double t = rows[i].time_s - start;
-        times[i] = t * slowed(damping, t);
-        const Eigen::Vector3d omega = std::exp(damping * t) * rows[i].omega_body;
-        Row turning;
-        for (int k = 0; k < 6; ++k) {
-            const Eigen::Vector3d momentum = basis[static_cast<std::size_t>(k)] * omega;
-            ends[i].col(k) = momentum;
-            turning.col(k) = omega.cross(momentum);
-        }
-        if (i > 0) sums[i] = sums[i - 1] + 0.5 * (times[i] - times[i - 1]) * (turning + before);
-        before = turning;
-    }
-    const double window = window_rad / rate_of(rows);
-    Normal normal = Normal::Zero();
-    std::size_t b = 0;
-    for (std::size_t a = 0; a < rows.size(); ++a) {
-        while (b < rows.size() && times[b] - times[a] < window) ++b;
-        if (b == rows.size()) break;
-        const Row row = ends[b] - ends[a] + sums[b] - sums[a];
-        normal += row.transpose() * row;
-    }
-    return normal;
-}
-
-// The tensor with the least rest, and this rest as a share.
-std::pair<Tensor, double> first_tensor(const Normal& normal) {
-    // Rows too short for a window say nothing.
-    if (normal.isZero(0.0)) return {Tensor::Identity(), std::numeric_limits<double>::infinity()};
-    const Eigen::SelfAdjointEigenSolver<Normal> eigen(normal);
-    Tensor tensor;
-    for (int k = 0; k < 6; ++k) {
-        const auto [i, j] = places[static_cast<std::size_t>(k)];
-        tensor(i, j) = tensor(j, i) = eigen.eigenvectors()(k, 0);
-    }
-    if (tensor.trace() < 0.0) tensor = -tensor;
-    const double largest = Eigen::SelfAdjointEigenSolver<Tensor>(tensor).eigenvalues().maxCoeff();
-    // Noise may make a moment negative.
-    tensor = mapped(tensor / largest, [](double x) { return std::max(x, 0.05); });
-    return {tensor, eigen.eigenvalues()[0] / std::max(normal.trace(), 1e-300)};
-}
-
-// As Eigen's Levenberg–Marquardt method, which is MINPACK's, wants them.
-struct LeastSquares {
-    using Scalar = double;
-    enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
-    using InputType = Eigen::VectorXd;
-    using ValueType = Eigen::VectorXd;
-    using JacobianType = Eigen::MatrixXd;
-
-    Residuals residuals;
-
-    int inputs() const { return residuals.family->n_parameters(); }
-    int values() const { return static_cast<int>(residuals.n_values()); }
-    int operator()(const Eigen::VectorXd& p, Eigen::VectorXd& out) const {
-        // Beyond moments of 1 : 5e-6, exponentials lose their digits. More than half a turn about
-        // an axis is a turn the other way.
-        constexpr double far_off = 1e9, most_logarithm = 10.0;
-        if (p.allFinite() &&
-            p.head(p.size() - n_besides_tensor).cwiseAbs().maxCoeff() < most_logarithm)
-            out = residuals.at(p);
-        else
-            out.setConstant(far_off);
-        return 0;
-    }
-    int df(const Eigen::VectorXd& p, Eigen::MatrixXd& jacobian) const {
-        jacobian = residuals.jacobian_at(p);
-        return 0;
-    }
-};
-
-// Least squares over the first rows, then over twice as many, and so on: each fit is near enough
-// for the next to keep count of the periods.
-Parameters fitted(const Family& family, std::span<const MeasuredRow> rows, Parameters start,
-                  double first_span_s) {
-    const auto n_within = [rows](double span_s) {
-        const auto end =
-            std::upper_bound(rows.begin(), rows.end(), rows.front().time_s + span_s,
-                             [](double t, const MeasuredRow& row) { return t < row.time_s; });
-        return std::max<std::size_t>(least_rows, static_cast<std::size_t>(end - rows.begin()));
-    };
-    for (double span_s = first_span_s;; span_s *= 2.0) {
-        const std::size_t n = std::min(rows.size(), n_within(span_s));
-        LeastSquares problem{Residuals{rows.first(n), &family}};
-        Eigen::LevenbergMarquardt<LeastSquares> method(problem);
-        method.parameters.maxfev = 200;
-        Eigen::VectorXd p = start;
-        method.minimize(p);
-        start = p;
-        if (n == rows.size()) return start;
-    }
 }
 
 // The noise of a component, from sixth differences, to which a smooth motion adds little: the
@@ -351,143 +85,175 @@ void check_wandering(std::span<const MeasuredRow> rows) {
             "measure a motion whose axis of rotation wanders through the body");
 }
 
-// Principal axes with I1 ≥ I2 ≥ I3 in units of I1.
-struct Principal {
-    Eigen::Vector3d moments;
-    Eigen::Matrix3d axes;
-};
-// Each axis points near that of `near`, or to the positive side of its largest component.
-void point_axes(Eigen::Matrix3d& axes, const Eigen::Matrix3d* near) {
+// Each axis points to the positive side of its largest component.
+void point_axes(Eigen::Matrix3d& axes) {
     for (int k = 0; k < 3; ++k) {
         Eigen::Index largest = 0;
         axes.col(k).cwiseAbs().maxCoeff(&largest);
-        const double side = near != nullptr ? axes.col(k).dot(near->col(k)) : axes(largest, k);
-        if (side < 0.0) axes.col(k) *= -1.0;
+        if (axes(largest, k) < 0.0) axes.col(k) *= -1.0;
     }
     if (axes.determinant() < 0.0) axes.col(2) *= -1.0;
 }
-Principal principal(const Tensor& tensor, const Eigen::Matrix3d* near = nullptr) {
-    const Eigen::SelfAdjointEigenSolver<Tensor> eigen(tensor);
-    Principal found{eigen.eigenvalues().reverse() / eigen.eigenvalues()[2],
-                    eigen.eigenvectors().rowwise().reverse()};
-    point_axes(found.axes, near);
-    return found;
+
+// What is known beforehand, and so is not fitted.
+using IsFitted = std::array<bool, most_flight_changes>;
+IsFitted fitted_changes(const std::optional<Eigen::Vector3d>& moments, DragModel drag) {
+    IsFitted is_fitted{};
+    for (int k = 0; k < n_changes(drag); ++k) is_fitted[static_cast<std::size_t>(k)] = true;
+    if (!moments) return is_fitted;
+    is_fitted[0] = is_fitted[1] = false;
+    // A turn about the axis of two equal moments changes nothing.
+    for (int k = 0; k < 3; ++k)
+        if ((*moments)[(k + 1) % 3] == (*moments)[(k + 2) % 3])
+            is_fitted[static_cast<std::size_t>(2 + k)] = false;
+    return is_fitted;
+}
+int count(const IsFitted& is_fitted) {
+    return static_cast<int>(std::count(is_fitted.begin(), is_fitted.end(), true));
 }
 
-// The same of a value of a family; known moments stay exactly what they are, and so do the axes of
-// equal ones.
-Principal principal_of(const Family& family, const Parameters& p,
-                       const Eigen::Matrix3d* near = nullptr) {
-    if (!family.has_moments()) return principal(family.tensor(p), near);
-    Principal found{family.moments() / family.moments()[0], family.axes(p)};
-    point_axes(found.axes, near);
-    return found;
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_flight_changes,
+                             most_flight_changes>;
+using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_flight_changes, 1>;
+
+// The places of what is fitted.
+std::vector<int> places_of(const IsFitted& is_fitted) {
+    std::vector<int> places;
+    places.reserve(is_fitted.size());
+    for (std::size_t k = 0; k < is_fitted.size(); ++k)
+        if (is_fitted[k]) places.push_back(static_cast<int>(k));
+    return places;
+}
+Square chosen(const FlightSquare& square, const std::vector<int>& places) {
+    const auto n = static_cast<Eigen::Index>(places.size());
+    Square normal(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index k = 0; k < n; ++k)
+            normal(i, k) =
+                square(places[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(k)]);
+    return normal;
 }
 
-// A family of tensors and where to start in it.
-struct Start {
-    Family family;
-    Parameters parameters;
-    double rest = std::numeric_limits<double>::infinity();  // of Euler's equations
+struct FoundFlight {
+    Flight flight;
+    double squares = std::numeric_limits<double>::infinity();
 };
 
-// That of these dampings which Euler's equations hold best with, for windows of this angle. Each is
-// given by γ times the span of the rows.
-constexpr std::array<double, 6> losses{0.0, 0.1, 0.3, 1.0, 2.0, 4.0};
-Start start_of(std::span<const MeasuredRow> rows, double window_rad,
-               std::span<const double> tried = losses) {
-    const double span_s = rows.back().time_s - rows.front().time_s;
-    Start start;
-    start.parameters = start.family.parameters(Tensor::Identity(), rows.front().omega_body, 0.0);
-    for (const double loss : tried) {
-        const auto [tensor, rest] = first_tensor(normal_of(rows, loss / span_s, window_rad));
-        if (!(rest < start.rest)) continue;
-        start.rest = rest;
-        start.parameters = start.family.parameters(tensor, rows.front().omega_body, loss / span_s);
-    }
-    return start;
-}
-
-// What is tried, best first. With known moments, in falling order, noise may have put the axes of a
-// first tensor into another order: those orders that Euler's equations hold best with are tried.
-std::vector<Start> starts_of(std::span<const MeasuredRow> rows,
-                             const std::optional<Eigen::Vector3d>& moments) {
-    std::vector<Start> starts;
-    for (const double window_rad : {1.0, 0.5, 2.0, 4.0}) {
-        const Start free = start_of(rows, window_rad);
-        if (!moments) {
-            starts.push_back(free);
-            continue;
+// Levenberg's and Marquardt's method on the rows as a whole.
+FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
+                      const IsFitted& is_fitted) {
+    constexpr int most_steps = 60;
+    constexpr double least_gain = 1e-9, most_trust = 1e12, widest_log = 11.0;
+    const std::vector<int> places = places_of(is_fitted);
+    Flight flight = start;
+    FlightSums sums = flight_sums(flight, rows);
+    double trust = 1e-3;
+    for (int n_steps = 0; n_steps < most_steps && std::isfinite(sums.squares); ++n_steps) {
+        const Square normal = chosen(sums.normal, places);
+        Column gradient(normal.rows());
+        for (Eigen::Index i = 0; i < gradient.size(); ++i)
+            gradient[i] = sums.gradient[places[static_cast<std::size_t>(i)]];
+        Square damped = normal;
+        const double floor = 1e-12 * normal.diagonal().maxCoeff();
+        for (Eigen::Index i = 0; i < damped.rows(); ++i)
+            damped(i, i) += trust * normal(i, i) + floor;
+        const Column step = damped.ldlt().solve(-gradient);
+        FlightChange by = FlightChange::Zero();
+        for (Eigen::Index i = 0; i < step.size(); ++i)
+            by[places[static_cast<std::size_t>(i)]] = step[i];
+        if (!by.allFinite()) break;
+        const Flight next = changed(flight, by);
+        const bool is_tried = by.head<n_of_body>().cwiseAbs().maxCoeff() < 2.0 &&
+                              next.moments.array().log().abs().maxCoeff() < widest_log;
+        FlightSums there;
+        there.squares = std::numeric_limits<double>::infinity();
+        if (is_tried) there = flight_sums(next, rows);
+        if (there.squares < sums.squares) {
+            const double gain = 1.0 - there.squares / sums.squares;
+            flight = next;
+            sums = there;
+            trust = std::max(trust * 0.1, 1e-9);
+            if (gain < least_gain) break;
+        } else {
+            trust *= 8.0;
+            if (trust > most_trust || by.cwiseAbs().maxCoeff() < 1e-13) break;
         }
-        const double damping = damping_in(free.parameters);
-        const Normal normal = normal_of(rows, damping, window_rad);
-        const Eigen::Matrix3d axes = principal(free.family.tensor(free.parameters)).axes;
-        std::array<int, 3> order{0, 1, 2};
-        do {
-            Eigen::Matrix3d ordered;
-            for (int k = 0; k < 3; ++k)
-                ordered.col(k) = axes.col(order[static_cast<std::size_t>(k)]);
-            if (ordered.determinant() < 0.0) ordered.col(2) *= -1.0;
-            Start start{Family(*moments, ordered), {}};
-            start.parameters =
-                start.family.parameters(Tensor::Identity(), rows.front().omega_body, damping);
-            const Tensor tensor = start.family.tensor(start.parameters);
-            Elements elements;
-            for (int k = 0; k < 6; ++k) {
-                const auto [i, j] = places[static_cast<std::size_t>(k)];
-                elements[k] = tensor(i, j);
-            }
-            start.rest = elements.dot(normal * elements) /
-                         std::max(normal.trace() * elements.squaredNorm(), 1e-300);
-            starts.push_back(std::move(start));
-        } while (std::next_permutation(order.begin(), order.end()));
     }
-    // Noise may also make the wrong damping look best.
-    if (!moments)
-        for (const double& loss : losses)
-            starts.push_back(start_of(rows, 1.0, std::span(&loss, 1)));
-    if (moments) {
-        constexpr std::size_t most = 6;
-        std::stable_sort(starts.begin(), starts.end(),
-                         [](const Start& a, const Start& b) { return a.rest < b.rest; });
-        starts.resize(std::min(starts.size(), most));
-    }
-    return starts;
+    return {flight, sums.squares};
 }
 
-// From a first tensor or a first span that is far off, another minimum may be found: starts are
-// tried until one leaves no more than noise, or the least of all counts.
-Start best_fit(std::span<const MeasuredRow> rows, const std::optional<Eigen::Vector3d>& moments) {
-    const double noise = 1.2 * noise_of(rows);
-    const std::vector<Start> starts = starts_of(rows, moments);
-    Start best;
-    double least = std::numeric_limits<double>::infinity();
+// Least squares over the first rows, then over twice as many, and so on: each fit is near enough
+// for the next to keep count of the periods.
+FoundFlight grown(std::span<const MeasuredRow> rows, Flight start, const IsFitted& is_fitted,
+                  double first_span_rad) {
+    for (double span = first_span_rad;; span *= 2.0) {
+        const auto end =
+            std::upper_bound(rows.begin(), rows.end(), rows.front().time_s + span,
+                             [](double t, const MeasuredRow& row) { return t < row.time_s; });
+        const std::size_t n = std::min(
+            rows.size(), std::max(least_rows, static_cast<std::size_t>(end - rows.begin())));
+        const FoundFlight found = minimised(rows.first(n), start, is_fitted);
+        if (n == rows.size()) return found;
+        start = found.flight;
+    }
+}
+
+// Starts are tried until one leaves no more than noise, or until two of them end in the same least
+// minimum.
+FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
+                     const std::optional<Eigen::Vector3d>& moments) {
+    const IsFitted is_fitted = fitted_changes(moments, DragModel::linear);
+    const double most_noise = 1.2 * noise;
+    const double n_values = static_cast<double>(3 * rows.size()) - count(is_fitted);
+    FoundFlight best;
+    constexpr double same = 1e-3, near_share = 0.05;
     for (const double first_span_rad : {12.0, 5.0, 30.0})
-        for (const Start& start : starts) {
-            const Parameters found =
-                fitted(start.family, rows, start.parameters, first_span_rad / rate_of(rows));
-            const double square = Residuals{rows, &start.family}.at(found).squaredNorm();
-            if (square < least) {
-                least = square;
-                best = start;
-                best.parameters = found;
-            }
-            const auto n_values = static_cast<double>(3 * rows.size()) -
-                                  static_cast<double>(start.family.n_parameters());
-            if (least < noise * noise * n_values) return best;
+        for (const Flight& start : first_flights(rows, moments)) {
+            const FoundFlight found = grown(rows, start, is_fitted, first_span_rad);
+            const bool is_same = std::abs(found.squares - best.squares) < same * best.squares;
+            if (found.squares < best.squares) best = found;
+            if (best.squares < most_noise * most_noise * n_values) return best;
+            if (is_same && best.squares < near_share * near_share * n_values) return best;
         }
     return best;
 }
 
 // Whether L² = 2T·I2 but for rounding. Then sech and tanh of ω(t) fit a family of bodies: k = 1
 // says nothing more about the moments.
-bool is_on_separatrix(const Principal& body, const Eigen::Vector3d& omega) {
-    const Eigen::Vector3d squares = (body.axes.transpose() * omega).cwiseAbs2();
-    const double twice_energy = body.moments.dot(squares);
-    const double momentum_squared = body.moments.cwiseAbs2().dot(squares);
+bool is_on_separatrix(const Flight& flight) {
+    const Eigen::Vector3d squares = (flight.axes.transpose() * flight.omega).cwiseAbs2();
+    const double twice_energy = flight.moments.dot(squares);
+    const double momentum_squared = flight.moments.cwiseAbs2().dot(squares);
     constexpr double nearest = 1e-6;
-    return std::abs(momentum_squared / twice_energy - body.moments[1]) <
-           nearest * (body.moments[0] - body.moments[2]);
+    return std::abs(momentum_squared / twice_energy - flight.moments[1]) <
+           nearest * (flight.moments[0] - flight.moments[2]);
+}
+
+// I1 ≥ I2 ≥ I3 in units of I1, and axes whose largest components are positive.
+Flight in_order(const Flight& flight) {
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(),
+                     [&flight](int a, int b) { return flight.moments[a] > flight.moments[b]; });
+    Flight made = flight;
+    for (int k = 0; k < 3; ++k) {
+        const int from = order[static_cast<std::size_t>(k)];
+        made.moments[k] = flight.moments[from] / flight.moments[order[0]];
+        made.axes.col(k) = flight.axes.col(from);
+        if (flight.drag != DragModel::linear) made.drag_rates[k] = flight.drag_rates[from];
+    }
+    point_axes(made.axes);
+    return made;
+}
+
+// How much the residual of a row is like that of the row before it.
+double correlation_of(const std::vector<Eigen::Vector3d>& residuals) {
+    double squares = 0.0, products = 0.0;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        squares += residuals[i].squaredNorm();
+        if (i > 0) products += residuals[i].dot(residuals[i - 1]);
+    }
+    constexpr double most = 0.99;
+    return squares > 0.0 ? std::clamp(products / squares, 0.0, most) : 0.0;
 }
 
 // Every so many rows, evenly, so that no more than most_rows are left, but none of them so far
@@ -527,10 +293,43 @@ void check(std::span<const MeasuredRow> rows) {
                         2.0 * rate));
 }
 
+std::vector<MeasuredRow> scaled_by(std::span<const MeasuredRow> rows, double rate) {
+    std::vector<MeasuredRow> scaled(rows.begin(), rows.end());
+    for (MeasuredRow& row : scaled) {
+        row.time_s = (row.time_s - rows.front().time_s) * rate;
+        row.omega_body /= rate;
+    }
+    return scaled;
+}
+
+// The richer air: from the linear fit on, whose damping the three axes share at first.
+FoundFlight with_drag(std::span<const MeasuredRow> rows, const FoundFlight& linear, DragModel drag,
+                      const std::optional<Eigen::Vector3d>& moments) {
+    if (drag == DragModel::linear) return linear;
+    Flight start = linear.flight;
+    start.drag = drag;
+    start.drag_rates.setConstant(drag == DragModel::none ? 0.0 : linear.flight.drag_rates[0]);
+    return minimised(rows, start, fitted_changes(moments, drag));
+}
+
 }  // namespace
 
+std::string_view name_of(DragModel drag) {
+    switch (drag) {
+        case DragModel::none:
+            return "none";
+        case DragModel::axes:
+            return "axes";
+        case DragModel::quadratic:
+            return "quadratic";
+        default:
+            return "linear";
+    }
+}
+
 FittedMotion fit_motion(std::span<const MeasuredRow> all,
-                        const std::optional<Eigen::Vector3d>& moments_kg_m2) {
+                        const std::optional<Eigen::Vector3d>& moments_kg_m2,
+                        const std::optional<DragModel>& wanted) {
     std::optional<Eigen::Vector3d> moments = moments_kg_m2;
     if (moments) std::sort(moments->begin(), moments->end(), std::greater<>());
     if (moments && (*moments)[0] == (*moments)[2])
@@ -538,69 +337,80 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
             "the three moments are equal: every axis of such a body is a principal axis, and its ω "
             "does not change");
     check(all);
-    const std::vector<MeasuredRow> rows = thinned(all);
-    check(rows);
-    check_wandering(rows);
-    const Start best = best_fit(rows, moments);
-    const Family& family = best.family;
-    const Parameters& p = best.parameters;
-    const Residuals residuals{rows, &family};
-    const Eigen::MatrixXd jacobian = residuals.jacobian_at(p);
-    const double variance =
-        residuals.at(p).squaredNorm() / static_cast<double>(residuals.n_values() - p.size());
-    const double rate = rate_of(rows);
-    const double residual = std::sqrt(variance);
-    if (!(residual < std::max(most_residual_share * rate, 1.5 * noise_of(rows))))
-        throw_no_motion(residual, rate);
+    const std::vector<MeasuredRow> unscaled = thinned(all);
+    check(unscaled);
+    check_wandering(unscaled);
+    const double rate = rate_of(unscaled);
+    const double noise = noise_of(unscaled) / rate;
+    const std::vector<MeasuredRow> rows = scaled_by(unscaled, rate);
+
+    const FoundFlight linear = best_fit(rows, noise, moments);
+    const auto residual_of = [&rows, &moments](const FoundFlight& found) {
+        const int n = count(fitted_changes(moments, found.flight.drag));
+        return std::sqrt(found.squares / (static_cast<double>(3 * rows.size()) - n));
+    };
+    FoundFlight best = linear;
+    constexpr double like_noise = 1.2, rounding_of_rows = 1e-6;
+    if (wanted)
+        best = with_drag(rows, linear, *wanted, moments);
+    else if (residual_of(linear) > std::max(like_noise * noise, rounding_of_rows))
+        for (const DragModel drag : {DragModel::axes, DragModel::quadratic}) {
+            const FoundFlight richer = with_drag(rows, linear, drag, moments);
+            if (residual_of(richer) < residual_of(best)) best = richer;
+        }
+    best.flight = in_order(best.flight);
+    if (moments) best.flight.moments = *moments / (*moments)[0];
+    const Flight& flight = best.flight;
+    const double residual = residual_of(best);
+    if (!(residual < std::max(most_residual_share, 1.5 * noise)))
+        throw_no_motion(residual * rate, rate);
+
+    const std::vector<int> places = places_of(fitted_changes(moments, flight.drag));
+    std::vector<Eigen::Vector3d> residuals;
+    const Square normal = chosen(flight_sums(flight, rows, &residuals).normal, places);
     // Scaled, so that units do not matter.
-    const Eigen::VectorXd scale = jacobian.colwise().norm().cwiseInverse();
-    const Eigen::MatrixXd scaled = jacobian * scale.asDiagonal();
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(scaled.transpose() * scaled);
+    const Column scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+    if (!scale.allFinite()) throw_undetermined();
+    const Eigen::SelfAdjointEigenSolver<Square> eigen(
+        Square(scale.asDiagonal() * normal * scale.asDiagonal()));
     constexpr double least_eigenvalue = 1e-13;
     if (!(eigen.eigenvalues()[0] > least_eigenvalue)) throw_undetermined();
-    const Eigen::MatrixXd covariance =
-        variance * (scale.asDiagonal() * eigen.eigenvectors() *
-                    eigen.eigenvalues().cwiseInverse().asDiagonal() *
-                    eigen.eigenvectors().transpose() * scale.asDiagonal());
-
-    const Principal found = principal_of(family, p);
-    if (!moments && is_on_separatrix(found, omega_in(p))) throw_undetermined();
-    // Moments and axes change with the tensor's parameters.
-    const int n_of_tensor = family.n_of_tensor();
-    Eigen::MatrixXd change(6, n_of_tensor);
-    constexpr double step = 1e-6;
-    for (int k = 0; k < n_of_tensor; ++k) {
-        const auto moved = [&](double by) {
-            Parameters q = p;
-            q[k] += by;
-            const Principal there = principal_of(family, q, &found.axes);
-            const Eigen::Matrix3d turn = found.axes.transpose() * there.axes;
-            Eigen::Matrix<double, 6, 1> values;
-            values << there.moments, turn(2, 1), turn(0, 2), turn(1, 0);
-            return values;
-        };
-        change.col(k) = (moved(step) - moved(-step)) / (2.0 * step);
+    if (!moments && is_on_separatrix(flight)) throw_undetermined();
+    const double correlation = correlation_of(residuals);
+    const Square spread = chosen(flight_sums(flight, rows, nullptr, correlation).spread, places);
+    const Square inverse = eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
+                           eigen.eigenvectors().transpose();
+    const Square scaled_spread = scale.asDiagonal() * spread * scale.asDiagonal();
+    const Square covariance = inverse * scaled_spread * inverse;
+    FlightChange sd = FlightChange::Zero();
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        sd[places[k]] = residual * std::sqrt(std::max(covariance(i, i), 0.0)) * scale[i];
     }
-    const Eigen::Matrix<double, 6, 6> spread =
-        change * covariance.topLeftCorner(n_of_tensor, n_of_tensor) * change.transpose();
-    const auto sd = [](double square) { return std::sqrt(std::max(square, 0.0)); };
 
     FittedMotion fit;
-    fit.first_time_s = rows.front().time_s;
-    fit.omega_rad_s = omega_in(p);
-    fit.moments = found.moments;
+    fit.first_time_s = unscaled.front().time_s;
+    fit.omega_rad_s = rate * flight.omega;
+    fit.omega_sd_rad_s = rate * sd.segment<3>(first_of_omega);
+    fit.moments = flight.moments;
+    fit.moments_sd = Eigen::Vector3d(0.0, flight.moments[1] * sd[0], flight.moments[2] * sd[1]);
     if (moments) fit.I1_kg_m2 = (*moments)[0];
-    fit.instrument_from_principal = found.axes;
-    for (int k = 0; k < 3; ++k) {
-        fit.moments_sd[k] = sd(spread(k, k));
-        fit.axes_sd_rad[k] = sd(spread(3 + k, 3 + k));
-        fit.omega_sd_rad_s[k] = sd(covariance(n_of_tensor + k, n_of_tensor + k));
+    fit.instrument_from_principal = flight.axes;
+    fit.axes_sd_rad = sd.segment<3>(2);
+    fit.drag = flight.drag;
+    const double drag_unit = flight.drag == DragModel::quadratic ? 1.0 : rate;
+    fit.drag_rates = drag_unit * flight.drag_rates;
+    fit.drag_rates_sd = drag_unit * sd.tail<3>();
+    if (flight.drag == DragModel::none) fit.drag_rates.setZero();
+    if (flight.drag == DragModel::linear) {
+        fit.drag_rates.setConstant(fit.drag_rates[0]);
+        fit.drag_rates_sd.setConstant(fit.drag_rates_sd[0]);
     }
-    fit.damping_1_s = damping_in(p);
-    fit.damping_sd_1_s = sd(covariance(p.size() - 1, p.size() - 1));
-    fit.residual_rad_s = residual;
+    fit.residual_rad_s = rate * residual;
+    fit.linear_residual_rad_s = rate * residual_of(linear);
+    fit.correlation = correlation;
     fit.n_rows = rows.size();
-    fit.noise_rad_s = noise_of(rows);
+    fit.noise_rad_s = rate * noise;
     if (constexpr double most = 0.25; fit.moments_sd.maxCoeff() > most) throw_undetermined();
     return fit;
 }

@@ -6,14 +6,19 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "measured/measured_motion.h"
 
 namespace poinsot {
 
-// A free motion, damped by a torque N = −γL: this keeps the polhode, and
-// ω(t) = e^(−γt) ω_free((1 − e^(−γt))/γ), so that the damped motion is exact at any instant, too.
-// Uncertainties are standard deviations that the scatter of the residuals implies.
+// The torque of the air, along the body's principal axes, for moments of inertia I_i:
+//   linear: −γ L, which keeps the polhode; axes: −γ_i I_i ω_i; quadratic: −γ_i I_i |ω_i| ω_i.
+enum class DragModel { none, linear, axes, quadratic };
+std::string_view name_of(DragModel drag);
+
+// A motion that is free but for the air. Uncertainties are standard deviations that the residuals
+// imply, as large and as alike from row to row as they are.
 struct FittedMotion {
     double first_time_s = 0.0;    // of the first row
     Eigen::Vector3d omega_rad_s;  // then, instrument axes
@@ -23,9 +28,13 @@ struct FittedMotion {
     std::optional<double> I1_kg_m2;  // if the moments were given
     Eigen::Matrix3d instrument_from_principal;  // a proper rotation, columns e1, e2, e3
     Eigen::Vector3d axes_sd_rad;                // of turns about e1, e2, e3
-    double damping_1_s = 0.0, damping_sd_1_s = 0.0;
-    double residual_rad_s = 0.0;  // root mean square of a component of ω
-    std::size_t n_rows = 0;       // that were used
+    DragModel drag = DragModel::linear;
+    // γ_i in 1/s, for the quadratic drag in 1/rad; three times the same for the linear one.
+    Eigen::Vector3d drag_rates, drag_rates_sd;
+    double linear_residual_rad_s = 0.0;  // what linear drag leaves
+    double correlation = 0.0;            // of the residuals from one row to the next
+    double residual_rad_s = 0.0;         // root mean square of a component of ω
+    std::size_t n_rows = 0;              // that were used
 
     double noise_rad_s = 0.0;  // of a component, as the rows scatter from one to the next
 
@@ -43,8 +52,10 @@ struct FittedMotion {
 // InputError for fewer than 30 rows, a body at rest, samples too far apart to follow the turning, a
 // turn about one axis, which says nothing about the other moments, and motions that no rigid body
 // makes. `moments_kg_m2`: the body's principal moments in any order, if they are known; then only
-// axes, start and damping are fitted.
+// axes, start and drag are fitted. Without `drag` it is linear where this describes the rows to
+// their noise, else the one of `axes` and `quadratic` that describes them better.
 FittedMotion fit_motion(std::span<const MeasuredRow> rows,
-                        const std::optional<Eigen::Vector3d>& moments_kg_m2 = {});
+                        const std::optional<Eigen::Vector3d>& moments_kg_m2 = {},
+                        const std::optional<DragModel>& drag = {});
 
 }  // namespace poinsot

@@ -87,7 +87,7 @@ TEST(Fit, OfExactRowsGivesTheBodyThatMadeThem) {
             EXPECT_NEAR(std::abs(fit.instrument_from_principal.col(k).dot(truth.axes.col(k))), 1.0,
                         1e-10);
         EXPECT_LT((fit.omega_rad_s - truth.omega).norm(), 1e-5);
-        EXPECT_NEAR(fit.damping_1_s, truth.damping_1_s, 1e-6);
+        EXPECT_NEAR(fit.drag_rates[0], truth.damping_1_s, 1e-6);
         EXPECT_NEAR(fit.instrument_from_principal.determinant(), 1.0, 1e-12);
     }
 }
@@ -121,7 +121,7 @@ void expect_covered(int n_bodies, unsigned seed) {
         for (int k = 0; k < 3; ++k)
             count(static_cast<std::size_t>(5 + k), fit.omega_rad_s[k] - truth.omega[k],
                   fit.omega_sd_rad_s[k]);
-        count(8, fit.damping_1_s - truth.damping_1_s, fit.damping_sd_1_s);
+        count(8, fit.drag_rates[0] - truth.damping_1_s, fit.drag_rates_sd[0]);
         EXPECT_NEAR(fit.residual_rad_s, noise, 0.15 * noise) << i;
     }
     // Four standard deviations of the count.

@@ -1,0 +1,53 @@
+// ω(t) of a rigid body in free flight through air, with its derivatives with respect to moments,
+// axes, start and drag, evaluated together.
+#pragma once
+
+#include <Eigen/Core>
+#include <span>
+#include <vector>
+
+#include "measured/fit.h"
+#include "measured/measured_motion.h"
+
+namespace poinsot {
+
+// The body, its start and the air. Times are taken from the first row on.
+struct Flight {
+    Eigen::Vector3d moments = Eigen::Vector3d::Ones();   // in any unit
+    Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // instrument from principal
+    Eigen::Vector3d omega = Eigen::Vector3d::Zero();     // at the first row, instrument axes
+    DragModel drag = DragModel::linear;
+    Eigen::Vector3d drag_rates = Eigen::Vector3d::Zero();  // γ_i, see DragModel
+};
+
+// Small changes of a flight, in this order: ln I2 and ln I3, turns about e1, e2, e3, the three
+// components of ω at the first row, and the rates of the drag (one for `linear`).
+constexpr int n_of_body = 5, first_of_omega = 5, first_of_drag = 8, most_flight_changes = 11;
+int n_changes(DragModel drag);
+using FlightChange = Eigen::Matrix<double, most_flight_changes, 1>;
+using FlightDerivative = Eigen::Matrix<double, 3, most_flight_changes>;
+Flight changed(const Flight& flight, const FlightChange& by);
+
+// Sums over the rows of squares and products of the residuals r (model less measurement) and of
+// their derivatives J.
+using FlightSquare = Eigen::Matrix<double, most_flight_changes, most_flight_changes>;
+struct FlightSums {
+    double squares = 0.0;                          // rᵀr
+    FlightChange gradient = FlightChange::Zero();  // Jᵀr
+    FlightSquare normal = FlightSquare::Zero();    // JᵀJ
+    FlightSquare spread = FlightSquare::Zero();    // JᵀCJ, if it is wanted
+};
+
+// The sums; infinite squares for a flight that leaves the range of numbers. The derivatives are
+// those of a motion stepped by Runge and Kutta's method; ω is in closed form but for the drags that
+// have none. `residuals` gets r of each row, if it is given. C is the correlation of residuals of
+// which each is like the one before it by this `correlation`, and like the row before that by its
+// square. Precondition: rows are near |ω| = 1,
+// so that times are radians.
+FlightSums flight_sums(const Flight& flight, std::span<const MeasuredRow> rows,
+                       std::vector<Eigen::Vector3d>* residuals = nullptr, double correlation = 0.0);
+
+// ω at these times since the first row, instrument axes.
+std::vector<Eigen::Vector3d> flight_omega(const Flight& flight, std::span<const double> times);
+
+}  // namespace poinsot
