@@ -170,6 +170,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"drawing/samples", "supersampling changes no drawing"},
     {"drawing/user_style", "words, symbols, units and sizes that a scene chooses"},
     {"house/include", "reads all source files"},
+    {"measured/racket", "fits of real throws"},
     {"mechanics/extremes", "free motions at every extreme"},
     {"production/label_rules", "the rules that names keep in every scene"},
     {"production/alone", "a drawing made without files, OpenGL or FFmpeg"},

@@ -252,5 +252,32 @@ TEST(LabelRules, AChaptersCurvesHaveTheirNames) {
     }
 }
 
+// The picture of a stop is followed by that of its loop's beginning: no name may jump there.
+TEST(LabelRules, LoopsOfStopsHaveNoSeam) {
+    for (const int width_px : {640, 1280}) {
+        const Session session = session_with("lecture", width_px);
+        const FilmPlan film = film_plan(session);
+        const Stage stage = stage_of(session, whole_film(film), plain_setting(session));
+        int n_loops = 0;
+        for (const StopSpec& stop : session.scene.stops) {
+            if (!stop.loop_s) continue;
+            ++n_loops;
+            const double begin_s = stop.at_s - *stop.loop_s;
+            const Drawing first = stage.at(FilmTime{film.clock.time_at(begin_s), begin_s});
+            const Drawing last = stage.at(FilmTime{film.clock.time_at(stop.at_s), stop.at_s});
+            const auto& before = first.views.front().labels;
+            const auto& after = last.views.front().labels;
+            ASSERT_EQ(before.size(), after.size()) << stop.title;
+            for (std::size_t k = 0; k < before.size(); ++k) {
+                const std::string what =
+                    fmt::format("{} {} {}", stop.title, before[k].name.element, width_px);
+                EXPECT_NEAR(before[k].opacity, after[k].opacity, 0.01) << what;
+                EXPECT_LT((before[k].top_left_px - after[k].top_left_px).norm(), 0.1) << what;
+            }
+        }
+        EXPECT_GE(n_loops, 10);
+    }
+}
+
 }  // namespace
 }  // namespace poinsot::label_rules_tests

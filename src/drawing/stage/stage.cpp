@@ -138,9 +138,12 @@ struct Stage::Contents {
                 instants[i].push_back({&views[i].back(), rules.overlays, film_s});
             }
         }
+        std::vector<FilmLoop> loops;
+        for (const StopSpec& stop : context.scene.stops)
+            if (stop.loop_s) loops.push_back({stop.at_s - *stop.loop_s, stop.at_s});
         for (std::size_t i = 0; i < panels.size(); ++i)
             if (!names[i].empty())
-                plan_names(panels[i], std::move(instants[i]), context.options.loop_s > 0.0,
+                plan_names(panels[i], std::move(instants[i]), context.options.loop_s > 0.0, loops,
                            names[i]);
     }
 };

@@ -548,8 +548,13 @@ std::vector<ThingWords> words_of_things(const Scene& scene) {
     return words;
 }
 
+namespace {
+
+constexpr double fade_s = 0.3;  // of a name in a film
+
+}  // namespace
+
 double NameSpan::presence(double film_s) const {
-    constexpr double fade_s = 0.3;
     return smooth_step(std::min(film_s - begin_s, end_s - film_s) / fade_s);
 }
 
@@ -770,8 +775,50 @@ void drop_short_stays(double step_s, std::vector<int>& states) {
     }
 }
 
+// Plans the states within the loop of a stop anew, with the same one at both ends: the picture of
+// the stop is followed by that of the loop's beginning.
+void close_loop(const FilmLoop& loop, const std::vector<double>& film_s,
+                const std::vector<std::vector<double>>& costs, const std::vector<bool>& comes_free,
+                double step_s, std::vector<int>& states) {
+    const auto first = std::lower_bound(film_s.begin(), film_s.end(), loop.begin_s);
+    const auto end = std::lower_bound(first, film_s.end(), loop.end_s);
+    if (first == end) return;
+    const auto from = first - film_s.begin(), to = end - film_s.begin();
+    if (states[static_cast<std::size_t>(from)] == states[static_cast<std::size_t>(to - 1)]) return;
+    const std::vector<std::vector<double>> within(costs.begin() + from, costs.begin() + to);
+    const std::vector<bool> free_within(comes_free.begin() + from, comes_free.begin() + to);
+    constexpr double forbidden = 1e9;
+    double least = std::numeric_limits<double>::infinity();
+    for (int s = 0; s <= n_sides; ++s) {
+        std::vector<std::vector<double>> held = within;
+        for (std::vector<double>* ends : {&held.front(), &held.back()})
+            for (std::size_t other = 0; other < ends->size(); ++other)
+                if (other != static_cast<std::size_t>(s)) (*ends)[other] += forbidden;
+        const std::vector<int> tried = cheapest_states(held, free_within, step_s);
+        double sum = 0.0;
+        for (std::size_t k = 0; k < tried.size(); ++k) {
+            sum += step_s * held[k][static_cast<std::size_t>(tried[k])];
+            if (k > 0 && tried[k] != tried[k - 1]) sum += cost_of_change;
+        }
+        if (sum >= least) continue;
+        least = sum;
+        std::copy(tried.begin(), tried.end(), states.begin() + from);
+    }
+}
+
+// The second of the film at which a name changes between two instants of the plan: halfway, but not
+// while the loop of a stop begins or ends.
+double change_between(double before_s, double after_s, const std::vector<FilmLoop>& loops) {
+    for (const FilmLoop& loop : loops) {
+        if (before_s < loop.begin_s && loop.begin_s <= after_s) return loop.begin_s - fade_s;
+        if (before_s < loop.end_s && loop.end_s <= after_s) return loop.end_s + fade_s;
+    }
+    return 0.5 * (before_s + after_s);
+}
+
 // The spans of states at evenly spaced instants.
-std::vector<NameSpan> spans_of(const std::vector<int>& states, const std::vector<double>& film_s) {
+std::vector<NameSpan> spans_of(const std::vector<int>& states, const std::vector<double>& film_s,
+                               const std::vector<FilmLoop>& loops) {
     constexpr double infinite = std::numeric_limits<double>::infinity();
     std::vector<NameSpan> spans;
     for (std::size_t first = 0; first < states.size();) {
@@ -779,8 +826,9 @@ std::vector<NameSpan> spans_of(const std::vector<int>& states, const std::vector
         while (end < states.size() && states[end] == states[first]) ++end;
         if (states[first] != absent)
             spans.push_back(
-                {first == 0 ? -infinite : 0.5 * (film_s[first - 1] + film_s[first]),
-                 end == states.size() ? infinite : 0.5 * (film_s[end - 1] + film_s[end]),
+                {first == 0 ? -infinite : change_between(film_s[first - 1], film_s[first], loops),
+                 end == states.size() ? infinite
+                                      : change_between(film_s[end - 1], film_s[end], loops),
                  side_of(states[first])});
         first = end;
     }
@@ -790,7 +838,7 @@ std::vector<NameSpan> spans_of(const std::vector<int>& states, const std::vector
 }  // namespace
 
 void plan_names(const Panel& panel, std::vector<PlacedLabels> instants, bool is_loop,
-                std::vector<ThingName>& names) {
+                const std::vector<FilmLoop>& loops, std::vector<ThingName>& names) {
     const std::size_t n = instants.size();
     const double step_s = instants[1].film_s - instants[0].film_s;
     std::vector<double> film_s;
@@ -840,7 +888,9 @@ void plan_names(const Panel& panel, std::vector<PlacedLabels> instants, bool is_
             states = cheapest_states(costs, comes_free, step_s);
         }
         drop_short_stays(step_s, states);
-        name.spans = spans_of(states, film_s);
+        for (const FilmLoop& loop : loops)
+            close_loop(loop, film_s, costs, comes_free, step_s, states);
+        name.spans = spans_of(states, film_s, loops);
         if (is_loop && states.front() != states.back()) {
             // A change at the seam.
             if (states.front() != absent)

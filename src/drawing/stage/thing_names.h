@@ -75,9 +75,15 @@ struct PlacedLabels {
     double film_s = 0.0;
 };
 
-// Plans where each name stands in a film, from instants spread evenly over it, at least two. The
-// plan does not depend on which part of the film is made.
+// Seconds of a film that a page repeats at a stop: its end looks like its beginning.
+struct FilmLoop {
+    double begin_s = 0.0, end_s = 0.0;
+};
+
+// Plans where each name stands in a film, from instants spread evenly over it, at least two.
+// `is_loop`: the whole film is one; `loops`: those of stops. The plan does not depend on which part
+// of the film is made.
 void plan_names(const Panel& panel, std::vector<PlacedLabels> instants, bool is_loop,
-                std::vector<ThingName>& names);
+                const std::vector<FilmLoop>& loops, std::vector<ThingName>& names);
 
 }  // namespace poinsot
