@@ -157,7 +157,7 @@ TEST(BadFilm, IsRefusedInOneLine) {
     EXPECT_EQ(refusal(a_scene + "[film]\nloop = \"5 by 3\"\n"),
               "scenes/a.toml:7:8: film.loop is \"5 by 3\"; give turns over periods, each 1 to "
               "1000, as in \"5/3\", or \"period\"");
-    EXPECT_EQ(refusal(a_scene + "[film]\nloop = \"5/3\"\n"),
+    EXPECT_EQ(refusal(a_scene + "[film]\nloop = \"period\"\n"),
               "scenes/a.toml:7:1: film.loop is \"period\", but after one polhode period only a "
               "co-precessing camera sees the same picture; set camera.motion to \"co-precessing\", "
               "or give film.loop as turns/periods, as in \"5/3\"");
