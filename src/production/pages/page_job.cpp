@@ -30,7 +30,8 @@ namespace {
 // A page is sent by mail and uploaded to course pages.
 constexpr std::size_t most_page_bytes = 1'200'000;
 
-// Widths of the poster, of which the first that leaves room for the rest is taken.
+// Widths of the poster, of which the first is taken that is not larger than this, nor than what the
+// rest of the page leaves.
 constexpr int poster_widths_px[] = {960, 640, 480, 320};
 constexpr std::size_t most_poster_bytes = 32'000;
 
@@ -117,11 +118,14 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
     tell_notes(session, progress);
     const OutputPlace place(output, session.scene, ".html");
     PageContents contents = contents_of(request);
+    std::string page;
     for (const int width_px : poster_widths_px) {
         contents.poster_png = still_png(request, contents, renderer, width_px);
-        if (contents.poster_png.size() <= most_poster_bytes) break;
+        if (contents.poster_png.size() > most_poster_bytes) continue;
+        page = html_page(contents);
+        if (page.size() <= most_page_bytes) break;
     }
-    const std::string page = html_page(contents);
+    if (page.empty()) page = html_page(contents);
     write_whole(place.path(), page);
     const std::string name = printable(place.path().string());
     progress.say(fmt::format("{}\n{:.2f} MB", name, 1e-6 * static_cast<double>(page.size())));
