@@ -49,8 +49,13 @@ class Grips {
     if (this.figure.film.playing) this.before = null;
     if (this.held_at_s !== null && this.figure.film.at_s !== this.held_at_s) this.let_go();
     const {ratio} = this.figure;
-    const near = (/** @type {Grip} */ a, /** @type {Grip} */ b) => Math.hypot(a.x - b.x, a.y - b.y) < grip_reach_px * ratio;
-    const grips = this.#list().filter((grip, i, all) => all.findIndex((other) => other.thing === grip.thing && near(other, grip)) === i);
+    // Rings do not overlap; the contact point comes first.
+    const near = (/** @type {Grip} */ a, /** @type {Grip} */ b) => Math.hypot(a.x - b.x, a.y - b.y) < 2 * grip_reach_px * ratio;
+    const order = [...this.#list()].sort((a, b) => Number(a.thing === 'plane') - Number(b.thing === 'plane'));
+    /** @type {Grip[]} */
+    const grips = [];
+    for (const grip of order)
+      if (!grips.some((other) => near(other, grip))) grips.push(grip);
     while (this.rings.length > grips.length) this.rings.pop()?.remove();
     grips.forEach((grip, i) => {
       const ring = (this.rings[i] ??= this.#made_ring(i));
