@@ -103,9 +103,11 @@ IsFitted fitted_changes(const std::optional<Eigen::Vector3d>& moments, DragModel
     if (!moments) return is_fitted;
     is_fitted[0] = is_fitted[1] = false;
     // A turn about the axis of two equal moments changes nothing.
-    for (int k = 0; k < 3; ++k)
-        if ((*moments)[(k + 1) % 3] == (*moments)[(k + 2) % 3])
-            is_fitted[static_cast<std::size_t>(2 + k)] = false;
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto one = static_cast<Eigen::Index>((k + 1) % 3);
+        const auto other = static_cast<Eigen::Index>((k + 2) % 3);
+        if ((*moments)[one] == (*moments)[other]) is_fitted[2 + k] = false;
+    }
     return is_fitted;
 }
 int count(const IsFitted& is_fitted) {
@@ -192,7 +194,7 @@ FoundFlight grown(std::span<const MeasuredRow> rows, Flight start, const IsFitte
                              [](double t, const MeasuredRow& row) { return t < row.time_s; });
         const std::size_t n = std::min(
             rows.size(), std::max(least_rows, static_cast<std::size_t>(end - rows.begin())));
-        const FoundFlight found = minimised(rows.first(n), start, is_fitted);
+        FoundFlight found = minimised(rows.first(n), start, is_fitted);
         if (n == rows.size()) return found;
         start = found.flight;
     }
