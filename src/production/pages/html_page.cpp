@@ -23,8 +23,8 @@ namespace {
 
 // The scripts of a page, in the order in which they are joined.
 constexpr std::array<std::string_view, 14> page_scripts{
-    "words.js",    "film.js",  "link.js",   "unpack.js", "loader.js", "program.js",  "view.js",
-    "controls.js", "grips.js", "notes.js", "figure.js", "bar.js",    "page.js",   "scripting.js"};
+    "words.js",    "film.js",  "link.js",  "unpack.js", "loader.js", "program.js", "view.js",
+    "controls.js", "grips.js", "notes.js", "figure.js", "bar.js",    "page.js",    "scripting.js"};
 
 // Those that the workbench adds.
 constexpr std::array<std::string_view, 2> workbench_scripts{"editor.js", "workbench.js"};
