@@ -118,8 +118,8 @@ std::span<const SceneKey> film_keys() {
              "a co-precessing camera (camera.motion)")
             .default_is("no loop")
             .read_by(read_loop),
-        one_of("film.loop_changes", film(&FilmSpec::loop_changes), loop_values(), R"("omega_body_2")",
-               "component of start.omega_rad_s that the loop changes")
+        one_of("film.loop_changes", film(&FilmSpec::loop_changes), loop_values(),
+               R"("omega_body_2")", "component of start.omega_rad_s that the loop changes")
             .default_is("the component that needs the smallest change"),
         row("film.fps", rate, R"("30000/1001")", "video frames per second; 29.97 means 30000/1001")
             .or_text("a ratio as a string", "[0-9]")

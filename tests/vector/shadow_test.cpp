@@ -81,7 +81,8 @@ TEST(Shadow, HasNoSteps) {
     }
     EXPECT_LT(darkest, 170.0);
     EXPECT_LT(steepest, 2.0);
-    EXPECT_LT(farthest_off, 18.0);  // the outlines of the lamp's shadow are not quite ellipses: 17.1
+    EXPECT_LT(farthest_off,
+              18.0);  // the outlines of the lamp's shadow are not quite ellipses: 17.1
 }
 
 }  // namespace
