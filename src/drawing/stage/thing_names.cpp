@@ -240,7 +240,8 @@ double cost_of(const LabelBox& box, const Surroundings& around, const NamedThing
         const bool is_own = line.element == thing.element && line.part == thing.part;
         (is_own ? own_length : length) += line.weight * box.length_inside(line.a, line.b);
     }
-    cost += 2.0 * smooth_step(length / (2.0 * em_px));
+    // The name of a plane has room beside the curves on it.
+    cost += (thing.element == "plane" ? 4.0 : 2.0) * smooth_step(length / (2.0 * em_px));
     // A name never lies on its own line.
     cost += 4.0 * smooth_step(own_length / (0.6 * em_px));
     if (thing.keeps_off_bodies)
@@ -630,19 +631,54 @@ double covered_share(const LabelBox& box, const Surroundings& around, double em_
     return 1.0 - free;
 }
 
-// The place that is planned for a second of the film. What crosses the name between the instants of
-// the plan makes it fade.
-ShownName planned_place(const Spots& spots, const ThingName& name, const Surroundings& around,
-                        double film_s) {
+// The places that are planned for a second of the film: two while the name changes its side. What
+// crosses the name between the instants of the plan makes it fade.
+std::vector<ShownName> planned_places(const Spots& spots, const ThingName& name,
+                                      const Surroundings& around, double film_s) {
+    std::vector<ShownName> found;
     for (const NameSpan& span : *name.spans) {
-        const double presence = span.presence(film_s);
-        if (!(presence > 0.0)) continue;
-        ShownName shown{placed_at(spots, name, span.side, around), presence};
-        if (!shown.placed) return {};
+        ShownName shown{{}, span.presence(film_s)};
+        if (!(shown.opacity > 0.0)) continue;
+        shown.placed = placed_at(spots, name, span.side, around);
+        if (!shown.placed) continue;
         shown.opacity *= 1.0 - covered_share(shown.placed->spot.box, around, name.em_px);
-        return shown;
+        found.push_back(shown);
     }
-    return {};
+    // Where its two places overlap, the name fades at one and then appears at the other.
+    if (found.size() == 2 &&
+        found[0].placed->spot.box.distance(found[1].placed->spot.box) <= 0.0)
+        for (ShownName& shown : found) shown.opacity = std::max(0.0, 2.0 * shown.opacity - 1.0);
+    return found;
+}
+
+// Adds a name's label to the view, and its leader.
+void add_name(const Panel& panel, const ThingName& name, const Spots& spots, const Spot& spot,
+              double opacity, View& view) {
+    Label label;
+    label.mask = name.type.mask;
+    label.top_left_px = spot.box.centre_px - spot.box.half_px + name.offset_px;
+    label.colour = name.colour;
+    label.halo_colour = panel.stage->theme.halo;
+    label.halo_px = 4.0 * panel.px;
+    label.opacity = opacity;
+    label.rank = rank_of_things;
+    label.at = spot.at;
+    label.name = {name.thing->name, 0, ""};
+    view.labels.push_back(label);
+    const LabelBox box = label_box(label);
+    if (!spots.has_leader()) return;
+    // A name that was moved by hand may be nearer to another point of its thing.
+    const VisiblePoint* const nearest = name.offset_px.isZero() ? nullptr : spots.nearest(box);
+    const Leader leader{.at = nearest != nullptr ? nearest->at : spot.at,
+                        .from_px = nearest != nullptr ? nearest->px : spot.anchor_px,
+                        .to = box,
+                        .colour = name.colour,
+                        .width_px = 1.6 * panel.px,
+                        .name = {name.thing->name, 0, "leader"}};
+    const double drawn = leader_share(box.distance(leader.from_px), name.em_px);
+    const bool is_still = panel.stage->options.is_still;
+    add_leader(leader, label.opacity * (is_still ? whole_or_absent(drawn) : drawn),
+               panel.unit_segment, view);
 }
 
 }  // namespace
@@ -671,42 +707,26 @@ std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vecto
                                        : share;
         if (!(seen > 0.0)) continue;
         if (!around) around = surroundings_of(view, overlays, margin_of(panel));
-        ShownName shown;
+        std::vector<ShownName> places;
         if (has_plan) {
-            shown = planned_place(spots, name, *around, film_s);
-        } else {
-            shown.placed = best_place(spots, name, *around);
-            shown.opacity = shown.placed && shown.placed->has_room ? 1.0 : 0.0;
+            places = planned_places(spots, name, *around, film_s);
+        } else if (std::optional<PlacedName> best = best_place(spots, name, *around)) {
+            places.push_back({best, best->has_room ? 1.0 : 0.0});
         }
-        if (is_still) shown.opacity = whole_or_absent(shown.opacity);
-        if (shown.opacity < 0.5) leave_out(name, true);
-        if (!(shown.opacity > 0.0)) continue;
-        const Spot& spot = shown.placed->spot;
-        Label label;
-        label.mask = name.type.mask;
-        label.top_left_px = spot.box.centre_px - spot.box.half_px + name.offset_px;
-        label.colour = name.colour;
-        label.halo_colour = panel.stage->theme.halo;
-        label.halo_px = 4.0 * panel.px;
-        label.opacity = shown.opacity * seen;
-        label.rank = rank_of_things;
-        label.at = spot.at;
-        label.name = {name.thing->name, 0, ""};
-        view.labels.push_back(label);
-        const LabelBox box = label_box(label);
-        around->labels.push_back(box);
-        if (!spots.has_leader()) continue;
-        // A name that was moved by hand may be nearer to another point of its thing.
-        const VisiblePoint* const nearest = name.offset_px.isZero() ? nullptr : spots.nearest(box);
-        const Leader leader{.at = nearest != nullptr ? nearest->at : spot.at,
-                            .from_px = nearest != nullptr ? nearest->px : spot.anchor_px,
-                            .to = box,
-                            .colour = name.colour,
-                            .width_px = 1.6 * panel.px,
-                            .name = {name.thing->name, 0, "leader"}};
-        const double drawn = leader_share(box.distance(leader.from_px), name.em_px);
-        add_leader(leader, label.opacity * (is_still ? whole_or_absent(drawn) : drawn),
-                   panel.unit_segment, view);
+        double whole = 0.0;
+        for (ShownName& shown : places) {
+            if (is_still) shown.opacity = whole_or_absent(shown.opacity);
+            whole = std::max(whole, shown.opacity);
+        }
+        if (whole < 0.5) leave_out(name, true);
+        for (const ShownName& shown : places)
+            if (shown.opacity > 0.0)
+                add_name(panel, name, spots, shown.placed->spot, shown.opacity * seen, view);
+        for (const ShownName& shown : places)
+            if (shown.opacity > 0.0)
+                around->labels.push_back(
+                    {shown.placed->spot.box.centre_px + name.offset_px,
+                     shown.placed->spot.box.half_px, shown.opacity * seen});
     }
     return left_out;
 }
@@ -832,6 +852,12 @@ std::vector<NameSpan> spans_of(const std::vector<int>& states, const std::vector
                  side_of(states[first])});
         first = end;
     }
+    // A name that changes its side appears on the new one while it fades on the old one.
+    for (std::size_t k = 1; k < spans.size(); ++k)
+        if (spans[k].begin_s <= spans[k - 1].end_s) {
+            spans[k].begin_s -= 0.5 * fade_s;
+            spans[k - 1].end_s += 0.5 * fade_s;
+        }
     return spans;
 }
 
