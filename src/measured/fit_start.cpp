@@ -175,7 +175,7 @@ double unexplained_share(std::span<const MeasuredRow> rows) {
     constexpr double window_rad = 0.7;
     std::vector<Eigen::Matrix<double, 3, 6>> sums(rows.size()), momenta(rows.size());
     std::vector<double> angles(rows.size(), 0.0);
-    Eigen::Matrix<double, 3, 6> before;
+    Eigen::Matrix<double, 3, 6> before = Eigen::Matrix<double, 3, 6>::Zero();
     for (std::size_t i = 0; i < rows.size(); ++i) {
         const Eigen::Vector3d& w = rows[i].omega_body;
         momenta[i] << w[0], 0.0, 0.0, 0.0, w[2], w[1], 0.0, w[1], 0.0, w[2], 0.0, w[0], 0.0, 0.0,

@@ -5,7 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <optional>
+#include <utility>
 
 #include "measured/fit_start.h"
 #include "measured/flight_fit.h"
@@ -18,7 +20,9 @@ namespace {
 
 constexpr double least_turn_rad = 3.5;
 constexpr double widest_gap_rad = 1.0;
-constexpr double most_share = 0.03;  // of residuals, of |ω|
+// Residuals as shares of |ω|: of any body, of one that is known from other flights, and of one that
+// flies once where others fly often.
+constexpr double most_share = 0.03, most_known_share = 0.03, most_single_share = 0.01;
 
 // Rows that are not at the limit of the sensor.
 std::vector<MeasuredRow> unsaturated(std::span<const MeasuredRow> rows) {
@@ -55,7 +59,7 @@ struct Window {
 struct Stretch {
     std::size_t begin = 0, end = 0;
     double rate = 0.0;
-    Flight flight;  // scaled by the rate
+    Flight flight;                                           // scaled by the rate
     double share = std::numeric_limits<double>::infinity();  // residual over rate
 };
 
@@ -70,9 +74,9 @@ class FlightFinder {
     explicit FlightFinder(std::span<const MeasuredRow> rows)
         : rows_(unsaturated(rows)), angles_(rows_.size(), 0.0), is_used_(rows_.size(), false) {
         for (std::size_t i = 1; i < rows_.size(); ++i)
-            angles_[i] = angles_[i - 1] +
-                         0.5 * (rows_[i].time_s - rows_[i - 1].time_s) *
-                             (rows_[i].omega_body.norm() + rows_[i - 1].omega_body.norm());
+            angles_[i] =
+                angles_[i - 1] + 0.5 * (rows_[i].time_s - rows_[i - 1].time_s) *
+                                     (rows_[i].omega_body.norm() + rows_[i - 1].omega_body.norm());
     }
 
     std::vector<FreeFlight> flights();
@@ -84,6 +88,7 @@ class FlightFinder {
     double turn(std::size_t begin, std::size_t end) const {
         return angles_[end - 1] - angles_[begin];
     }
+    double most() const { return body_ ? most_known_share : most_share; }
     std::vector<Window> windows() const;
     std::optional<Stretch> fitted(std::size_t begin, std::size_t end, const Flight* start) const;
     bool grow(Stretch& stretch, bool forward) const;
@@ -92,11 +97,14 @@ class FlightFinder {
     bool refit(Stretch& stretch, std::size_t begin, std::size_t end) const;
     void mark(const Stretch& stretch, bool is_used);
     void join(std::vector<Stretch>& stretches);
+    std::vector<Stretch> stretches_from(const std::vector<Window>& windows);
+    std::pair<std::size_t, std::size_t> most_common(const std::vector<Stretch>& stretches);
     std::optional<Stretch> grown_from(const Window& window) const;
 
     std::vector<MeasuredRow> rows_;
     std::vector<double> angles_;
     std::vector<bool> is_used_;
+    std::optional<Stretch> body_;  // of known moments and axes
 };
 
 std::vector<Window> FlightFinder::windows() const {
@@ -105,8 +113,8 @@ std::vector<Window> FlightFinder::windows() const {
     std::size_t end = 0;
     for (std::size_t begin = 0; begin < rows_.size();) {
         end = std::max(end, begin);
-        while (end < rows_.size() && (angles_[end] - angles_[begin] < least_turn_rad ||
-                                      end - begin < least_fitted_rows))
+        while (end < rows_.size() &&
+               (angles_[end] - angles_[begin] < least_turn_rad || end - begin < least_fitted_rows))
             ++end;
         if (end == rows_.size()) break;
         made.push_back({begin, end, unexplained_share(between(begin, end))});
@@ -121,14 +129,15 @@ std::vector<Window> FlightFinder::windows() const {
     return made;
 }
 
-// Least squares from this flight on, with its drag, or with linear drag from Euler's equations.
+// Least squares from this flight on, with its drag, or with linear drag from Euler's equations. The
+// body is fitted, too, unless it is known.
 std::optional<Stretch> FlightFinder::fitted(std::size_t begin, std::size_t end,
                                             const Flight* start) const {
     const auto part = between(begin, end);
     Stretch stretch{begin, end, rate_of(part), {}};
     const std::vector<MeasuredRow> scaled = scaled_by(part, stretch.rate);
-    const IsFitted is_fitted =
-        fitted_changes({}, start != nullptr ? start->drag : DragModel::linear);
+    const DragModel drag = start != nullptr ? start->drag : DragModel::linear;
+    const IsFitted is_fitted = body_ ? fitted_start(drag) : fitted_changes({}, drag);
     FoundFlight found;
     constexpr int most_steps = 15;
     if (start != nullptr) {
@@ -188,7 +197,8 @@ bool FlightFinder::grow(Stretch& stretch, bool forward) const {
     const std::size_t skipped = forward ? 2 : 1;
     for (; n < next.size() && n + skipped < omegas.size(); ++n) {
         const Eigen::Vector3d there = rows_[next[n]].omega_body / stretch.rate;
-        const Eigen::Vector3d off = omegas[n + skipped] - (forward ? there : Eigen::Vector3d(-there));
+        const Eigen::Vector3d off =
+            omegas[n + skipped] - (forward ? there : Eigen::Vector3d(-there));
         if (!(off.norm() < most_off)) break;
     }
     if (n == 0) return false;
@@ -198,15 +208,24 @@ bool FlightFinder::grow(Stretch& stretch, bool forward) const {
 }
 
 std::optional<Stretch> FlightFinder::grown_from(const Window& window) const {
-    auto stretch = fitted(window.begin, window.end, nullptr);
-    if (!stretch || !(stretch->share < most_share)) return std::nullopt;
+    std::optional<Stretch> stretch;
+    if (body_) {
+        const double rate = rate_of(between(window.begin, window.end));
+        Flight start = body_->flight;
+        start.omega = rows_[window.begin].omega_body / rate;
+        start.drag_rates *= body_->rate / rate;
+        stretch = fitted(window.begin, window.end, &start);
+    } else {
+        stretch = fitted(window.begin, window.end, nullptr);
+    }
+    if (!stretch || !(stretch->share < most())) return std::nullopt;
     grow(*stretch);
     // Drag along each axis describes longer stretches, and ends more sharply.
     for (int n_times = 0; n_times < 2; ++n_times) {
         Flight richer = stretch->flight;
         richer.drag = DragModel::axes;
         const auto again = fitted(stretch->begin, stretch->end, &richer);
-        if (!again) return stretch;
+        if (!again || !(again->share < stretch->share)) return stretch;
         stretch = again;
         grow(*stretch);
         trim(*stretch);
@@ -263,7 +282,7 @@ bool FlightFinder::refit(Stretch& stretch, std::size_t begin, std::size_t end) c
     start.omega = rows_[begin].omega_body / rate;
     if (start.drag != DragModel::quadratic) start.drag_rates *= stretch.rate / rate;
     const auto made = fitted(begin, end, &start);
-    if (!made || !(made->share < most_share)) return false;
+    if (!made || !(made->share < most())) return false;
     stretch = *made;
     return true;
 }
@@ -303,9 +322,9 @@ void FlightFinder::join(std::vector<Stretch>& stretches) {
     }
 }
 
-std::vector<FreeFlight> FlightFinder::flights() {
+std::vector<Stretch> FlightFinder::stretches_from(const std::vector<Window>& windows) {
     std::vector<Stretch> stretches;
-    for (const Window& window : windows()) {
+    for (const Window& window : windows) {
         constexpr double most_unexplained = 0.5;
         if (window.unexplained > most_unexplained) break;
         const std::size_t middle = (window.begin + window.end) / 2;
@@ -315,9 +334,102 @@ std::vector<FreeFlight> FlightFinder::flights() {
         mark(*stretch, true);
         stretches.push_back(*stretch);
     }
-    join(stretches);
+    return stretches;
+}
+
+// The stretch whose body describes them best, and how many it describes.
+std::pair<std::size_t, std::size_t> FlightFinder::most_common(
+    const std::vector<Stretch>& stretches) {
+    std::vector<std::size_t> order(stretches.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::stable_sort(order.begin(), order.end(), [&stretches](std::size_t a, std::size_t b) {
+        return stretches[a].share < stretches[b].share;
+    });
+    constexpr std::size_t most_tried = 6;
+    std::pair<std::size_t, std::size_t> best{0, 0};
+    double least_rest = std::numeric_limits<double>::infinity();
+    for (std::size_t k = 0; k < std::min(most_tried, order.size()); ++k) {
+        body_ = stretches[order[k]];
+        std::size_t n = 0;
+        double rest = 0.0;
+        for (const Stretch& other : stretches) {
+            Flight start = body_->flight;
+            start.omega = other.flight.omega;
+            start.drag_rates *= body_->rate / other.rate;
+            const auto made = fitted(other.begin, other.end, &start);
+            const double share = made ? std::min(made->share / most_known_share, 1.0) : 1.0;
+            n += share < 1.0;
+            rest += share * share;
+        }
+        if (rest < least_rest) {
+            least_rest = rest;
+            best = {order[k], n};
+        }
+    }
+    body_.reset();
+    return best;
+}
+
+std::size_t n_common(const Stretch& a, const Stretch& b) {
+    const std::size_t begin = std::max(a.begin, b.begin), end = std::min(a.end, b.end);
+    return begin < end ? end - begin : 0;
+}
+
+bool is_better_in(const Stretch& stretch, const std::vector<Stretch>& others) {
+    return std::any_of(others.begin(), others.end(), [&stretch](const Stretch& other) {
+        return n_common(stretch, other) > 0 && 2.0 * other.share < stretch.share &&
+               4 * (other.end - other.begin) > 3 * (stretch.end - stretch.begin);
+    });
+}
+
+bool is_partly_in(const Stretch& stretch, const std::vector<Stretch>& others) {
+    return std::any_of(others.begin(), others.end(), [&stretch](const Stretch& other) {
+        return 3 * n_common(stretch, other) > stretch.end - stretch.begin;
+    });
+}
+
+std::vector<FreeFlight> FlightFinder::flights() {
+    const std::vector<Window> all = windows();
+    std::vector<Stretch> unknown = stretches_from(all), known;
+    join(unknown);
+    // The body of a flight that describes others, too, is known: with it, ends are found more
+    // surely, and flights that say little about their body.
+    while (unknown.size() > 1) {
+        const auto [body, n_described] = most_common(unknown);
+        if (n_described < 2) break;
+        body_ = unknown[body];
+        for (const Stretch& stretch : unknown) mark(stretch, false);
+        std::vector<Stretch> made = stretches_from(all);
+        join(made);
+        body_.reset();
+        // Another body may describe a flight better.
+        std::erase_if(made, [&](const Stretch& stretch) { return is_better_in(stretch, unknown); });
+        if (made.empty()) break;
+        known.insert(known.end(), made.begin(), made.end());
+        const std::size_t n_before = unknown.size();
+        std::erase_if(unknown, [&](const Stretch& stretch) { return is_partly_in(stretch, made); });
+        for (const Stretch& stretch : unknown) mark(stretch, true);
+        if (unknown.size() == n_before) break;
+    }
+    for (const Stretch& stretch : known) mark(stretch, true);
+    for (Stretch& stretch : known) {
+        if (!refit(stretch, stretch.begin, stretch.end)) continue;
+        trim(stretch);
+        grow(stretch);
+        trim(stretch);
+        mark(stretch, true);
+    }
+    // A body that flies once must fit closely where others fly often.
+    std::erase_if(unknown, [&](const Stretch& stretch) {
+        return !known.empty() && stretch.share * stretch.rate >
+                                     std::max(most_single_share * stretch.rate,
+                                              2.0 * noise_of(between(stretch.begin, stretch.end)));
+    });
+    unknown.insert(unknown.end(), known.begin(), known.end());
+    std::sort(unknown.begin(), unknown.end(),
+              [](const Stretch& a, const Stretch& b) { return a.begin < b.begin; });
     std::vector<FreeFlight> found;
-    for (const Stretch& stretch : stretches) {
+    for (const Stretch& stretch : unknown) {
         const auto part = between(stretch.begin, stretch.end);
         found.push_back({{part.begin(), part.end()},
                          stretch.rate,

@@ -1,4 +1,5 @@
-// The stretches of a recording in which the body flies freely, among walking, throwing and catching.
+// The stretches of a recording in which the body flies freely, among walking, throwing and
+// catching.
 #pragma once
 
 #include <span>

@@ -4,11 +4,12 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
-#include <random>
 #include <string>
 #include <vector>
 
@@ -49,13 +50,6 @@ Score score_of(const std::vector<FreeFlight>& found, const std::vector<TrueFligh
             most = std::max(most, std::min(flight.end_s(), one.end_s) -
                                       std::max(flight.begin_s(), one.begin_s));
         if (most < 0.5 * (flight.end_s() - flight.begin_s())) ++score.n_false;
-    }
-    if (getenv("DBG")) {
-        for (auto& o : truth) printf("T %.3f %.3f\n", o.begin_s, o.end_s);
-        for (auto& f : found)
-            printf("F %.3f %.3f rate %.2f turn %.1f res %.4f noise %.4f rows %zu\n", f.begin_s(),
-                   f.end_s(), f.rate_rad_s, f.turn_rad, f.residual_rad_s, f.noise_rad_s,
-                   f.rows.size());
     }
     return score;
 }
@@ -106,10 +100,9 @@ TEST(Flights, AreFoundAmongWalkingAndCatchingWithAnyGyroscope) {
              {Gyroscope{50.0, 0.01}, Gyroscope{100.0, 0.01}, Gyroscope{100.0, 0.12},
               Gyroscope{100.0, 0.01, 0.6}, Gyroscope{100.0, 0.01, 0.0, 0.1}, Gyroscope{200.0, 0.03},
               Gyroscope{500.0, 0.05}}) {
-            constexpr int n_throws = 8;
+            constexpr int n_throws = 5;
             MadeRecording made = thrown(++seed, n_throws, {body});
-            const Score score =
-                score_of(flights_of(made.rows(gyroscope)), made.flights(), 0.1);
+            const Score score = score_of(flights_of(made.rows(gyroscope)), made.flights(), 0.1);
             EXPECT_GE(score.n_found, n_throws - 1)
                 << gyroscope.rate_Hz << " Hz, " << gyroscope.noise_rad_s << " rad/s, seed " << seed;
             EXPECT_EQ(score.n_false, 0) << gyroscope.rate_Hz;
