@@ -7,14 +7,18 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "cli/command.h"
 #include "cli/fit_flights.h"
 #include "cli/fit_words.h"
+#include "cli/joint_words.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
 #include "error/error.h"
+#include "measured/joint_fit.h"
+#include "measured/prediction.h"
 #include "mechanics/free/free_rotation.h"
 #include "production/session/slow_work_notice.h"
 #include "scene/parse_scene.h"
@@ -34,6 +38,8 @@ struct FitChoices {
     std::vector<std::string> files;
     std::string output;
     std::string moments, drag, flight;
+    std::optional<int> predict;
+    bool share_drag = false;
     bool json = false;
 };
 
@@ -160,41 +166,92 @@ std::filesystem::path table_of_scene(const FitTable& table, const std::filesyste
     return file;
 }
 
-int run(const FitChoices& choices) {
-    const std::filesystem::path file = choices.files.at(0);
-    if (!choices.output.empty() && suffix_of(choices.output) != ".toml")
+std::size_t n_predicted_from(const FitChoices& choices) {
+    if (*choices.predict < 1)
+        throw InputError(
+            fmt::format("--predict {}: give the number of rows that are fitted", *choices.predict));
+    return static_cast<std::size_t>(*choices.predict);
+}
+
+void check_output(const FitChoices& choices, bool is_joint) {
+    if (choices.output.empty()) return;
+    if (suffix_of(choices.output) != ".toml")
         throw InputError(fmt::format("-o {}: the output is a scene; end its name in .toml",
                                      printable(choices.output)));
-    if (!choices.output.empty()) check_name_in_scene(choices.output, file);
-    FitKnown known;
-    if (!choices.moments.empty()) known.moments_kg_m2 = moments_in(choices.moments);
-    known.drag = drag_named(choices.drag);
-    FitTable table;
-    {
-        ProgressBar bar(false);
-        const SlowWorkNotice notice(fmt::format("{}: fitting", printable(file.string(), 40)),
-                                    bar.sink());
-        table = fitted_table(file, known);
+    if (is_joint)
+        throw InputError(
+            fmt::format("-o {}: a scene shows one flight; give one table, or name a flight with "
+                        "--flight",
+                        printable(choices.output)));
+    if (choices.predict)
+        throw InputError(fmt::format("-o {}: a scene shows a fit of all rows; leave --predict out",
+                                     printable(choices.output)));
+    check_name_in_scene(choices.output, choices.files.at(0));
+}
+
+// All flights as those of one body.
+int fit_all(const FitChoices& choices, const std::vector<FitTable>& tables, const FitKnown& known) {
+    std::vector<const TableFlight*> flights;
+    std::vector<std::span<const MeasuredRow>> rows;
+    for (const FitTable& table : tables)
+        for (const TableFlight& flight : table.flights) {
+            flights.push_back(&flight);
+            rows.emplace_back(flight.measured.rows);
+        }
+    if (flights.size() < 2)
+        throw InputError(
+            fmt::format("{}: the table has one flight; give more tables, or leave "
+                        "--flight out",
+                        printable(tables.front().file.string())));
+    const JointFit joint = fit_together(rows, known.moments_kg_m2, known.drag, choices.share_drag);
+    FlightPredictions predictions(choices.predict ? flights.size() : 0);
+    for (std::size_t i = 0; i < predictions.size(); ++i) {
+        if (!joint.flights[i].left_out.empty()) continue;
+        try {
+            predictions[i] = predicted_by_others(rows[i], n_predicted_from(choices), joint, i);
+        } catch (const InputError& error) {
+            throw InputError(fmt::format("--predict {}: {}: {}", *choices.predict, flights[i]->name,
+                                         error.what()));
+        }
     }
+    if (choices.json) {
+        fmt::print("{}", json_of(joint, flights, predictions));
+        return 0;
+    }
+    for (const std::string& line : words_of(joint, flights, predictions)) fmt::print("{}\n", line);
+    return 0;
+}
+
+// One flight: the whole table, or one of a recording.
+int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& known) {
+    const std::filesystem::path& file = table.file;
     const TableFlight& flight = chosen_flight(table, choices.flight);
     const FittedMotion& fit = *flight.fit;
+    std::optional<Prediction> prediction;
+    if (choices.predict) try {
+            prediction = predicted_alone(flight.measured.rows, n_predicted_from(choices),
+                                         known.moments_kg_m2, known.drag);
+        } catch (const InputError& error) {
+            throw InputError(
+                fmt::format("--predict {}: {}: {}", *choices.predict, flight.name, error.what()));
+        }
     std::filesystem::path shown;
     if (!choices.output.empty()) {
         shown = table_of_scene(table, choices.output);
+        const std::string name = printable(file.filename().string());
         if (table.is_recording) write_whole(shown, table_text(flight.measured));
-        write_whole(choices.output,
-                    scene_of(fit, choices.output, shown,
-                             table.is_recording
-                                 ? fmt::format("{}, flight {}", printable(file.filename().string()),
-                                               flight.number)
-                                 : printable(file.filename().string()),
-                             flight.measured));
+        write_whole(
+            choices.output,
+            scene_of(fit, choices.output, shown,
+                     table.is_recording ? fmt::format("{}, flight {}", name, flight.number) : name,
+                     flight.measured));
     }
     if (choices.json) {
         JsonObject answer;
         if (table.is_recording)
             answer.json("flights", json_of_flights(table)).add("flight", flight.number);
         add_fit(answer, fit);
+        if (prediction) answer.json("prediction", json_of(*prediction));
         fmt::print("{}", answer.lines());
         return 0;
     }
@@ -208,6 +265,7 @@ int run(const FitChoices& choices) {
                    choices.flight.empty() ? ", which says most about the body" : "");
     }
     for (const std::string& line : words_of(fit, flight.measured)) fmt::print("{}\n", line);
+    if (prediction) fmt::print("{}\n", words_of(*prediction));
     if (choices.output.empty()) return 0;
     fmt::print("{}\n", printable(choices.output));
     if (table.is_recording) fmt::print("{}\n", printable(shown.string()));
@@ -220,6 +278,29 @@ int run(const FitChoices& choices) {
             "note: the table is not in the scene's folder; move it there, or draw the scene with "
             "--allow-outside\n");
     return 0;
+}
+
+int run(const FitChoices& choices) {
+    const bool is_joint = choices.files.size() > 1 || choices.flight == "all";
+    check_output(choices, is_joint);
+    if (choices.files.size() > 1 && !choices.flight.empty() && choices.flight != "all")
+        throw InputError(
+            fmt::format("--flight {}: of several tables all flights are fitted; give one table",
+                        printable(choices.flight)));
+    if (choices.share_drag && !is_joint)
+        throw InputError(
+            "--share-drag: one flight shares its drag with none; give several tables, "
+            "or --flight all");
+    FitKnown known;
+    if (!choices.moments.empty()) known.moments_kg_m2 = moments_in(choices.moments);
+    known.drag = drag_named(choices.drag);
+    std::vector<FitTable> tables;
+    ProgressBar bar(false);
+    for (const std::string& file : choices.files) {
+        const SlowWorkNotice notice(fmt::format("{}: fitting", printable(file, 40)), bar.sink());
+        tables.push_back(fitted_table(file, known));
+    }
+    return is_joint ? fit_all(choices, tables, known) : fit_one(choices, tables.front(), known);
 }
 
 CommandLine fit_line(std::any& storage) {
@@ -238,9 +319,16 @@ CommandLine fit_line(std::any& storage) {
               "the rows to their noise, else axes or quadratic",
               &c.drag},
              {"--flight",
-              "N: of a recording with several free flights, fit this one; default: the one that "
-              "says most about the body",
+              "N: of a recording with several free flights, fit this one, or `all` of them as "
+              "flights of one body; default: the one that says most about the body",
               &c.flight},
+             {"--share-drag",
+              "all flights have the same drag coefficients; default: each flight its own",
+              &c.share_drag},
+             {"--predict",
+              "N: fit the first N rows of a flight and say how far the other rows depart; with "
+              "several flights, by the body of the others",
+              &c.predict, "rows"},
              json_option(c.json)},
             [&c] { return run(c); }};
 }
@@ -249,16 +337,16 @@ CommandLine fit_line(std::any& storage) {
 
 extern const Command fit_command{
     "fit",
-    "DATA.csv",
+    "DATA.csv…",
     1,
-    1,
+    any_number,
     "find the body behind a measured ω(t) or attitude: ratios of moments, principal axes, start "
     "and drag",
     fit_line,
-    {{{"poinsot fit gyro.csv",
-       "prints what a gyroscope's table says about the body, with uncertainties"},
-      {"poinsot fit gyro.csv -o thrown.toml",
-       "also writes a scene of that body and its motion; `poinsot still thrown.toml` shows the "
-       "measured points"}}}};
+    {{{"poinsot fit gyro.csv -o thrown.toml",
+       "prints what a gyroscope's table says about the body, and writes a scene of its motion; "
+       "`poinsot still thrown.toml` shows the measured points"},
+      {"poinsot fit recording.csv --flight all",
+       "finds the free flights of a recording and fits them as those of one body"}}}};
 
 }  // namespace poinsot

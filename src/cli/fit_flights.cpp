@@ -57,7 +57,7 @@ FitTable fitted_table(const std::filesystem::path& file, const FitKnown& known) 
         try {
             flight.fit = fit_motion(measured.rows, known.moments_kg_m2, known.drag);
         } catch (const InputError& error) {
-            throw InputError(fmt::format("{}: {}", name, error.what()));
+            flight.refusal = error.what();
         }
         flight.measured = std::move(measured);
         table.flights.push_back(std::move(flight));

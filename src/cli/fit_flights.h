@@ -36,7 +36,7 @@ struct FitKnown {
 
 // Reads a table, finds its flights and fits each. A table of which one flight takes four fifths or
 // more is that flight as a whole; so is one in which no flight is found. Throws InputError if it
-// cannot be read, and if it is one flight that no free motion fits.
+// cannot be read.
 FitTable fitted_table(const std::filesystem::path& file, const FitKnown& known);
 
 // The flight that says most about the body: the one with the smallest standard deviations of
