@@ -318,9 +318,11 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
         const FoundFlight found = fitted_start_of(part, body, DragModel::axes);
         part.flight = found.flight;
         const double share = residual_of(found, part.rows.size(), 6);
+        const double residual = flight.own ? flight.own->residual_rad_s / part.rate : share;
+        // A flight that this body describes as well counts, whatever body it has alone.
+        if (share < outlier_residuals * residual) flight.left_out.clear();
         if (flight.left_out.empty() && !(share < most_share))
             flight.left_out = "no motion of the body of the others comes near it";
-        const double residual = flight.own ? flight.own->residual_rad_s / part.rate : share;
         constexpr double rounding = 1e-9;
         part.weight = 1.0 / std::pow(std::max(residual, rounding), 2);
         if (flight.left_out.empty()) used.push_back(i);

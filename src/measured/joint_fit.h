@@ -44,10 +44,11 @@ struct JointFit {
     std::vector<JointFlight> flights;
 };
 
-// A flight whose ratios of moments or axes lie farther than this from the median of the flights is
-// left out, in units of its own standard deviation and 1.4826 times the median distance, added as
-// squares. The rule needs five flights.
-constexpr double outlier_deviations = 5.0;
+// A flight is left out if a ratio of its moments or an axis of its own fit lies farther than this
+// from the median of the flights, in units of its own standard deviation and 1.4826 times the
+// median distance, added as squares, and if the body of the most typical flight leaves a residual
+// larger than its own by this factor. The rule needs five flights.
+constexpr double outlier_deviations = 5.0, outlier_residuals = 2.0;
 
 // Fits flights of one body. Flights count by their own residuals. The standard deviations are the
 // larger of those that residuals within the flights imply and those that the scatter from flight to
