@@ -148,8 +148,8 @@ std::vector<std::string> words_of(const JointFit& joint,
     lines.push_back(fmt::format(
         "rule: a flight is left out if a ratio or an axis of its own fit lies more than {:g} "
         "deviations from the median (its standard deviation and 1.4826 times the median distance, "
-        "added as squares) and another body leaves {:g} times its residual, or if no motion of "
-        "this body comes within 5 % of |ω|",
+        "added as squares) and the body of the most typical flight leaves more than {:g} times "
+        "its residual, or if no motion of this body comes within 5 % of |ω|",
         outlier_deviations, outlier_residuals));
     for (const std::string& line : summary_of(predictions)) lines.push_back(line);
     return lines;
