@@ -7,14 +7,18 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <span>
 #include <string_view>
 
 #include "cli/command.h"
+#include "cli/fit_flights.h"
+#include "cli/fit_words.h"
+#include "cli/joint_words.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
 #include "error/error.h"
-#include "measured/files/measured_file.h"
-#include "measured/table_faults.h"
+#include "measured/joint_fit.h"
+#include "measured/prediction.h"
 #include "mechanics/free/free_rotation.h"
 #include "production/session/slow_work_notice.h"
 #include "scene/parse_scene.h"
@@ -33,7 +37,9 @@ namespace {
 struct FitChoices {
     std::vector<std::string> files;
     std::string output;
-    std::string moments, drag;
+    std::string moments, drag, flight;
+    std::optional<int> predict;
+    bool share_drag = false;
     bool json = false;
 };
 
@@ -66,113 +72,6 @@ std::optional<DragModel> drag_named(const std::string& text) {
         fmt::format("--drag {}: give none, linear, axes or quadratic", printable(text)));
 }
 
-// As many decimals as the standard deviation has a say in.
-std::string with_sd(double value, double sd) {
-    if (!(sd > 1e-15) || !(std::abs(value) < 1e9))
-        return fmt::format("{:.15g} ± {:.2g}", value, sd);
-    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sd))), 0, 15);
-    return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sd, decimals);
-}
-
-// By how much I1 exceeds I2 + I3, in units of I1; no body has more than 0.
-double excess_of(const FittedMotion& fit) {
-    const double excess = 1.0 - fit.moments[1] - fit.moments[2];
-    constexpr double rounding = 1e-12;  // of a plate's moments
-    return std::abs(excess) < rounding ? 0.0 : excess;
-}
-
-std::string json_of(const FittedMotion& fit) {
-    const auto list = [](const Eigen::Vector3d& v) { return json_numbers(v[0], v[1], v[2]); };
-    const auto axis = [&fit, &list](int k) { return list(fit.instrument_from_principal.col(k)); };
-    JsonObject answer;
-    answer.add("rows", fit.n_rows).add("first_time_s", fit.first_time_s);
-    answer.json("moments", list(fit.moments)).json("moments_sd", list(fit.moments_sd));
-    answer.json("axes", json_list(std::vector<std::string>{axis(0), axis(1), axis(2)}));
-    answer.json("axes_sd_rad", list(fit.axes_sd_rad));
-    answer.json("omega_rad_s", list(fit.omega_rad_s))
-        .json("omega_sd_rad_s", list(fit.omega_sd_rad_s));
-    if (fit.I1_kg_m2) answer.add("I1_kg_m2", *fit.I1_kg_m2);
-    answer.add("drag", std::string(name_of(fit.drag)));
-    answer.json("drag_rates", list(fit.drag_rates)).json("drag_rates_sd", list(fit.drag_rates_sd));
-    if (fit.drag == DragModel::linear)
-        answer.add("damping_1_s", fit.drag_rates[0]).add("damping_sd_1_s", fit.drag_rates_sd[0]);
-    answer.add("residual_rad_s", fit.residual_rad_s).add("noise_rad_s", fit.noise_rad_s);
-    answer.add("residual_correlation", fit.correlation);
-    return answer.lines();
-}
-
-// The air's torque.
-void add_drag(const FittedMotion& fit, std::vector<std::string>& lines) {
-    const auto& rates = fit.drag_rates;
-    const auto& sd = fit.drag_rates_sd;
-    if (fit.drag == DragModel::none) return;
-    if (fit.drag == DragModel::linear) {
-        lines.push_back(fmt::format("damping of L: {} 1/s", with_sd(rates[0], sd[0])));
-        return;
-    }
-    lines.push_back(
-        fmt::format("drag {}, torques −γ_i I_i {}: γ = {}, {}, {} {}", name_of(fit.drag),
-                    fit.drag == DragModel::axes ? "ω_i" : "|ω_i| ω_i", with_sd(rates[0], sd[0]),
-                    with_sd(rates[1], sd[1]), with_sd(rates[2], sd[2]),
-                    fit.drag == DragModel::axes ? "1/s" : "1/rad"));
-    lines.push_back(fmt::format("linear drag, −γL, would leave a residual of {:.3g} rad/s",
-                                fit.linear_residual_rad_s));
-}
-
-// What was found, a line each: for the console, and as comments of the scene.
-std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured) {
-    const auto& m = fit.moments;
-    std::vector<std::string> lines{
-        fit.I1_kg_m2
-            ? fmt::format("moments {:.9g}, {:.9g}, {:.9g} kg m², as given", *fit.I1_kg_m2,
-                          *fit.I1_kg_m2 * m[1], *fit.I1_kg_m2 * m[2])
-            : fmt::format("I2/I1 = {}, I3/I1 = {} (standard deviations)",
-                          with_sd(m[1], fit.moments_sd[1]), with_sd(m[2], fit.moments_sd[2]))};
-    for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d e = fit.instrument_from_principal.col(k);
-        lines.push_back(fmt::format("e{} = ({:.4f}, {:.4f}, {:.4f}) in the instrument's axes",
-                                    k + 1, e[0], e[1], e[2]));
-    }
-    lines.push_back(fmt::format("axes uncertain by {:.2g}, {:.2g}, {:.2g} rad about e1, e2, e3",
-                                fit.axes_sd_rad[0], fit.axes_sd_rad[1], fit.axes_sd_rad[2]));
-    constexpr double least_sds = 3.0;
-    if (1.0 - m[1] <= least_sds * fit.moments_sd[1])
-        lines.emplace_back("note: I1 = I2 within the uncertainty, so that e1 and e2 are arbitrary");
-    if (m[1] - m[2] <= least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
-        lines.emplace_back("note: I2 = I3 within the uncertainty, so that e2 and e3 are arbitrary");
-    lines.push_back(fmt::format("ω at {:g} s = ({}, {}, {}) rad/s", fit.first_time_s,
-                                with_sd(fit.omega_rad_s[0], fit.omega_sd_rad_s[0]),
-                                with_sd(fit.omega_rad_s[1], fit.omega_sd_rad_s[1]),
-                                with_sd(fit.omega_rad_s[2], fit.omega_sd_rad_s[2])));
-    add_drag(fit, lines);
-    lines.push_back(
-        fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
-    if (fit.residual_rad_s > least_sds * fit.noise_rad_s)
-        lines.push_back(fmt::format(
-            "note: the residual is larger than the noise of the rows, {:.2g} rad/s: {}; "
-            "residuals are alike from row to row (correlation {:.2f}), which the standard "
-            "deviations "
-            "allow for",
-            fit.noise_rad_s,
-            measured.has_omega ? "the body was not quite free"
-                               : "the body was not quite free, or the attitudes are "
-                                 "too far apart for differences",
-            fit.correlation));
-    if (excess_of(fit) > least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
-        lines.push_back(fmt::format(
-            "note: I1 > I2 + I3 by {:.2g}, which no rigid body has: check the units, the "
-            "axes and the time span of the table",
-            excess_of(fit)));
-    if (!measured.has_omega)
-        lines.emplace_back(
-            "note: the table has no ω; it was computed from the differences of its attitudes");
-    if (const std::string gaps = in_words(gaps_of(measured.rows)); !gaps.empty())
-        lines.push_back(fmt::format("note: {}", gaps));
-    for (const Saturation& saturation : saturations_of(measured.rows))
-        lines.push_back(fmt::format("note: {}", in_words(saturation)));
-    return lines;
-}
-
 // The path by which a scene names a file.
 std::filesystem::path seen_from(const std::filesystem::path& scene,
                                 const std::filesystem::path& file) {
@@ -203,8 +102,9 @@ void check_name_in_scene(const std::filesystem::path& scene, const std::filesyst
 // of the table: the motion is followed back to t = 0. ω(t) tells moments up to a common factor
 // only: I1 = 1 kg m² unless they were given.
 std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene,
-                     const std::filesystem::path& file, const MeasuredMotion& measured) {
-    std::string text = fmt::format("# Fitted to {}.\n", printable(file.filename().string()));
+                     const std::filesystem::path& file, const std::string& name,
+                     const MeasuredMotion& measured) {
+    std::string text = fmt::format("# Fitted to {}.\n", name);
     for (const std::string& line : words_of(fit, measured)) text += fmt::format("# {}\n", line);
     text += "# The scene leaves the drag out.\n";
     const InertiaTensor inertia = InertiaTensor::from_matrix(fit.tensor(), Physicality::waived);
@@ -238,47 +138,169 @@ std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene
     return text;
 }
 
-int run(const FitChoices& choices) {
-    const std::filesystem::path file = choices.files.at(0);
-    if (!choices.output.empty() && suffix_of(choices.output) != ".toml")
+// The flight that --flight names, or the best one.
+const TableFlight& chosen_flight(const FitTable& table, const std::string& wanted) {
+    if (wanted.empty()) return best_flight(table);
+    const auto number = number_of<std::size_t>(wanted);
+    const std::size_t n = table.flights.size();
+    if (!number || *number < 1 || *number > n)
+        throw InputError(fmt::format(
+            "--flight {}: {} has {}; give {}", printable(wanted), printable(table.file.string()),
+            n == 1 ? "1 flight" : fmt::format("{} flights", n),
+            n == 1 ? "1, or leave it out" : fmt::format("a number from 1 to {}", n)));
+    const TableFlight& flight = table.flights[*number - 1];
+    if (!flight.fit) throw InputError(fmt::format("{}: {}", flight.name, flight.refusal));
+    return flight;
+}
+
+// The table that the scene shows: the given one, or the rows of one flight beside the scene.
+std::filesystem::path table_of_scene(const FitTable& table, const std::filesystem::path& scene) {
+    if (!table.is_recording) return table.file;
+    std::filesystem::path file = scene;
+    file.replace_extension(".csv");
+    std::error_code ignored;
+    if (std::filesystem::equivalent(file, table.file, ignored))
+        throw InputError(fmt::format(
+            "-o {}: the rows of the flight would overwrite {}; give the scene another name",
+            printable(scene.string()), printable(table.file.string())));
+    return file;
+}
+
+std::size_t n_predicted_from(const FitChoices& choices) {
+    if (*choices.predict < 1)
+        throw InputError(
+            fmt::format("--predict {}: give the number of rows that are fitted", *choices.predict));
+    return static_cast<std::size_t>(*choices.predict);
+}
+
+void check_output(const FitChoices& choices, bool is_joint) {
+    if (choices.output.empty()) return;
+    if (suffix_of(choices.output) != ".toml")
         throw InputError(fmt::format("-o {}: the output is a scene; end its name in .toml",
                                      printable(choices.output)));
-    if (!choices.output.empty()) check_name_in_scene(choices.output, file);
-    std::optional<Eigen::Vector3d> moments;
-    if (!choices.moments.empty()) moments = moments_in(choices.moments);
-    const std::optional<DragModel> drag = drag_named(choices.drag);
-    MeasuredMotion measured;
-    FittedMotion fit;
-    {
-        ProgressBar bar(false);
-        const SlowWorkNotice notice(fmt::format("{}: fitting", printable(file.string(), 40)),
-                                    bar.sink());
-        measured = load_measured(file);
-        add_omega_by_differences(measured);
+    if (is_joint)
+        throw InputError(
+            fmt::format("-o {}: a scene shows one flight; give one table, or name a flight with "
+                        "--flight",
+                        printable(choices.output)));
+    if (choices.predict)
+        throw InputError(fmt::format("-o {}: a scene shows a fit of all rows; leave --predict out",
+                                     printable(choices.output)));
+    check_name_in_scene(choices.output, choices.files.at(0));
+}
+
+// All flights as those of one body.
+int fit_all(const FitChoices& choices, const std::vector<FitTable>& tables, const FitKnown& known) {
+    std::vector<const TableFlight*> flights;
+    std::vector<std::span<const MeasuredRow>> rows;
+    for (const FitTable& table : tables)
+        for (const TableFlight& flight : table.flights) {
+            flights.push_back(&flight);
+            rows.emplace_back(flight.measured.rows);
+        }
+    if (flights.size() < 2)
+        throw InputError(
+            fmt::format("{}: the table has one flight; give more tables, or leave "
+                        "--flight out",
+                        printable(tables.front().file.string())));
+    const JointFit joint = fit_together(rows, known.moments_kg_m2, known.drag, choices.share_drag);
+    FlightPredictions predictions(choices.predict ? flights.size() : 0);
+    for (std::size_t i = 0; i < predictions.size(); ++i) {
+        if (!joint.flights[i].left_out.empty()) continue;
         try {
-            fit = fit_motion(measured.rows, moments, drag);
+            predictions[i] = predicted_by_others(rows[i], n_predicted_from(choices), joint, i);
         } catch (const InputError& error) {
-            throw InputError(fmt::format("{}: {}", printable(file.string()), error.what()));
+            throw InputError(fmt::format("--predict {}: {}: {}", *choices.predict, flights[i]->name,
+                                         error.what()));
         }
     }
-    if (!choices.output.empty())
-        write_whole(choices.output, scene_of(fit, choices.output, file, measured));
     if (choices.json) {
-        fmt::print("{}", json_of(fit));
+        fmt::print("{}", json_of(joint, flights, predictions));
         return 0;
     }
-    for (const std::string& line : words_of(fit, measured)) fmt::print("{}\n", line);
+    for (const std::string& line : words_of(joint, flights, predictions)) fmt::print("{}\n", line);
+    return 0;
+}
+
+// One flight: the whole table, or one of a recording.
+int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& known) {
+    const std::filesystem::path& file = table.file;
+    const TableFlight& flight = chosen_flight(table, choices.flight);
+    const FittedMotion& fit = *flight.fit;
+    std::optional<Prediction> prediction;
+    if (choices.predict) try {
+            prediction = predicted_alone(flight.measured.rows, n_predicted_from(choices),
+                                         known.moments_kg_m2, known.drag);
+        } catch (const InputError& error) {
+            throw InputError(
+                fmt::format("--predict {}: {}: {}", *choices.predict, flight.name, error.what()));
+        }
+    std::filesystem::path shown;
+    if (!choices.output.empty()) {
+        shown = table_of_scene(table, choices.output);
+        const std::string name = printable(file.filename().string());
+        if (table.is_recording) write_whole(shown, table_text(flight.measured));
+        write_whole(
+            choices.output,
+            scene_of(fit, choices.output, shown,
+                     table.is_recording ? fmt::format("{}, flight {}", name, flight.number) : name,
+                     flight.measured));
+    }
+    if (choices.json) {
+        JsonObject answer;
+        if (table.is_recording)
+            answer.json("flights", json_of_flights(table)).add("flight", flight.number);
+        add_fit(answer, fit);
+        if (prediction) answer.json("prediction", json_of(*prediction));
+        fmt::print("{}", answer.lines());
+        return 0;
+    }
+    if (table.is_recording) {
+        fmt::print("{} in {}, standard deviations:\n",
+                   table.flights.size() == 1 ? "1 free flight"
+                                             : fmt::format("{} free flights", table.flights.size()),
+                   printable(file.string()));
+        for (const std::string& line : flight_lines(table)) fmt::print("{}\n", line);
+        fmt::print("flight {}{}:\n", flight.number,
+                   choices.flight.empty() ? ", which says most about the body" : "");
+    }
+    for (const std::string& line : words_of(fit, flight.measured)) fmt::print("{}\n", line);
+    if (prediction) fmt::print("{}\n", words_of(*prediction));
     if (choices.output.empty()) return 0;
     fmt::print("{}\n", printable(choices.output));
-    if (std::filesystem::file_size(file) > most_table_bytes)
+    if (table.is_recording) fmt::print("{}\n", printable(shown.string()));
+    if (std::filesystem::file_size(shown) > most_table_bytes)
         fmt::print("note: a scene shows tables of at most {} MiB; cut this one for it\n",
                    most_table_bytes >> 20);
-    if (const std::filesystem::path path = seen_from(choices.output, file);
+    if (const std::filesystem::path path = seen_from(choices.output, shown);
         path.is_absolute() || path.begin()->string() == "..")
         fmt::print(
             "note: the table is not in the scene's folder; move it there, or draw the scene with "
             "--allow-outside\n");
     return 0;
+}
+
+int run(const FitChoices& choices) {
+    const bool is_joint = choices.files.size() > 1 || choices.flight == "all";
+    check_output(choices, is_joint);
+    if (choices.files.size() > 1 && !choices.flight.empty() && choices.flight != "all")
+        throw InputError(
+            fmt::format("--flight {}: of several tables all flights are fitted; give one table",
+                        printable(choices.flight)));
+    if (choices.share_drag && !is_joint)
+        throw InputError(
+            "--share-drag: one flight shares its drag with none; give several tables, "
+            "or --flight all");
+    FitKnown known;
+    if (!choices.moments.empty()) known.moments_kg_m2 = moments_in(choices.moments);
+    known.drag = drag_named(choices.drag);
+    std::vector<FitTable> tables;
+    ProgressBar bar(false);
+    for (const std::string& file : choices.files) {
+        const SlowWorkNotice notice(fmt::format("{}: fitting", printable(file, 40)), bar.sink());
+        tables.push_back(fitted_table(file, known));
+    }
+    return is_joint ? fit_all(choices, tables, known) : fit_one(choices, tables.front(), known);
 }
 
 CommandLine fit_line(std::any& storage) {
@@ -296,6 +318,17 @@ CommandLine fit_line(std::any& storage) {
               "−γ_i I_i |ω_i| ω_i along the principal axes; default: linear where this describes "
               "the rows to their noise, else axes or quadratic",
               &c.drag},
+             {"--flight",
+              "N: of a recording with several free flights, fit this one, or `all` of them as "
+              "flights of one body; default: the one that says most about the body",
+              &c.flight},
+             {"--share-drag",
+              "all flights have the same drag coefficients; default: each flight its own",
+              &c.share_drag},
+             {"--predict",
+              "N: fit the first N rows of a flight and say how far the other rows depart; with "
+              "several flights, by the body of the others",
+              &c.predict, "rows"},
              json_option(c.json)},
             [&c] { return run(c); }};
 }
@@ -304,16 +337,16 @@ CommandLine fit_line(std::any& storage) {
 
 extern const Command fit_command{
     "fit",
-    "DATA.csv",
+    "DATA.csv…",
     1,
-    1,
+    any_number,
     "find the body behind a measured ω(t) or attitude: ratios of moments, principal axes, start "
     "and drag",
     fit_line,
-    {{{"poinsot fit gyro.csv",
-       "prints what a gyroscope's table says about the body, with uncertainties"},
-      {"poinsot fit gyro.csv -o thrown.toml",
-       "also writes a scene of that body and its motion; `poinsot still thrown.toml` shows the "
-       "measured points"}}}};
+    {{{"poinsot fit gyro.csv -o thrown.toml",
+       "prints what a gyroscope's table says about the body, and writes a scene of its motion; "
+       "`poinsot still thrown.toml` shows the measured points"},
+      {"poinsot fit recording.csv --flight all",
+       "finds the free flights of a recording and fits them as those of one body"}}}};
 
 }  // namespace poinsot

@@ -171,4 +171,39 @@ std::vector<Flight> first_flights(std::span<const MeasuredRow> rows,
     return flights;
 }
 
+double unexplained_share(std::span<const MeasuredRow> rows) {
+    constexpr double window_rad = 0.7;
+    std::vector<Eigen::Matrix<double, 3, 6>> sums(rows.size()), momenta(rows.size());
+    std::vector<double> angles(rows.size(), 0.0);
+    Eigen::Matrix<double, 3, 6> before = Eigen::Matrix<double, 3, 6>::Zero();
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const Eigen::Vector3d& w = rows[i].omega_body;
+        momenta[i] << w[0], 0.0, 0.0, 0.0, w[2], w[1], 0.0, w[1], 0.0, w[2], 0.0, w[0], 0.0, 0.0,
+            w[2], w[1], w[0], 0.0;
+        Eigen::Matrix<double, 3, 6> turning;
+        for (int k = 0; k < 6; ++k) turning.col(k) = w.cross(momenta[i].col(k));
+        sums[i].setZero();
+        if (i > 0) {
+            const double step_s = rows[i].time_s - rows[i - 1].time_s;
+            sums[i] = sums[i - 1] + 0.5 * step_s * (turning + before);
+            angles[i] = angles[i - 1] + 0.5 * step_s * (w.norm() + rows[i - 1].omega_body.norm());
+        }
+        before = turning;
+    }
+    Normal rest = Normal::Zero(), whole = Normal::Zero();
+    std::size_t b = 0;
+    for (std::size_t a = 0; a < rows.size(); ++a) {
+        while (b < rows.size() && angles[b] - angles[a] < window_rad) ++b;
+        if (b == rows.size()) break;
+        const Eigen::Matrix<double, 3, 6> change = momenta[b] - momenta[a];
+        const Eigen::Matrix<double, 3, 6> row = change + sums[b] - sums[a];
+        rest += row.transpose() * row;
+        whole += change.transpose() * change;
+    }
+    if (rest.isZero(0.0)) return 1.0;
+    const Elements tensor = Eigen::SelfAdjointEigenSolver<Normal>(rest).eigenvectors().col(0);
+    const double changes = tensor.dot(whole * tensor);
+    return changes > 0.0 ? std::sqrt(std::max(tensor.dot(rest * tensor), 0.0) / changes) : 1.0;
+}
+
 }  // namespace poinsot

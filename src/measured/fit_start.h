@@ -17,4 +17,9 @@ namespace poinsot {
 std::vector<Flight> first_flights(std::span<const MeasuredRow> rows,
                                   const std::optional<Eigen::Vector3d>& moments);
 
+// How far these rows are from any free motion: the share of the changes of the angular momentum,
+// over windows of 0.7 rad, that Euler's equations leave unexplained for the tensor that explains
+// most. About 0 for a free motion and 1 for any other; larger by noise. Rows in their own units.
+double unexplained_share(std::span<const MeasuredRow> rows);
+
 }  // namespace poinsot

@@ -4,6 +4,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <csignal>
@@ -154,6 +155,68 @@ TEST(FitCommand, RefusesInOneLine) {
              {"fit few.csv -o scene.png", "-o scene.png: the output is a scene"}}) {
         const ProgramRun run = run_program_in(folder, line);
         EXPECT_NE(run.code, 0) << line;
+        EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
+        EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
+    }
+}
+
+// A real recording with 25 throws (tests/measured/recording).
+std::string recording() {
+    return (source_folder() / "tests" / "measured" / "recording" / "round3_093502.csv").string();
+}
+
+TEST(FitCommand, ListsTheFlightsOfARecordingAndFitsOne) {
+    const ScratchFolder folder;
+    const ProgramRun fit = run_program_in(folder, "fit " + recording() + " --flight 3 -o t.toml");
+    ASSERT_EQ(fit.code, 0) << fit.err;
+    EXPECT_EQ(fit.out.find("25 free flights"), 0U) << fit.out;
+    EXPECT_NE(fit.out.find("flight 3:"), std::string::npos) << fit.out;
+    // The rows of the flight lie beside the scene, which shows them.
+    const ProgramRun check = run_program_in(folder, "check t.toml --json");
+    ASSERT_EQ(check.code, 0) << check.err;
+    EXPECT_EQ(nlohmann::json::parse(check.out).at("measured_file"), "t.csv");
+    // The rows of that flight alone are one flight: the same fit.
+    const auto one = nlohmann::json::parse(run_program_in(folder, "fit t.csv --json").out);
+    const auto chosen = nlohmann::json::parse(
+        run_program_in(folder, "fit " + recording() + " --flight 3 --json").out);
+    EXPECT_EQ(one.at("moments"), chosen.at("moments"));
+    EXPECT_EQ(chosen.at("flights").size(), 25U);
+    EXPECT_EQ(chosen.at("flight"), 3);
+}
+
+TEST(FitCommand, FitsFlightsTogetherAndPredicts) {
+    const ScratchFolder folder;
+    const ProgramRun fit =
+        run_program_in(folder, "fit " + recording() + " --flight all --predict 10 --json");
+    ASSERT_EQ(fit.code, 0) << fit.err;
+    const auto found = nlohmann::json::parse(fit.out);
+    // Pendulums gave 0.067 ± 0.013.
+    EXPECT_NEAR(found.at("moments").at(2).get<double>(), 0.067, 0.013);
+    EXPECT_GE(found.at("flights_used"), 23);
+    const auto& first = found.at("flights").at(0).at("prediction");
+    EXPECT_NEAR(first.at("period_s").get<double>(), first.at("measured_period_s").get<double>(),
+                4.0 * first.at("period_sd_s").get<double>());
+    const ProgramRun shared =
+        run_program_in(folder, "fit " + recording() + " --flight all --share-drag");
+    EXPECT_NE(shared.out.find("shared: γ = "), std::string::npos) << shared.out;
+    EXPECT_NE(shared.out.find("rule: a flight is left out if"), std::string::npos);
+}
+
+TEST(FitCommand, RefusesFlightsThatAreNotThere) {
+    const ScratchFolder folder;
+    write_table(folder);
+    for (const auto& [line, message] : std::vector<std::pair<std::string, std::string>>{
+             {"fit gyro.csv --flight 2", "--flight 2: gyro.csv has 1 flight; give 1, or leave"},
+             {"fit gyro.csv --flight x", "--flight x: gyro.csv has 1 flight"},
+             {"fit gyro.csv --flight all", "gyro.csv: the table has one flight"},
+             {"fit gyro.csv gyro.csv --flight 1", "of several tables all flights are fitted"},
+             {"fit gyro.csv gyro.csv -o both.toml", "-o both.toml: a scene shows one flight"},
+             {"fit gyro.csv --share-drag", "--share-drag: one flight shares its drag with none"},
+             {"fit gyro.csv --predict 401", "--predict 401: gyro.csv: 401 rows are fitted of 401"},
+             {"fit gyro.csv --predict 3", "--predict 3: gyro.csv: 3 rows say too little"},
+             {"fit gyro.csv --predict 0", "--predict 0: give the number of rows"}}) {
+        const ProgramRun run = run_program_in(folder, line);
+        EXPECT_EQ(run.code, 2) << line;
         EXPECT_NE(run.err.find(message), std::string::npos) << run.err;
         EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     }

@@ -1,0 +1,54 @@
+// The flights of the tables that `poinsot fit` reads, each with a fit of its own.
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "measured/fit.h"
+#include "measured/measured_motion.h"
+
+namespace poinsot {
+
+struct TableFlight {
+    std::string name;           // "throws.csv, flight 3"
+    std::size_t number = 1;     // in its table, from 1 on
+    MeasuredMotion measured;    // its rows
+    std::size_t n_limited = 0;  // rows at the limit of the sensor that were left out
+    double rate_rad_s = 0.0;    // root mean square of |ω|
+    std::optional<FittedMotion> fit;
+    std::string refusal;  // why there is none
+};
+
+struct FitTable {
+    std::filesystem::path file;
+    bool is_recording = false;  // with more than one free flight in it
+    std::vector<TableFlight> flights;
+};
+
+// What is known beforehand.
+struct FitKnown {
+    std::optional<Eigen::Vector3d> moments_kg_m2;
+    std::optional<DragModel> drag;
+};
+
+// Reads a table, finds its flights and fits each. A table of which one flight takes four fifths or
+// more is that flight as a whole; so is one in which no flight is found. Throws InputError if it
+// cannot be read.
+FitTable fitted_table(const std::filesystem::path& file, const FitKnown& known);
+
+// The flight that says most about the body: the one with the smallest standard deviations of
+// moments and axes. Throws InputError if none has a fit.
+const TableFlight& best_flight(const FitTable& table);
+
+// The list of flights, a line each.
+std::vector<std::string> flight_lines(const FitTable& table);
+// [{"number": 1, …}, …]
+std::string json_of_flights(const FitTable& table);
+
+// Rows as a table that `fit` and scenes read.
+std::string table_text(const MeasuredMotion& measured);
+
+}  // namespace poinsot

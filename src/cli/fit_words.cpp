@@ -1,0 +1,118 @@
+#include "cli/fit_words.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "measured/table_faults.h"
+
+namespace poinsot {
+
+namespace {
+
+// The air's torque.
+void add_drag(const FittedMotion& fit, std::vector<std::string>& lines) {
+    const auto& rates = fit.drag_rates;
+    const auto& sd = fit.drag_rates_sd;
+    if (fit.drag == DragModel::none) return;
+    if (fit.drag == DragModel::linear) {
+        lines.push_back(fmt::format("damping of L: {} 1/s", with_sd(rates[0], sd[0])));
+        return;
+    }
+    lines.push_back(
+        fmt::format("drag {}, torques −γ_i I_i {}: γ = {}, {}, {} {}", name_of(fit.drag),
+                    fit.drag == DragModel::axes ? "ω_i" : "|ω_i| ω_i", with_sd(rates[0], sd[0]),
+                    with_sd(rates[1], sd[1]), with_sd(rates[2], sd[2]),
+                    fit.drag == DragModel::axes ? "1/s" : "1/rad"));
+    lines.push_back(fmt::format("linear drag, −γL, would leave a residual of {:.3g} rad/s",
+                                fit.linear_residual_rad_s));
+}
+
+}  // namespace
+
+std::string with_sd(double value, double sd) {
+    if (!(sd > 1e-15) || !(std::abs(value) < 1e9))
+        return fmt::format("{:.15g} ± {:.2g}", value, sd);
+    const int decimals = std::clamp(1 - static_cast<int>(std::floor(std::log10(sd))), 0, 15);
+    return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sd, decimals);
+}
+
+double excess_of(const FittedMotion& fit) {
+    const double excess = 1.0 - fit.moments[1] - fit.moments[2];
+    constexpr double rounding = 1e-12;  // of a plate's moments
+    return std::abs(excess) < rounding ? 0.0 : excess;
+}
+
+void add_fit(JsonObject& answer, const FittedMotion& fit) {
+    const auto list = [](const Eigen::Vector3d& v) { return json_numbers(v[0], v[1], v[2]); };
+    const auto axis = [&fit, &list](int k) { return list(fit.instrument_from_principal.col(k)); };
+    answer.add("rows", fit.n_rows).add("first_time_s", fit.first_time_s);
+    answer.json("moments", list(fit.moments)).json("moments_sd", list(fit.moments_sd));
+    answer.json("axes", json_list(std::vector<std::string>{axis(0), axis(1), axis(2)}));
+    answer.json("axes_sd_rad", list(fit.axes_sd_rad));
+    answer.json("omega_rad_s", list(fit.omega_rad_s))
+        .json("omega_sd_rad_s", list(fit.omega_sd_rad_s));
+    if (fit.I1_kg_m2) answer.add("I1_kg_m2", *fit.I1_kg_m2);
+    answer.add("drag", std::string(name_of(fit.drag)));
+    answer.json("drag_rates", list(fit.drag_rates)).json("drag_rates_sd", list(fit.drag_rates_sd));
+    if (fit.drag == DragModel::linear)
+        answer.add("damping_1_s", fit.drag_rates[0]).add("damping_sd_1_s", fit.drag_rates_sd[0]);
+    answer.add("residual_rad_s", fit.residual_rad_s).add("noise_rad_s", fit.noise_rad_s);
+    answer.add("residual_correlation", fit.correlation);
+}
+
+std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured) {
+    const auto& m = fit.moments;
+    std::vector<std::string> lines{
+        fit.I1_kg_m2
+            ? fmt::format("moments {:.9g}, {:.9g}, {:.9g} kg m², as given", *fit.I1_kg_m2,
+                          *fit.I1_kg_m2 * m[1], *fit.I1_kg_m2 * m[2])
+            : fmt::format("I2/I1 = {}, I3/I1 = {} (standard deviations)",
+                          with_sd(m[1], fit.moments_sd[1]), with_sd(m[2], fit.moments_sd[2]))};
+    for (int k = 0; k < 3; ++k) {
+        const Eigen::Vector3d e = fit.instrument_from_principal.col(k);
+        lines.push_back(fmt::format("e{} = ({:.4f}, {:.4f}, {:.4f}) in the instrument's axes",
+                                    k + 1, e[0], e[1], e[2]));
+    }
+    lines.push_back(fmt::format("axes uncertain by {:.2g}, {:.2g}, {:.2g} rad about e1, e2, e3",
+                                fit.axes_sd_rad[0], fit.axes_sd_rad[1], fit.axes_sd_rad[2]));
+    constexpr double least_sds = 3.0;
+    if (1.0 - m[1] <= least_sds * fit.moments_sd[1])
+        lines.emplace_back("note: I1 = I2 within the uncertainty, so that e1 and e2 are arbitrary");
+    if (m[1] - m[2] <= least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
+        lines.emplace_back("note: I2 = I3 within the uncertainty, so that e2 and e3 are arbitrary");
+    lines.push_back(fmt::format("ω at {:g} s = ({}, {}, {}) rad/s", fit.first_time_s,
+                                with_sd(fit.omega_rad_s[0], fit.omega_sd_rad_s[0]),
+                                with_sd(fit.omega_rad_s[1], fit.omega_sd_rad_s[1]),
+                                with_sd(fit.omega_rad_s[2], fit.omega_sd_rad_s[2])));
+    add_drag(fit, lines);
+    lines.push_back(
+        fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
+    if (fit.residual_rad_s > least_sds * fit.noise_rad_s)
+        lines.push_back(fmt::format(
+            "note: the residual is larger than the noise of the rows, {:.2g} rad/s: {}; "
+            "residuals are alike from row to row (correlation {:.2f}), which the standard "
+            "deviations "
+            "allow for",
+            fit.noise_rad_s,
+            measured.has_omega ? "the body was not quite free"
+                               : "the body was not quite free, or the attitudes are "
+                                 "too far apart for differences",
+            fit.correlation));
+    if (excess_of(fit) > least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
+        lines.push_back(fmt::format(
+            "note: I1 > I2 + I3 by {:.2g}, which no rigid body has: check the units, the "
+            "axes and the time span of the table",
+            excess_of(fit)));
+    if (!measured.has_omega)
+        lines.emplace_back(
+            "note: the table has no ω; it was computed from the differences of its attitudes");
+    if (const std::string gaps = in_words(gaps_of(measured.rows)); !gaps.empty())
+        lines.push_back(fmt::format("note: {}", gaps));
+    for (const Saturation& saturation : saturations_of(measured.rows))
+        lines.push_back(fmt::format("note: {}", in_words(saturation)));
+    return lines;
+}
+
+}  // namespace poinsot

@@ -1,0 +1,222 @@
+#include "measured/flight_fit.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+
+#include "measured/fit_start.h"
+#include "measured/table_faults.h"
+
+namespace poinsot {
+
+namespace {
+
+// Each axis points to the positive side of its largest component.
+void point_axes(Eigen::Matrix3d& axes) {
+    for (int k = 0; k < 3; ++k) {
+        Eigen::Index largest = 0;
+        axes.col(k).cwiseAbs().maxCoeff(&largest);
+        if (axes(largest, k) < 0.0) axes.col(k) *= -1.0;
+    }
+    if (axes.determinant() < 0.0) axes.col(2) *= -1.0;
+}
+
+// Least squares over the first rows, then over twice as many, and so on: each fit is near enough
+// for the next to keep count of the periods.
+FoundFlight grown(std::span<const MeasuredRow> rows, Flight start, const IsFitted& is_fitted,
+                  double first_span_rad) {
+    for (double span = first_span_rad;; span *= 2.0) {
+        const auto end =
+            std::upper_bound(rows.begin(), rows.end(), rows.front().time_s + span,
+                             [](double t, const MeasuredRow& row) { return t < row.time_s; });
+        const std::size_t n = std::min(
+            rows.size(), std::max(least_fitted_rows, static_cast<std::size_t>(end - rows.begin())));
+        FoundFlight found = minimised(rows.first(n), start, is_fitted);
+        if (n == rows.size()) return found;
+        start = found.flight;
+    }
+}
+
+}  // namespace
+
+double rate_of(std::span<const MeasuredRow> rows) {
+    double sum = 0.0;
+    for (const MeasuredRow& row : rows) sum += row.omega_body.squaredNorm();
+    return std::sqrt(sum / static_cast<double>(rows.size()));
+}
+
+// From sixth differences, to which a smooth motion adds little: the squares of their coefficients,
+// 1, 6, 15, 20 and so on, sum up to 924.
+double noise_of(std::span<const MeasuredRow> rows) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    double sum = 0.0;
+    std::size_t n = 0;
+    const auto add = [&sum, &n](std::span<const MeasuredRow> stretch) {
+        for (std::size_t i = 3; i + 3 < stretch.size(); ++i, ++n) {
+            const auto pair = [&](std::size_t k) -> Eigen::Vector3d {
+                return stretch[i - k].omega_body + stretch[i + k].omega_body;
+            };
+            sum += (pair(3) - 6.0 * pair(2) + 15.0 * pair(1) - 20.0 * stretch[i].omega_body)
+                       .squaredNorm();
+        }
+    };
+    for (const auto& stretch : stretches_of(rows, -infinity, infinity)) add(stretch);
+    if (n == 0) add(rows);
+    return std::sqrt(sum / 924.0 / static_cast<double>(3 * n));
+}
+
+std::vector<MeasuredRow> scaled_by(std::span<const MeasuredRow> rows, double rate) {
+    std::vector<MeasuredRow> scaled(rows.begin(), rows.end());
+    for (MeasuredRow& row : scaled) {
+        row.time_s = (row.time_s - rows.front().time_s) * rate;
+        row.omega_body /= rate;
+    }
+    return scaled;
+}
+
+IsFitted fitted_changes(const std::optional<Eigen::Vector3d>& moments, DragModel drag) {
+    IsFitted is_fitted{};
+    for (int k = 0; k < n_changes(drag); ++k) is_fitted[static_cast<std::size_t>(k)] = true;
+    if (!moments) return is_fitted;
+    is_fitted[0] = is_fitted[1] = false;
+    // A turn about the axis of two equal moments changes nothing.
+    for (std::size_t k = 0; k < 3; ++k) {
+        const auto one = static_cast<Eigen::Index>((k + 1) % 3);
+        const auto other = static_cast<Eigen::Index>((k + 2) % 3);
+        if ((*moments)[one] == (*moments)[other]) is_fitted[2 + k] = false;
+    }
+    return is_fitted;
+}
+
+int count(const IsFitted& is_fitted) {
+    return static_cast<int>(std::count(is_fitted.begin(), is_fitted.end(), true));
+}
+
+std::vector<int> places_of(const IsFitted& is_fitted) {
+    std::vector<int> places;
+    places.reserve(is_fitted.size());
+    for (std::size_t k = 0; k < is_fitted.size(); ++k)
+        if (is_fitted[k]) places.push_back(static_cast<int>(k));
+    return places;
+}
+
+Square chosen(const FlightSquare& square, const std::vector<int>& places) {
+    const auto n = static_cast<Eigen::Index>(places.size());
+    Square normal(n, n);
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index k = 0; k < n; ++k)
+            normal(i, k) =
+                square(places[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(k)]);
+    return normal;
+}
+
+IsFitted fitted_start(DragModel drag, bool with_drag) {
+    IsFitted is_fitted{};
+    const int end = with_drag ? n_changes(drag) : first_of_drag;
+    for (int k = first_of_omega; k < end; ++k) is_fitted[static_cast<std::size_t>(k)] = true;
+    return is_fitted;
+}
+
+FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
+                      const IsFitted& is_fitted, int most_steps) {
+    constexpr double least_gain = 1e-9, most_trust = 1e12, widest_log = 11.0;
+    const std::vector<int> places = places_of(is_fitted);
+    Flight flight = start;
+    FlightSums sums = flight_sums(flight, rows);
+    double trust = 1e-3;
+    for (int n_steps = 0; n_steps < most_steps && std::isfinite(sums.squares); ++n_steps) {
+        const Square normal = chosen(sums.normal, places);
+        Column gradient(normal.rows());
+        for (Eigen::Index i = 0; i < gradient.size(); ++i)
+            gradient[i] = sums.gradient[places[static_cast<std::size_t>(i)]];
+        Square damped = normal;
+        const double floor = 1e-12 * normal.diagonal().maxCoeff();
+        for (Eigen::Index i = 0; i < damped.rows(); ++i)
+            damped(i, i) += trust * normal(i, i) + floor;
+        const Column step = damped.ldlt().solve(-gradient);
+        FlightChange by = FlightChange::Zero();
+        for (Eigen::Index i = 0; i < step.size(); ++i)
+            by[places[static_cast<std::size_t>(i)]] = step[i];
+        if (!by.allFinite()) break;
+        const Flight next = changed(flight, by);
+        const bool is_tried = by.head<n_of_body>().cwiseAbs().maxCoeff() < 2.0 &&
+                              next.moments.array().log().abs().maxCoeff() < widest_log;
+        FlightSums there;
+        there.squares = std::numeric_limits<double>::infinity();
+        if (is_tried) there = flight_sums(next, rows);
+        if (there.squares < sums.squares) {
+            const double gain = 1.0 - there.squares / sums.squares;
+            flight = next;
+            sums = there;
+            trust = std::max(trust * 0.1, 1e-9);
+            if (gain < least_gain) break;
+        } else {
+            trust *= 8.0;
+            if (trust > most_trust || by.cwiseAbs().maxCoeff() < 1e-13) break;
+        }
+    }
+    return {flight, sums.squares};
+}
+
+double residual_of(const FoundFlight& found, std::size_t n_rows, int n_fitted) {
+    return std::sqrt(found.squares / (static_cast<double>(3 * n_rows) - n_fitted));
+}
+
+// Starts are tried until one leaves no more than noise, or until two of them end in the same least
+// minimum.
+FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
+                     const std::optional<Eigen::Vector3d>& moments) {
+    const IsFitted is_fitted = fitted_changes(moments, DragModel::linear);
+    const double most_noise = 1.2 * noise;
+    const double n_values = static_cast<double>(3 * rows.size()) - count(is_fitted);
+    FoundFlight best;
+    constexpr double same = 1e-3, near_share = 0.05;
+    for (const double first_span_rad : {12.0, 5.0, 30.0})
+        for (const Flight& start : first_flights(rows, moments)) {
+            const FoundFlight found = grown(rows, start, is_fitted, first_span_rad);
+            const bool is_same = std::abs(found.squares - best.squares) < same * best.squares;
+            if (found.squares < best.squares) best = found;
+            if (best.squares < most_noise * most_noise * n_values) return best;
+            if (is_same && best.squares < near_share * near_share * n_values) return best;
+        }
+    return best;
+}
+
+// The three axes share the damping at first.
+FoundFlight with_drag(std::span<const MeasuredRow> rows, const FoundFlight& linear, DragModel drag,
+                      const std::optional<Eigen::Vector3d>& moments) {
+    if (drag == DragModel::linear) return linear;
+    Flight start = linear.flight;
+    start.drag = drag;
+    start.drag_rates.setConstant(drag == DragModel::none ? 0.0 : linear.flight.drag_rates[0]);
+    return minimised(rows, start, fitted_changes(moments, drag));
+}
+
+Flight in_order(const Flight& flight) {
+    std::array<int, 3> order{0, 1, 2};
+    std::stable_sort(order.begin(), order.end(),
+                     [&flight](int a, int b) { return flight.moments[a] > flight.moments[b]; });
+    Flight made = flight;
+    for (int k = 0; k < 3; ++k) {
+        const int from = order[static_cast<std::size_t>(k)];
+        made.moments[k] = flight.moments[from] / flight.moments[order[0]];
+        made.axes.col(k) = flight.axes.col(from);
+        if (flight.drag != DragModel::linear) made.drag_rates[k] = flight.drag_rates[from];
+    }
+    point_axes(made.axes);
+    return made;
+}
+
+double correlation_of(const std::vector<Eigen::Vector3d>& residuals) {
+    double squares = 0.0, products = 0.0;
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        squares += residuals[i].squaredNorm();
+        if (i > 0) products += residuals[i].dot(residuals[i - 1]);
+    }
+    constexpr double most = 0.99;
+    return squares > 0.0 ? std::clamp(products / squares, 0.0, most) : 0.0;
+}
+
+}  // namespace poinsot

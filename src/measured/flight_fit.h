@@ -1,0 +1,63 @@
+// Least squares of flights on measured rows: what the fits of one motion, of flights in a recording
+// and of many flights together share.
+#pragma once
+
+#include <Eigen/Core>
+#include <array>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "measured/flight_model.h"
+
+namespace poinsot {
+
+constexpr std::size_t least_fitted_rows = 30;
+
+// The root mean square of |ω|.
+double rate_of(std::span<const MeasuredRow> rows);
+// The noise of a component, as the rows scatter from one to the next. Between uneven instants it is
+// too large.
+double noise_of(std::span<const MeasuredRow> rows);
+// Times from the first row on and ω, in units in which the rate is 1.
+std::vector<MeasuredRow> scaled_by(std::span<const MeasuredRow> rows, double rate);
+
+// Which changes of a flight are fitted.
+using IsFitted = std::array<bool, most_flight_changes>;
+// All, or those that are not known with the moments.
+IsFitted fitted_changes(const std::optional<Eigen::Vector3d>& moments, DragModel drag);
+// Those of start and drag, for a known body; `with_drag` false: of the start alone.
+IsFitted fitted_start(DragModel drag, bool with_drag = true);
+int count(const IsFitted& is_fitted);
+std::vector<int> places_of(const IsFitted& is_fitted);
+
+using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_flight_changes,
+                             most_flight_changes>;
+using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_flight_changes, 1>;
+Square chosen(const FlightSquare& square, const std::vector<int>& places);
+
+struct FoundFlight {
+    Flight flight;
+    double squares = std::numeric_limits<double>::infinity();
+};
+// Root mean square of a component of the residual, for so many fitted numbers.
+double residual_of(const FoundFlight& found, std::size_t n_rows, int n_fitted);
+
+// Levenberg's and Marquardt's method on the rows as a whole. Precondition: rows are near |ω| = 1.
+FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
+                      const IsFitted& is_fitted, int most_steps = 60);
+// With linear drag, from the starts that Euler's equations give.
+FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
+                     const std::optional<Eigen::Vector3d>& moments);
+// With this drag, from the linear fit on.
+FoundFlight with_drag(std::span<const MeasuredRow> rows, const FoundFlight& linear, DragModel drag,
+                      const std::optional<Eigen::Vector3d>& moments);
+
+// I1 ≥ I2 ≥ I3 in units of I1, and axes whose largest components are positive.
+Flight in_order(const Flight& flight);
+// How much the residual of a row is like that of the row before it.
+double correlation_of(const std::vector<Eigen::Vector3d>& residuals);
+
+}  // namespace poinsot

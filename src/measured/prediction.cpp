@@ -1,0 +1,241 @@
+#include "measured/prediction.h"
+
+#include <fmt/format.h>
+
+#include <Eigen/Cholesky>
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <vector>
+
+#include "error/error.h"
+#include "measured/flight_fit.h"
+#include "measured/flight_model.h"
+#include "mechanics/free/free_rotation.h"
+
+namespace poinsot {
+
+namespace {
+
+// A flight in units of its rate, with the covariance of its changes.
+struct UncertainFlight {
+    Flight flight;
+    double rate = 1.0;
+    FlightSquare covariance = FlightSquare::Zero();
+};
+
+// The covariance of what is fitted, from residuals that are alike from row to row.
+FlightSquare covariance_of(const Flight& flight, std::span<const MeasuredRow> rows,
+                           const IsFitted& is_fitted) {
+    std::vector<Eigen::Vector3d> residuals;
+    const FlightSums sums = flight_sums(flight, rows, &residuals);
+    const FlightSums spread = flight_sums(flight, rows, nullptr, correlation_of(residuals));
+    const std::vector<int> places = places_of(is_fitted);
+    const double residual = residual_of({flight, sums.squares}, rows.size(), count(is_fitted));
+    const Square normal = chosen(sums.normal, places);
+    const auto n = normal.rows();
+    const Square inverse = normal.ldlt().solve(Square::Identity(n, n));
+    const Square small = residual * residual * inverse * chosen(spread.spread, places) * inverse;
+    FlightSquare covariance = FlightSquare::Zero();
+    for (Eigen::Index i = 0; i < n; ++i)
+        for (Eigen::Index k = 0; k < n; ++k)
+            covariance(places[static_cast<std::size_t>(i)], places[static_cast<std::size_t>(k)]) =
+                small(i, k);
+    return covariance;
+}
+
+std::optional<double> period_of(const Flight& flight) {
+    const FreeRotation free(
+        InertiaTensor::from_matrix(Eigen::Matrix3d(flight.moments.asDiagonal()),
+                                   Physicality::waived),
+        RotationState{0.0, Eigen::Quaterniond::Identity(), flight.axes.transpose() * flight.omega});
+    return free.constants().polhode_period_s;
+}
+
+// The sign change of ω along e2 that is nearest to `near`, or the first one after `from`.
+std::optional<double> flip_of(const Flight& flight, double from, double last,
+                              std::optional<double> near = {}) {
+    constexpr double step = 0.02;
+    std::vector<double> times;
+    for (double t = 0.0; t <= last; t += step) times.push_back(t);
+    const std::vector<Eigen::Vector3d> omegas = flight_omega(flight, times);
+    std::optional<double> best;
+    for (std::size_t i = 1; i < omegas.size(); ++i) {
+        const double a = flight.axes.col(1).dot(omegas[i - 1]);
+        const double b = flight.axes.col(1).dot(omegas[i]);
+        if ((a < 0.0) == (b < 0.0)) continue;
+        const double t = times[i - 1] + step * a / (a - b);
+        if (!near && t > from) return t;
+        if (near && (!best || std::abs(t - *near) < std::abs(*best - *near))) best = t;
+    }
+    return best;
+}
+
+// A number of the flight, with the deviation that its covariance gives, by differences.
+std::optional<Predicted> with_deviation(
+    const UncertainFlight& from, double unit,
+    const std::function<std::optional<double>(const Flight&)>& number) {
+    const auto value = number(from.flight);
+    if (!value) return std::nullopt;
+    FlightChange slope = FlightChange::Zero();
+    for (int k = 0; k < most_flight_changes; ++k) {
+        const double sd = std::sqrt(std::max(from.covariance(k, k), 0.0));
+        if (!(sd > 0.0)) continue;
+        const FlightChange by = std::min(0.1 * sd, 1e-3) * FlightChange::Unit(k);
+        const auto above = number(changed(from.flight, by));
+        const auto below = number(changed(from.flight, -by));
+        if (above && below) slope[k] = (*above - *below) / (2.0 * by[k]);
+    }
+    const double variance = slope.dot(from.covariance * slope);
+    return Predicted{*value * unit, std::sqrt(std::max(variance, 0.0)) * unit};
+}
+
+Prediction compared(std::span<const MeasuredRow> rows, std::size_t n_fitted,
+                    const UncertainFlight& from) {
+    Prediction made;
+    made.n_fitted = n_fitted;
+    made.n_rest = rows.size() - n_fitted;
+    const double first_s = rows.front().time_s;
+    std::vector<double> times;
+    times.reserve(rows.size());
+    for (const MeasuredRow& row : rows) times.push_back((row.time_s - first_s) * from.rate);
+    const std::vector<Eigen::Vector3d> omegas = flight_omega(from.flight, times);
+    double fitted = 0.0, rest = 0.0;
+    for (std::size_t i = 0; i < omegas.size(); ++i) {
+        const double off = (from.rate * omegas[i] - rows[i].omega_body).norm();
+        (i < n_fitted ? fitted : rest) += off * off;
+        if (i < n_fitted || off < made.largest_rad_s) continue;
+        made.largest_rad_s = off;
+        made.largest_at_s = rows[i].time_s;
+    }
+    made.residual_rad_s = std::sqrt(fitted / static_cast<double>(3 * n_fitted));
+    made.rms_rad_s = std::sqrt(rest / static_cast<double>(made.n_rest));
+    made.period_s = with_deviation(from, 1.0 / from.rate, period_of);
+    const double from_rad = times[n_fitted - 1];
+    // A predicted flip may come after the last row.
+    const double last_rad = 2.0 * times.back();
+    if (const auto flip = flip_of(from.flight, from_rad, last_rad)) {
+        made.flip_s = with_deviation(from, 1.0 / from.rate, [&](const Flight& flight) {
+            return flip_of(flight, from_rad, last_rad, flip);
+        });
+        made.flip_s->value += first_s;
+    }
+    for (std::size_t i = n_fitted; i < rows.size() && !made.measured_flip_s; ++i) {
+        const Eigen::Vector3d middle = from.flight.axes.col(1);
+        const double a = middle.dot(rows[i - 1].omega_body), b = middle.dot(rows[i].omega_body);
+        if ((a < 0.0) != (b < 0.0))
+            made.measured_flip_s =
+                rows[i - 1].time_s + (rows[i].time_s - rows[i - 1].time_s) * a / (a - b);
+    }
+    return made;
+}
+
+void check_rest(std::span<const MeasuredRow> rows, std::size_t n_fitted) {
+    if (n_fitted >= rows.size())
+        throw InputError(
+            fmt::format("{} rows are fitted of {}, so that none is left to predict; "
+                        "fit fewer",
+                        n_fitted, rows.size()));
+}
+
+Flight flight_of(const FittedMotion& fit, double rate) {
+    Flight flight;
+    flight.moments = fit.moments;
+    flight.axes = fit.instrument_from_principal;
+    flight.omega = fit.omega_rad_s / rate;
+    flight.drag = fit.drag;
+    flight.drag_rates = fit.drag_rates / (fit.drag == DragModel::quadratic ? 1.0 : rate);
+    return flight;
+}
+
+}  // namespace
+
+Prediction predicted_alone(std::span<const MeasuredRow> rows, std::size_t n_fitted,
+                           const std::optional<Eigen::Vector3d>& moments_kg_m2,
+                           const std::optional<DragModel>& drag) {
+    check_rest(rows, n_fitted);
+    const auto first = rows.first(n_fitted);
+    const FittedMotion fit = fit_motion(first, moments_kg_m2, drag);
+    UncertainFlight from;
+    from.rate = rate_of(first);
+    from.flight = flight_of(fit, from.rate);
+    std::optional<Eigen::Vector3d> known;
+    if (moments_kg_m2) known = fit.moments;
+    from.covariance =
+        covariance_of(from.flight, scaled_by(first, from.rate), fitted_changes(known, fit.drag));
+    Prediction made = compared(rows, n_fitted, from);
+    const FittedMotion whole = fit_motion(rows, moments_kg_m2, drag);
+    made.measured_period_s = period_of(flight_of(whole, 1.0));
+    return made;
+}
+
+Prediction predicted_by_others(std::span<const MeasuredRow> rows, std::size_t n_fitted,
+                               const JointFit& joint, std::size_t index) {
+    check_rest(rows, n_fitted);
+    constexpr std::size_t least_rows = 3;
+    if (n_fitted < least_rows)
+        throw InputError(
+            fmt::format("{} rows do not fix the start; fit {} or more", n_fitted, least_rows));
+    const auto first = rows.first(n_fitted);
+    UncertainFlight from;
+    from.rate = rate_of(first);
+    Flight& flight = from.flight;
+    flight.moments = joint.moments;
+    flight.axes = joint.instrument_from_principal;
+    FlightChange without = FlightChange::Zero();
+    without.head<n_of_body>() = joint.flights[index].change_without;
+    flight = changed(flight, without);
+    flight.drag = joint.drag;
+    const double unit = joint.drag == DragModel::quadratic ? 1.0 : 1.0 / from.rate;
+    // The drag of the other flights: their median, with their scatter.
+    Eigen::Vector3d rates = Eigen::Vector3d::Zero(), scatter = Eigen::Vector3d::Zero();
+    for (int k = 0; k < 3; ++k) {
+        std::vector<double> others;
+        for (std::size_t i = 0; i < joint.flights.size(); ++i)
+            if (i != index && joint.flights[i].left_out.empty())
+                others.push_back(joint.flights[i].drag_rates[k]);
+        const auto median = [](std::vector<double>& values) {
+            const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+            std::nth_element(values.begin(), middle, values.end());
+            return *middle;
+        };
+        if (others.empty()) continue;
+        rates[k] = median(others);
+        for (double& other : others) other = std::abs(other - rates[k]);
+        constexpr double of_normal = 1.4826;
+        scatter[k] = of_normal * median(others);
+    }
+    flight.drag_rates = unit * rates;
+    flight.omega = first.front().omega_body / from.rate;
+    const std::vector<MeasuredRow> scaled = scaled_by(first, from.rate);
+    const IsFitted is_start = fitted_start(joint.drag, false);
+    flight = minimised(scaled, flight, is_start).flight;
+
+    // The start follows the body and the drag that it is fitted with.
+    const FlightSquare normal = flight_sums(flight, scaled).normal;
+    const Eigen::Matrix<double, 3, most_flight_changes> start_by =
+        -normal.block<3, 3>(first_of_omega, first_of_omega)
+             .ldlt()
+             .solve(normal.middleRows<3>(first_of_omega));
+    FlightSquare known = FlightSquare::Zero();
+    known.topLeftCorner<n_of_body, n_of_body>() = joint.covariance;
+    const int n_drag = n_changes(joint.drag) - first_of_drag;
+    for (int k = 0; k < n_drag; ++k)
+        known(first_of_drag + k, first_of_drag + k) = std::pow(unit * scatter[k], 2);
+    FlightSquare follows = FlightSquare::Identity();
+    follows.middleRows<3>(first_of_omega) = start_by;
+    follows.middleCols<3>(first_of_omega).setZero();
+    from.covariance =
+        follows * known * follows.transpose() + covariance_of(flight, scaled, is_start);
+    Prediction made = compared(rows, n_fitted, from);
+    // All rows, with the same body.
+    const double rate = rate_of(rows);
+    Flight whole = flight;
+    whole.omega = flight.omega * from.rate / rate;
+    whole.drag_rates = rates * (joint.drag == DragModel::quadratic ? 1.0 : 1.0 / rate);
+    whole = minimised(scaled_by(rows, rate), whole, fitted_start(joint.drag)).flight;
+    if (const auto period = period_of(whole)) made.measured_period_s = *period / rate;
+    return made;
+}
+
+}  // namespace poinsot
