@@ -16,7 +16,7 @@ class Page {
     this.figure = new Figure(
       {stage: part('stage'), picture: part('picture'), poster: /** @type {HTMLImageElement} */ (part('poster'))},
       {
-        bytes: () => (this.bytes ??= Promise.all([unpacked('program-module'), unpacked('program-fonts')]).then(([module, fonts]) => ({module, fonts}))),
+        bytes: () => this.program_bytes(),
         drawn: () => this.#drawn(),
         loaded: () => this.#loaded(),
         failed: (kind, message) => (kind === 'draw' ? this.#say(message) : this.#fail(kind, message)),
@@ -47,6 +47,7 @@ class Page {
       words,
       take_back: (values) => this.#reload({values}),
     });
+    this.films = new FilmPanel(this);
     this.notes = new Notes(part('notes'), words, (event) => this.#key(event));
     /** Called after a scene is loaded. @type {() => void} */
     this.said = () => {};
@@ -63,6 +64,11 @@ class Page {
     this.#name();
     this.#wire();
     this.#fit();
+  }
+
+  /** The module and its fonts. */
+  program_bytes() {
+    return (this.bytes ??= Promise.all([unpacked('program-module'), unpacked('program-fonts')]).then(([module, fonts]) => ({module, fonts})));
   }
 
   // ── Starting and resting ────────────────────────────────────────────────────────────────
@@ -147,6 +153,7 @@ class Page {
     this.bar.mark();
     this.views.place(loaded.panels, this.figure.ratio);
     this.controls.show(loaded.controls);
+    this.films.show();
     this.#show_elements();
     const said = [loaded.regime, ...loaded.notes].filter(Boolean).join('\n');
     if (said !== this.regime) {
@@ -263,6 +270,15 @@ class Page {
       }
     };
     this.figure.invalidate();
+  }
+
+  /** The overrides of a film as it is chosen now. @param {{width: number, height: number, rate: number, quality: string}} film @returns {string[]} */
+  overrides({width, height, rate, quality}) {
+    const {values, names, theme, shown} = this.figure.choices;
+    return [...this.data.overrides, ...[...values].map(([key, value]) => `${key}=${value}`),
+      ...(names === null ? [] : [`labels=${names}`]), ...(theme ? [`theme=${JSON.stringify(theme)}`] : []),
+      ...(shown ? [`show=${JSON.stringify(shown.length > 0 ? shown : ['title'])}`] : []), ...(shown?.length === 0 ? ['overlays=false'] : []),
+      `film.size=${width}x${height}`, `film.fps=${rate}`, `film.quality=${quality}`];
   }
 
   /** Sets values as --set does; throws the program's refusal. @param {Map<string, string>} changes */

@@ -507,6 +507,31 @@ class Program {
     return new Uint8ClampedArray(this.memory.bytes.slice(at, at + this.exports.answer_size()).buffer);
   }
 
+  /**
+   * Opens a film of a scene beside the figure; size, rate and quality are among the overrides.
+   * @param {string} text @param {string} name @param {string[]} overrides @returns {FilmDescription}
+   */
+  openFilm(text, name, overrides) {
+    if (overrides.some((item) => item.includes('\0'))) throw new Error('a value holds the character NUL; leave it out');
+    this.#with([text, name, overrides.map((item) => `${item}\0`).join('')], (...at) => this.#call('open_film', ...at));
+    return JSON.parse(this.#answer());
+  }
+
+  /** The bytes of a film's frame: straight R, G, B and alpha, or the planes Y', Cb and Cr on white. @param {number} frame @param {boolean} as_planes */
+  filmFrame(frame, as_planes) {
+    this.#call('film_frame', frame, Number(as_planes));
+    const at = this.exports.answer_at();
+    this.memory.refresh();
+    return this.memory.bytes.slice(at, at + this.exports.answer_size());
+  }
+
+  /** The record of a film's frames. @param {[number, number]} span first and last frame @param {string} maker the browser and its encoder */
+  filmRecord(span, maker) {
+    const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
+    this.#with([`WebGL: ${gl.getParameter(gl.RENDERER)}`, maker], (...at) => this.#call('film_record', ...at, ...span));
+    return this.#answer();
+  }
+
   /** Holds the cameras of an instant, also for other values, or lets them go. @param {boolean} holds @param {number} t @param {number} [film_s] */
   hold(holds, t, film_s = NaN) {
     this.#call('hold', t, film_s, Number(holds));

@@ -230,7 +230,7 @@ class Workbench {
     const values = {
       language: escaped(language), 'no-script': escaped(this.data.no_script[language] ?? ''), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),
       poster: `data:${poster.type};base64,${base64_of_bytes(new Uint8Array(await poster.arrayBuffer()))}`,
-      scene: script_json(scene), fonts: block('program-fonts'), module: block('program-module'),
+      scene: script_json(scene), fonts: block('program-fonts'), 'page-scripts': block('page-scripts'), 'film-writer': block('film-writer'), module: block('program-module'),
     };
     return this.data.template.replace(/\{\{([a-z-]+)\}\}/g, (place, name) => values[name] ?? place);
   }

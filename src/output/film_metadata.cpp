@@ -22,7 +22,10 @@ std::string film_metadata(const std::filesystem::path& film) {
     const VideoReader reader(film);
     // A GIF has one comment and no names.
     for (const auto& [name, text] : reader.info().texts)
+        // FFmpeg writes the target of a tag in front, if the file names it (RFC 9559,
+        // §5.1.8.1.1.2).
         if (same_name(name, metadata_name) ||
+            same_name(name, "MOVIE/" + std::string(metadata_name)) ||
             (reader.info().container == "gif" && same_name(name, "comment")))
             return text;
     return "";

@@ -15,6 +15,7 @@
 #include "drawing/stage/type/labels.h"
 #include "error/error.h"
 #include "mechanics/free/polhode_start.h"
+#include "page/scene_of_page.h"
 #include "production/session/picture_setting.h"
 #include "production/session/scene_summary.h"
 #include "scene/parse_scene.h"
@@ -33,7 +34,9 @@ namespace {
 
 constexpr double deg = 180.0 / std::numbers::pi;
 
-Scene read(const LectureFiles& files, const CanvasSize& size) {
+}  // namespace
+
+Scene scene_of_page(const LectureFiles& files) {
     const SceneFiles bytes_of = [&files](const NamedFile& named) {
         const auto found = files.files.find(named.name);
         if (found == files.files.end())
@@ -43,16 +46,22 @@ Scene read(const LectureFiles& files, const CanvasSize& size) {
                             named.key, printable(named.name)));
         return FileBytes{named.name, found->second};
     };
-    Scene scene = parse_scene(files.text, files.name, files.overrides, bytes_of);
-    scene.film.width_px = size.width_px;
-    scene.film.height_px = size.height_px;
-    return scene;
+    return parse_scene(files.text, files.name, files.overrides, bytes_of);
 }
 
-Session session_with(const Scene& scene, FontSource fonts) {
+Session session_of_page(const Scene& scene, FontSource fonts) {
     SessionRequest request;
     request.fonts = std::move(fonts);
     return session_of(scene, request);
+}
+
+namespace {
+
+Scene read(const LectureFiles& files, const CanvasSize& size) {
+    Scene scene = scene_of_page(files);
+    scene.film.width_px = size.width_px;
+    scene.film.height_px = size.height_px;
+    return scene;
 }
 
 // Axes in which azimuth and elevation are measured: the camera's vertical, and two that are fixed
@@ -140,7 +149,7 @@ Camera changed(const Camera& camera, const PanelView& view) {
 }
 
 Lecture::Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size)
-    : session_(session_with(read(files, size), std::move(fonts))),
+    : session_(session_of_page(read(files, size), std::move(fonts))),
       grid_(session_.scene.grid),
       panels_(session_.scene.panels),
       type_scale_(session_.scene.type_scale),

@@ -3,6 +3,7 @@
 // module hands out. A function that fails returns 0 and leaves the message in the answer.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <map>
@@ -13,8 +14,10 @@
 #include <string_view>
 #include <vector>
 
+#include "image/downsample.h"
 #include "page/kept_fonts.h"
 #include "page/lecture.h"
+#include "page/page_film.h"
 #include "page/web_context.h"
 #include "render/renderer.h"
 #include "scene/scene_error.h"
@@ -27,6 +30,7 @@ namespace {
 struct Program {
     std::map<std::string, std::string> files;
     std::unique_ptr<Lecture> lecture;
+    std::unique_ptr<PageFilm> film;  // while one is made
     std::optional<Renderer> renderer;
     std::string answer;
     std::vector<double> numbers;
@@ -78,7 +82,32 @@ Renderer& renderer() {
     return *program().renderer;
 }
 
+PageFilm& film() {
+    if (!program().film) throw InputError("no film is open; open one first");
+    return *program().film;
+}
+
 std::string_view text_at(const char* text, std::uint32_t size) { return {text, size}; }
+
+// Texts that are each followed by a NUL.
+std::vector<std::string> texts_at(const char* texts, std::uint32_t size) {
+    std::vector<std::string> given;
+    for (std::string_view rest = text_at(texts, size); !rest.empty();) {
+        const std::size_t end = std::min(rest.find('\0'), rest.size() - 1);
+        given.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(end + 1);
+    }
+    return given;
+}
+
+// A frame of the film, not supersampled any more.
+Image frame_of(std::int64_t frame) {
+    const Drawing drawing = film().drawing_of(frame);
+    const std::string pixels = pixels_of(renderer(), drawing);
+    Image image(drawing.width_px, drawing.height_px);
+    std::copy(pixels.begin(), pixels.end(), image.bytes().begin());
+    return film().samples() == 1 ? image : downsampled(image, film().samples());
+}
 
 }  // namespace
 }  // namespace poinsot
@@ -112,12 +141,7 @@ int load(const char* text, std::uint32_t text_size, const char* name, std::uint3
          const char* overrides, std::uint32_t overrides_size, int width_px, int height_px,
          double type_scale) {
     return answered([&] {
-        std::vector<std::string> given;
-        for (std::string_view rest = text_at(overrides, overrides_size); !rest.empty();) {
-            const std::size_t end = std::min(rest.find('\0'), rest.size() - 1);
-            given.emplace_back(rest.substr(0, end));
-            rest.remove_prefix(end + 1);
-        }
+        const std::vector<std::string> given = texts_at(overrides, overrides_size);
         // The scene before it stays if this one is refused.
         auto loaded = std::make_unique<Lecture>(
             LectureFiles{text_at(text, text_size), std::string(text_at(name, name_size)), given,
@@ -181,6 +205,45 @@ POINSOT_EXPORT(pixels) int pixels(double time_s, double film_s, int width_px, in
         const Drawing drawing =
             lecture().drawing_of_size(lecture().moment_of(time_s, film_s), width_px, height_px);
         program().answer = pixels_of(renderer(), drawing);
+    });
+}
+
+// A film of a scene, beside the figure: size, rate and quality are among the overrides. The answer
+// describes it as JSON.
+POINSOT_EXPORT(open_film)
+int open_film(const char* text, std::uint32_t text_size, const char* name, std::uint32_t name_size,
+              const char* overrides, std::uint32_t overrides_size) {
+    return answered([&] {
+        const std::vector<std::string> given = texts_at(overrides, overrides_size);
+        program().film.reset();
+        program().film = std::make_unique<PageFilm>(
+            LectureFiles{text_at(text, text_size), std::string(text_at(name, name_size)), given,
+                         program().files},
+            kept_fonts());
+        program().answer = program().film->description();
+    });
+}
+POINSOT_EXPORT(close_film) void close_film() { program().film.reset(); }
+
+// The bytes of a frame lie at the answer: its pixels as those of `pixels`, or its planes.
+POINSOT_EXPORT(film_frame) int film_frame(double frame, int as_planes) {
+    return answered([&] {
+        const Image image = frame_of(static_cast<std::int64_t>(frame));
+        if (as_planes != 0)
+            program().answer = planes_of(image);
+        else
+            program().answer.assign(image.bytes().begin(), image.bytes().end());
+    });
+}
+
+POINSOT_EXPORT(film_record)
+int film_record(const char* renderer_name, std::uint32_t renderer_size, const char* maker,
+                std::uint32_t maker_size, double first, double last) {
+    return answered([&] {
+        program().answer =
+            film().record(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
+                          std::string(text_at(renderer_name, renderer_size)),
+                          std::string(text_at(maker, maker_size)));
     });
 }
 

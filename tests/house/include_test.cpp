@@ -50,7 +50,7 @@ const std::map<std::string, std::set<std::string>> allowed{
     // The module of a page in a browser.
     {"page",
      {"error", "text", "mechanics", "image", "typeset", "scene", "construction", "shapes",
-      "drawing", "render", "vector", "production"}},
+      "drawing", "render", "vector", "output", "production"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},

@@ -10,6 +10,7 @@
 #include "production/pages/compact_script.h"
 #include "production/pages/page_job.h"
 #include "production/pages/page_parts.h"
+#include "production/pages/page_scripts.h"
 #include "system/faults.h"
 #include "system/sha256.h"
 
@@ -86,8 +87,8 @@ TEST(HtmlPage, FillsEveryPlaceOfItsTemplate) {
 TEST(HtmlPage, TextOfASceneStaysText) {
     const std::string page = html_page(a_page());
     // The scripts of the page itself, and no other.
-    EXPECT_EQ(n_of(page, "<script"), 4);
-    EXPECT_EQ(n_of(page, "</script>"), 4);
+    EXPECT_EQ(n_of(page, "<script"), 6);
+    EXPECT_EQ(n_of(page, "</script>"), 6);
     EXPECT_EQ(page.find("<script>alert"), std::string::npos);
     const std::string scene =
         between(page, "id=\"scene-data\" type=\"application/json\">", "</script>");
@@ -126,14 +127,34 @@ TEST(HtmlPage, HasAnIconOfItsOwn) {
 TEST(HtmlPage, CarriesEveryScriptOfThePage) {
     const std::string page = html_page(a_page());
     const std::string workbench = html_workbench(a_page(), {}, "{}");
+    const auto is_in = [](const auto& list, const std::string& name) {
+        return std::find(list.begin(), list.end(), name) != list.end();
+    };
     for (const PageFile& file : page_files()) {
         if (!file.name.ends_with(".js") && !file.name.ends_with(".css")) continue;
-        const bool is_of_workbench =
-            file.name.starts_with("workbench.") || file.name == "editor.js";
         const std::string code = compact_script(file.text);
+        if (is_in(packed_scripts, file.name)) {
+            EXPECT_EQ(workbench.find(code), std::string::npos) << file.name;
+            continue;
+        }
+        const bool is_of_workbench =
+            file.name == "workbench.css" || is_in(workbench_scripts, file.name);
         EXPECT_EQ(page.find(code) != std::string::npos, !is_of_workbench) << file.name;
         EXPECT_NE(workbench.find(code), std::string::npos) << file.name;
     }
+}
+
+// The policy allows a packed script by the hash of what page/unpack.js makes of it; the tests of
+// the page in browsers run it.
+TEST(HtmlPage, AllowsItsPackedScripts) {
+    std::string joined;
+    for (const std::string_view name : packed_scripts)
+        for (const PageFile& file : page_files())
+            if (file.name == name) joined += compact_script(file.text);
+    const std::string page = html_page(a_page());
+    const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
+    EXPECT_NE(policy.find("'sha256-" + base64_of_digits(sha256_of(joined)) + "'"),
+              std::string::npos);
 }
 
 TEST(HtmlPage, ScriptsLoseCommentsAndIndentsOnly) {
@@ -186,7 +207,7 @@ TEST(HtmlPage, TheWorkbenchCarriesTheTemplateOfAPage) {
     scene.title = hostile;
     scene.text = hostile;
     const std::string workbench = html_workbench(a_page(), {scene}, "{\"a\": \"</script>\"}");
-    EXPECT_EQ(n_of(workbench, "</script>"), 5);
+    EXPECT_EQ(n_of(workbench, "</script>"), 7);
     const std::string data =
         between(workbench, "id=\"workbench-data\" type=\"application/json\">", "</script>");
     EXPECT_EQ(data.find('<'), std::string::npos);

@@ -12,6 +12,7 @@
 
 #include "production/pages/compact_script.h"
 #include "production/pages/page_parts.h"
+#include "production/pages/page_scripts.h"
 #include "system/sha256.h"
 #include "text/json_text.h"
 #include "text/languages.h"
@@ -20,14 +21,6 @@
 namespace poinsot {
 
 namespace {
-
-// The scripts of a page, in the order in which they are joined.
-constexpr std::array<std::string_view, 14> page_scripts{
-    "words.js",    "film.js",  "link.js",  "unpack.js", "loader.js", "program.js", "view.js",
-    "controls.js", "grips.js", "notes.js", "figure.js", "bar.js",    "page.js",    "scripting.js"};
-
-// Those that the workbench adds.
-constexpr std::array<std::string_view, 2> workbench_scripts{"editor.js", "workbench.js"};
 
 constexpr Phrase no_scripts{"Scripts are off, so you see a still picture.",
                             "Skripte sind ausgeschaltet; darum sehen Sie ein Standbild.",
@@ -67,9 +60,9 @@ std::string base85(std::string_view bytes) {
     return text;
 }
 
-// The source of a content policy that allows this text: 'sha256-…' (W3C, CSP Level 3 §2.3.1).
-std::string hash_source(std::string_view text) {
-    const std::string digits = sha256_of(text);
+// The source of a content policy that allows a text of this SHA-256: 'sha256-…' (W3C, CSP Level 3
+// §2.3.1).
+std::string hash_source_of(std::string_view digits) {
     std::vector<std::uint8_t> bytes;
     for (std::size_t i = 0; i + 1 < digits.size(); i += 2) {
         std::uint8_t byte = 0;
@@ -78,6 +71,11 @@ std::string hash_source(std::string_view text) {
     }
     return fmt::format("'sha256-{}'", base64(bytes));
 }
+
+std::string hash_source(std::string_view text) { return hash_source_of(sha256_of(text)); }
+
+// A build without npm's packages makes pages without films.
+bool makes_films() { return page_film_writer_sha256() != sha256_of(""); }
 
 std::string list_of(const std::vector<std::string>& texts) {
     std::vector<std::string> strings;
@@ -140,11 +138,13 @@ std::string joined(std::span<const std::string_view> names) {
 
 // What the scripts and styles fill in.
 Values program_values(std::string script, std::string style) {
-    return {{"version", POINSOT_VERSION},
-            {"script-hash", hash_source(script)},
-            {"style-hash", hash_source(style)},
-            {"script", std::move(script)},
-            {"style", std::move(style)}};
+    return {
+        {"version", POINSOT_VERSION},
+        {"script-hash", hash_source(script) + " " + hash_source(joined(packed_scripts)) +
+                            (makes_films() ? " " + hash_source_of(page_film_writer_sha256()) : "")},
+        {"style-hash", hash_source(style)},
+        {"script", std::move(script)},
+        {"style", std::move(style)}};
 }
 
 // What the scene fills in.
@@ -156,7 +156,9 @@ Values scene_values(const PageContents& contents) {
             {"no-script", escaped_markup(phrase_in(contents.language, no_scripts))},
             {"scene", scene_json(contents)},
             {"fonts", base85(page_fonts_lzma())},
-            {"module", base85(page_module_lzma())}};
+            {"module", base85(page_module_lzma())},
+            {"page-scripts", base85(page_scripts_lzma())},
+            {"film-writer", makes_films() ? base85(page_film_writer_lzma()) : ""}};
 }
 
 Values operator+(Values values, Values more) {
@@ -167,7 +169,7 @@ Values operator+(Values values, Values more) {
 
 // All values except the scene's.
 Values page_values() {
-    return program_values(joined(page_scripts), compact_script(page_file("page.css"))) +
+    return program_values(joined(plain_scripts), compact_script(page_file("page.css"))) +
            Values{{"body", "page"}, {"before", ""}, {"data", ""}};
 }
 
@@ -202,7 +204,7 @@ std::string html_workbench(const PageContents& first, const std::vector<GalleryS
             .json("no_script", no_script.line())
             .line();
     const Values values =
-        program_values(joined(page_scripts) + joined(workbench_scripts),
+        program_values(joined(plain_scripts) + joined(workbench_scripts),
                        compact_script(page_file("page.css") + page_file("workbench.css"))) +
         Values{{"body", "workbench"},
                {"before", page_file("workbench.html")},

@@ -20,4 +20,13 @@ const std::vector<PageFile>& page_files();
 std::string_view page_module_lzma();
 std::string_view page_fonts_lzma();
 
+// The packed scripts of a page, joined in the order of page_scripts.h, without comments and
+// indents.
+std::string_view page_scripts_lzma();
+
+// The script that writes films, compressed by LZMA, and the SHA-256 of the script in hexadecimal
+// digits. Built without npm's packages, the script is empty.
+std::string_view page_film_writer_lzma();
+std::string_view page_film_writer_sha256();
+
 }  // namespace poinsot

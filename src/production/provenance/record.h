@@ -30,6 +30,7 @@ struct Record {
     bool portable = false;   // profile
     std::string processor;   // its features, for a native profile; see system/processor.h
     std::string renderer;    // GL_RENDERER
+    std::string maker;       // of a film made in a browser: which one, and its encoder
     std::string mesa;        // version of Mesa, or all of GL_VERSION if it names none
     std::string fonts;       // system fonts used as fallback: "NAME SHA-256, …"; usually empty
     int width_px = 0, height_px = 0;
@@ -70,6 +71,10 @@ std::string scene_hash_of(const Scene& scene);
 
 // The record of a stage, without time or frames and without the renderer.
 Record record_of(const Session& session, const Stage& stage, const std::string& bounds);
+
+// The fonts used as fallback for the program's own fonts, each with its name and hash. Of a page in
+// a browser: none.
+std::string fonts_in_words(const Stage& stage);
 
 // Sets the fields of the renderer.
 void record_context(const ContextInfo& context, bool portable, Record& record);

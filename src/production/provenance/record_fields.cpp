@@ -117,6 +117,7 @@ constexpr RecordField field_table[] = {
     text_field<&Record::processor>("processor"),
     required_field<&Record::renderer>("renderer"),
     required_field<&Record::mesa>("mesa"),
+    text_field<&Record::maker>("maker"),
     text_field<&Record::fonts>("fonts"),
     {"size", true, Form::two_numbers, size_of, read_size},
     number_field<&Record::time_s>("time_s"),

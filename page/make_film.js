@@ -1,0 +1,361 @@
+// Films made in the page: MP4, WebM and pictures as a ZIP archive, of the frames that `poinsot render` draws.
+
+/**
+ * @typedef {{kind: FilmKind, width: number, height: number, rate: number, quality: string, span: FilmSpan}} FilmSettings
+ * @typedef {{kind: 'whole'|'chapter'|'stop', index: number}} FilmSpan
+ *   A chapter, or what leads to a stop: from the stop before it, or from the beginning. After the last stop: to the end.
+ * @typedef {{title: string, width: number, height: number, numerator: number, denominator: number, n_frames: number,
+ *   transparent: boolean, chapters: number[], stops: number[]}} FilmDescription
+ *   The first frames of chapters and stops.
+ * @typedef {{write: (chunk: any) => Promise<void>, close: () => Promise<void>, abort: () => Promise<void>}} FileSink
+ */
+
+/** A key frame at least this often, so that players can jump. */
+const key_frame_every_s = 2;
+/** Frames that the encoder may be behind. */
+const most_waiting_frames = 4;
+
+/** Lets the page answer; other than timers and frames, it is not slowed down where the tab is hidden. @returns {Promise<void>} */
+function let_page_answer() {
+  return new Promise((resolve) => {
+    const {port1, port2} = new MessageChannel();
+    port1.onmessage = () => {
+      port1.close();
+      resolve();
+    };
+    port2.postMessage(null);
+  });
+}
+
+/** The first and the last frame of a span. @param {FilmDescription} film @param {FilmSpan} span @returns {[number, number]} */
+function frames_of_span(film, {kind, index}) {
+  const last = film.n_frames - 1;
+  if (kind === 'chapter') return [film.chapters[index] ?? 0, (film.chapters[index + 1] ?? film.n_frames) - 1];
+  if (kind === 'stop') return [film.stops[index - 1] ?? 0, Math.min(film.stops[index] ?? last, last)];
+  return [0, last];
+}
+
+class FilmCancelled extends Error {}
+
+/** Makes one film; `said` hears of each frame. */
+class FilmRun {
+  /** @param {Program} program of its own @param {(done: number, n_frames: number) => void} said */
+  constructor(program, said) {
+    this.program = program;
+    this.said = said;
+    this.is_cancelled = false;
+    /** Set where the browser takes the graphics away. */
+    this.is_lost = false;
+  }
+
+  /** @param {number} done @param {number} n_frames */
+  async #go_on(done, n_frames) {
+    this.said(done, n_frames);
+    await let_page_answer();
+    if (this.is_cancelled) throw new FilmCancelled('cancelled');
+    if (this.is_lost) throw new Error('lost');
+  }
+
+  /** Pictures of the frames in a ZIP archive. @param {FilmDescription} film @param {[number, number]} span @param {string} name @param {FileSink} sink @param {string} record */
+  async pictures(film, [first, last], name, sink, record) {
+    const zip = new ZipWriter((bytes) => sink.write(bytes));
+    const digits = Math.max(4, String(last).length);
+    for (let frame = first; frame <= last; ++frame) {
+      const pixels = this.program.filmFrame(frame, false);
+      await this.#go_on(frame - first, last - first + 1);
+      await zip.add(`${name}_${String(frame).padStart(digits, '0')}.png`, await png_file(pixels, film.width, film.height, 'poinsot', record));
+    }
+    await zip.finish();
+  }
+
+  /**
+   * A film of the frames.
+   * @param {FilmDescription} film @param {[number, number]} span @param {FilmCodec} codec @param {any} output of Mediabunny @param {any} source
+   */
+  async video(film, [first, last], codec, output, source) {
+    const n_frames = last - first + 1;
+    const frame_s = film.denominator / film.numerator;
+    const every = Math.max(1, Math.round(key_frame_every_s / frame_s));
+    /** @type {unknown} */
+    let fault = null;
+    let n_packets = 0;
+    let written = Promise.resolve();
+    const encoder = new VideoEncoder({
+      error: (error) => { fault ??= error; },
+      output: (chunk, about) => {
+        const data = new Uint8Array(chunk.byteLength);
+        chunk.copyTo(data);
+        ++n_packets;
+        // Times of the film's frames, not in whole microseconds.
+        const index = Math.round(chunk.timestamp / 1e6 / frame_s);
+        const packet = new film_writer.EncodedPacket(data, chunk.type, index * frame_s, frame_s);
+        const colorSpace = {primaries: 'bt709', transfer: 'bt709', matrix: 'bt709', fullRange: false};
+        const described = about?.decoderConfig ? {...about, decoderConfig: {...about.decoderConfig, colorSpace}} : about;
+        written = written.then(() => source.add(packet, described)).catch((error) => { fault ??= error; });
+      },
+    });
+    const check = () => {
+      if (fault) throw fault instanceof Error ? fault : new Error(message_of(fault));
+    };
+    try {
+      encoder.configure(codec.config);
+      for (let k = 0; k < n_frames; ++k) {
+        const frame = video_frame(film, k, this.program.filmFrame(first + k, true));
+        await this.#go_on(k, n_frames);
+        check();
+        encoder.encode(frame, {keyFrame: k % every === 0});
+        frame.close();
+        while (encoder.encodeQueueSize > most_waiting_frames && encoder.state === 'configured')
+          await new Promise((resolve) => encoder.addEventListener('dequeue', resolve, {once: true}));
+        await written;
+      }
+      check();
+      await encoder.flush();
+      await written;
+      check();
+      if (n_packets !== n_frames) throw new Error(`the encoder has dropped ${n_frames - n_packets} frames`);
+      await output.finalize();
+      this.said(n_frames, n_frames);
+    } finally {
+      if (encoder.state !== 'closed') encoder.close();
+    }
+  }
+}
+
+/** The writer of films, which the page unpacks when it is first needed. @type {any} */
+let film_writer = null;
+
+/** Whether the page carries it. */
+function has_film_writer() {
+  return block('film-writer') !== '';
+}
+
+/** Its script is one of the two that the page's policy allows. */
+async function load_film_writer() {
+  if (film_writer) return;
+  const script = document.createElement('script');
+  script.textContent = new TextDecoder().decode(await unpacked('film-writer'));
+  document.head.append(script);
+  script.remove();
+  film_writer = /** @type {any} */ (globalThis).film_writer;
+  if (!film_writer) throw new Error('this page may not run its film writer');
+}
+
+/** A file that the user chooses; null: the browser has none, undefined: the user chose none. @param {string} name @param {FilmKind} kind @returns {Promise<any>} */
+async function chosen_file(name, kind) {
+  const show = /** @type {any} */ (window).showSaveFilePicker;
+  if (typeof show !== 'function' || window.self !== window.top) return null;
+  const types = {mp4: 'video/mp4', webm: 'video/webm', png: 'application/zip'};
+  try {
+    return await show.call(window, {suggestedName: name, types: [{accept: {[types[kind]]: [`.${kind === 'png' ? 'zip' : kind}`]}}]});
+  } catch (error) {
+    return error instanceof DOMException && error.name === 'AbortError' ? undefined : null;
+  }
+}
+
+/** The section "Film" of the options. */
+class FilmPanel {
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    /** @type {FilmRun|null} */
+    this.run = null;
+    this.signature = '';
+    /** When the second frame began: the first one takes longer, as it compiles the shaders. */
+    this.second_ms = 0;
+    part('section-film').hidden = !has_film_writer();
+    part('film-make').addEventListener('click', () => void this.make(this.settings()));
+    part('film-cancel').addEventListener('click', () => {
+      if (this.run) this.run.is_cancelled = true;
+    });
+    for (const id of ['film-kind', 'film-span', 'film-width', 'film-height', 'film-rate', 'film-quality']) part(id).addEventListener('change', () => this.#hint());
+    window.addEventListener('beforeunload', (event) => {
+      if (this.run) event.preventDefault();
+    });
+  }
+
+  /** Offers what the scene has. */
+  show() {
+    const {loaded} = this.page.figure;
+    if (!loaded || !has_film_writer()) return;
+    const {words} = this.page;
+    const signature = JSON.stringify([words.code, loaded.width, loaded.height, loaded.frames_per_s, loaded.chapters, loaded.stops]);
+    if (signature === this.signature) return;
+    this.signature = signature;
+    const options = (/** @type {string} */ id, /** @type {[string, string][]} */ rows, chosen = rows[0]?.[0]) => {
+      const list = /** @type {HTMLSelectElement} */ (part(id));
+      list.replaceChildren(...rows.map(([value, text]) => new Option(text, value)));
+      list.value = chosen ?? '';
+    };
+    options('film-kind', [['mp4', 'MP4'], ['webm', 'WebM'], ['png', words.of('film_pictures')]]);
+    options('film-quality', Object.keys(film_qualities).map((name) => [name, words.of(`quality_${name}`)]), 'lecture');
+    const {chapters, stops} = loaded;
+    options('film-span', [
+      ['whole', words.of('film_whole')],
+      ...chapters.map(({title}, k) => /** @type {[string, string]} */ ([`chapter ${k}`, `${k + 1}. ${title}`])),
+      ...stops.map(({title}, k) => /** @type {[string, string]} */ ([`stop ${k}`, `→ ${words.of('stop')} ${k + 1} ${title}`])),
+      ...(stops.length > 0 ? [/** @type {[string, string]} */ ([`stop ${stops.length}`, `→ ${words.of('end')}`])] : []),
+    ]);
+    input('film-width').value = String(loaded.width);
+    input('film-height').value = String(loaded.height);
+    input('film-rate').value = String(loaded.frames_per_s);
+    this.#name();
+    this.#hint();
+  }
+
+  #name() {
+    const {words} = this.page;
+    for (const [id, word] of [['film-kind', 'film_kind'], ['film-span', 'film_span'], ['film-width', 'width'], ['film-height', 'height'],
+      ['film-rate', 'film_rate'], ['film-quality', 'film_quality']]) {
+      const label = part(/** @type {string} */ (id)).closest('label')?.querySelector('span');
+      if (label) label.textContent = words.of(/** @type {string} */ (word));
+    }
+    const heading = part('section-film').querySelector('h2');
+    if (heading) heading.textContent = words.of('film_section');
+    part('film-make').textContent = words.of('film_make');
+    part('film-cancel').textContent = words.of('film_cancel');
+    part('film-done').setAttribute('aria-label', words.of('film_section'));
+  }
+
+  /** @returns {FilmSettings} */
+  settings() {
+    const chosen = (/** @type {string} */ id) => /** @type {HTMLSelectElement} */ (part(id)).value;
+    const [kind = 'whole', index = '0'] = chosen('film-span').split(' ');
+    return {
+      kind: /** @type {FilmKind} */ (chosen('film-kind')), quality: chosen('film-quality'),
+      width: Math.round(input('film-width').valueAsNumber), height: Math.round(input('film-height').valueAsNumber), rate: input('film-rate').valueAsNumber,
+      span: {kind: /** @type {FilmSpan['kind']} */ (kind), index: Number(index)},
+    };
+  }
+
+  /** Says how long the film is and about how large. */
+  #hint() {
+    const {loaded} = this.page.figure;
+    const {words} = this.page;
+    if (!loaded) return;
+    const {kind, width, height, rate, quality, span} = this.settings();
+    const from = span.kind === 'chapter' ? loaded.chapters[span.index]?.at_s ?? 0 : span.kind === 'stop' ? loaded.stops[span.index - 1]?.at_s ?? 0 : 0;
+    const marks = span.kind === 'chapter' ? loaded.chapters[span.index + 1] : span.kind === 'stop' ? loaded.stops[span.index] : undefined;
+    const length_s = Math.max(0, (marks?.at_s ?? loaded.film_length_s) - from);
+    // Measured: pictures take a fortieth of their pixels' bytes and more.
+    const bytes = kind === 'png' ? length_s * rate * width * height * 0.15
+      : (length_s * bitrate_of(quality, {width, height, numerator: rate, denominator: 1})) / 8;
+    const number = (/** @type {number} */ x, /** @type {number} */ digits) => new Intl.NumberFormat(words.code, {maximumSignificantDigits: digits}).format(x);
+    const camera = this.page.views.list().length > 0 ? ` ${words.of('film_camera')}` : '';
+    part('film-hint').textContent = Number.isFinite(bytes) ? `${number(length_s, 4)} s, ≲ ${number(bytes / 1e6, 2)} MB.${camera}` : '';
+  }
+
+  /** @param {string} text */
+  #say(text) {
+    part('film-said').textContent = text;
+  }
+
+  /** What a failure is in one sentence. @param {unknown} error */
+  #sentence(error) {
+    const {words} = this.page;
+    if (error instanceof FilmCancelled) return words.of('film_cancelled');
+    if (error instanceof DOMException && error.name === 'QuotaExceededError') return words.of('film_disk');
+    if (this.run?.is_lost) return words.of('film_lost');
+    if (error instanceof ProgramError || error instanceof RangeError) return message_of(error);
+    return `${words.of('film_failed')} ${message_of(error)}`;
+  }
+
+  /** Makes a film and saves it; says what went wrong. @param {FilmSettings} settings @returns {Promise<Blob|null>} the film, where it is in memory */
+  async make(settings) {
+    const {page} = this;
+    const {words} = page;
+    if (this.run) return null;
+    this.#say('');
+    const suffix = settings.kind === 'png' ? '.zip' : `.${settings.kind}`;
+    const file = await chosen_file(`${page.data.name}${suffix}`, settings.kind);
+    if (file === undefined) return null;
+    // A context of its own: the figure may rest, or be given another scene.
+    const canvas = document.createElement('canvas');
+    const bytes = await page.program_bytes();
+    const program = await Program.start(bytes.module, bytes.fonts, canvas);
+    const run = new FilmRun(program, (done, n_frames) => this.#progress(done, n_frames));
+    canvas.addEventListener('webglcontextlost', () => { run.is_lost = true; });
+    this.run = run;
+    this.#busy(true);
+    /** @type {FileSink|null} */
+    let sink = null;
+    try {
+      for (const [name, text] of Object.entries(page.data.files)) program.addFile(name, bytes_of_base64(text));
+      const film = program.openFilm(page.data.text, page.data.name, page.overrides(settings));
+      const span = frames_of_span(film, settings.span);
+      if (settings.kind !== 'png' && (film.width % 2 !== 0 || film.height % 2 !== 0)) throw new RangeError(words.of('film_even'));
+      const codec = settings.kind === 'png' ? null : await working_codec(settings.kind, film, settings.quality);
+      if (settings.kind !== 'png' && !codec) throw new RangeError(words.of('film_no_encoder'));
+      if (settings.kind !== 'png' && film.transparent) this.#say(words.of('film_opaque'));
+      const how = codec ? `${codec.name} (${codec.config.codec}) by WebCodecs, ${codec.config.bitrate} bit/s` : 'PNG';
+      const record = program.filmRecord(span, `${navigator.userAgent}; ${how}`);
+      /** @type {Blob|null} */
+      let blob = null;
+      sink = file ? await file.createWritable() : null;
+      if (codec) {
+        await load_film_writer();
+        blob = await this.#video(film, span, codec, settings, record, sink);
+      } else {
+        /** @type {Blob[]} */
+        const parts = [];
+        const memory = {write: async (/** @type {Uint8Array<ArrayBuffer>} */ part) => { parts.push(new Blob([part])); }, close: async () => {}, abort: async () => {}};
+        await run.pictures(film, span, page.data.name, sink ?? memory, record);
+        if (!sink) blob = new Blob(parts, {type: 'application/zip'});
+        else await sink.close();
+      }
+      sink = null;
+      if (blob) page.save(blob, suffix);
+      this.#say([words.of('film_saved'), settings.kind === 'mp4' && codec?.codec !== 'avc' && `${words.of('film_no_h264')} ${codec?.name}.`].filter(Boolean).join(' '));
+      return blob;
+    } catch (error) {
+      this.#say(this.#sentence(error));
+      // What is written so far lies under no name, and goes.
+      await sink?.abort().catch(() => {});
+      return null;
+    } finally {
+      program.stop();
+      this.run = null;
+      this.#busy(false);
+    }
+  }
+
+  /**
+   * @param {FilmDescription} film @param {[number, number]} span @param {FilmCodec} codec @param {FilmSettings} settings
+   * @param {string} record @param {FileSink|null} sink @returns {Promise<Blob|null>}
+   */
+  async #video(film, span, codec, settings, record, sink) {
+    const target = sink ? new film_writer.StreamTarget(new WritableStream(sink), {chunked: true}) : new film_writer.BufferTarget();
+    const format = settings.kind === 'webm' ? new film_writer.WebMOutputFormat()
+      : new film_writer.Mp4OutputFormat({fastStart: sink ? false : 'in-memory', metadataFormat: 'mdta'});
+    const output = new film_writer.Output({format, target});
+    const source = new film_writer.EncodedVideoPacketSource(codec.codec);
+    output.addVideoTrack(source, {frameRate: film.numerator / film.denominator});
+    output.setMetadataTags({raw: {poinsot: record}});
+    try {
+      await output.start();
+      await /** @type {FilmRun} */ (this.run).video(film, span, codec, output, source);
+    } catch (error) {
+      await output.cancel().catch(() => {});
+      throw error;
+    }
+    return sink ? null : new Blob([target.buffer], {type: `video/${settings.kind}`});
+  }
+
+  /** @param {number} done @param {number} n_frames */
+  #progress(done, n_frames) {
+    const bar = /** @type {HTMLProgressElement} */ (part('film-done'));
+    bar.value = done / n_frames;
+    if (done === 1) this.second_ms = performance.now();
+    const left_s = done > 1 ? ((performance.now() - this.second_ms) / 1000 / (done - 1)) * (n_frames - done) : NaN;
+    const left = Number.isFinite(left_s) ? `, ${this.page.words.of('film_left')} ${left_s < 90 ? `${Math.ceil(left_s)} s` : `${Math.ceil(left_s / 60)} min`}` : '';
+    part('film-hint').textContent = `${done} / ${n_frames}${left}`;
+  }
+
+  /** @param {boolean} busy */
+  #busy(busy) {
+    part('film-done').hidden = !busy;
+    part('film-cancel').hidden = !busy;
+    part('film-make').hidden = busy;
+    if (!busy) this.#hint();
+  }
+}

@@ -1,0 +1,48 @@
+// A film as a page makes it: the frames that `poinsot render` draws, of the film's own size, beside
+// the figure that is shown. It makes drawings and the record; it knows neither OpenGL nor the
+// browser.
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+
+#include "page/lecture.h"
+#include "production/session/picture_setting.h"
+
+namespace poinsot {
+
+class PageFilm {
+ public:
+    // Size, rate and quality are overrides. Throws InputError.
+    PageFilm(const LectureFiles& files, FontSource fonts);
+    PageFilm(const PageFilm&) = delete;
+    PageFilm& operator=(const PageFilm&) = delete;
+
+    // As JSON: size, rate, number of frames, whether the ground is transparent, and the first
+    // frames of the chapters and stops.
+    std::string description() const;
+
+    int width_px() const { return session_.scene.film.width_px; }
+    int height_px() const { return session_.scene.film.height_px; }
+
+    // Supersampling: the drawing is larger than the frame by this factor.
+    int samples() const { return picture_.samples; }
+    Drawing drawing_of(std::int64_t frame) const;
+
+    // The record of the frames `first` … `last`, sealed. `renderer`: as the browser names it;
+    // `maker`: the browser and its encoder.
+    std::string record(std::int64_t first, std::int64_t last, const std::string& renderer,
+                       const std::string& maker) const;
+
+ private:
+    Session session_;
+    FilmPlan film_;
+    PreparedPicture picture_;
+};
+
+// A frame of straight R, G, B and alpha as the planes Y', Cb and Cr of a film, one after the other,
+// on white: BT.709, limited range, 4:2:0. Precondition: width and height are even.
+std::string planes_of(const Image& frame);
+
+}  // namespace poinsot

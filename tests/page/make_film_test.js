@@ -1,0 +1,270 @@
+// Films made in a page, beside those of `poinsot render`: frames, times, colours, and the record in them.
+// Usage: node make_film_test.js POINSOT [NAME…]
+'use strict';
+const assert = require('node:assert/strict');
+const {spawnSync} = require('node:child_process');
+const fs = require('node:fs');
+const os = require('node:os');
+const path = require('node:path');
+const {is_firefox, opened_file, page_of, ready, run_checks, until} = require('./browsers.js');
+
+const [program, ...only] = process.argv.slice(2);
+const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-make-film-'));
+process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
+
+/** @type {[string, (browser: any) => Promise<void>][]} */
+const checks = [];
+const check = (name, run) => checks.push([name, run]);
+
+const size = {width: 640, height: 360};
+const scene = path.join(folder, 'short.toml');
+// generic.toml for two seconds, with a stop between, and a name that fades in.
+const generic = fs.readFileSync(path.join(__dirname, '../../scenes/generic.toml'), 'utf8');
+fs.writeFileSync(scene, generic.replace(/duration_s = [\d.]+/, 'duration_s = 2.0').replace(/still_s = [\d.]+\n/, '') +
+  '\n[[stops]]\nat_s = 1.0\ntitle = "Half"\n[[fades]]\nat_s = 0.5\nover_s = 0.5\nelements = ["herpolhode"]\n');
+const page_file = page_of(program, scene, path.join(folder, 'short.html'));
+
+function run(command, args, options = {}) {
+  const outcome = spawnSync(command, args, {maxBuffer: 1 << 30, ...options});
+  assert.equal(outcome.status, 0, `${command} ${args.join(' ')}: ${outcome.stderr}`);
+  return outcome.stdout;
+}
+const poinsot = (...args) => run(program, args, {encoding: 'utf8'});
+
+/** The native film's pictures, drawn once: R, G and B of each frame. */
+let native_frames = null;
+function native(number) {
+  if (!native_frames) {
+    poinsot('render', scene, '-o', path.join(folder, 'native_####.png'), '--size', `${size.width}x${size.height}`, '--quiet');
+    native_frames = rgb_of(['-framerate', '30', '-i', path.join(folder, 'native_%04d.png')]);
+  }
+  return native_frames[number];
+}
+
+/** The frames of a film as FFmpeg decodes them. */
+function rgb_of(input, {width, height} = size) {
+  const bytes = run('ffmpeg', ['-v', 'error', ...input, '-vf', 'scale=in_color_matrix=bt709:flags=accurate_rnd+full_chroma_int', '-f', 'rawvideo', '-pix_fmt', 'rgb24', '-']);
+  const n = 3 * width * height;
+  assert.equal(bytes.length % n, 0);
+  return Array.from({length: bytes.length / n}, (_, k) => bytes.subarray(k * n, (k + 1) * n));
+}
+
+/** The peak signal-to-noise ratio of two pictures, dB. */
+function psnr(a, b) {
+  let sum = 0;
+  for (let i = 0; i < a.length; ++i) sum += (a[i] - b[i]) ** 2;
+  return 10 * Math.log10((255 * 255 * a.length) / sum);
+}
+
+/** Each picture is the native film's of the same number, and of no other. */
+function assert_same_frames(frames, first = 0) {
+  let least = Infinity;
+  frames.forEach((frame, k) => {
+    const here = psnr(frame, native(first + k));
+    least = Math.min(least, here);
+    for (const other of [first + k - 1, first + k + 1])
+      if (native(other)) assert.ok(psnr(frame, native(other)) < here, `frame ${k} is rather the native film's frame ${other}`);
+  });
+  assert.ok(least >= 38, `PSNR ${least} dB`);
+  console.log(`      ${frames.length} frames, PSNR ≥ ${least.toFixed(1)} dB`);
+}
+
+async function opened(browser, options = {}) {
+  const {tab, faults} = await opened_file(browser, page_file, options);
+  await ready(tab);
+  return {tab, faults};
+}
+
+/** Makes a film in a tab by the controls of the page; the bytes, or null. */
+async function made(tab, values) {
+  const base64 = await tab.evaluate(async (chosen) => {
+    for (const [id, value] of Object.entries(chosen)) {
+      const field = document.getElementById(`film-${id}`);
+      field.value = String(value);
+      if (field.value !== String(value)) throw new Error(`${id} offers no ${value}`);
+      field.dispatchEvent(new Event('change'));
+    }
+    // As where a browser has no dialog for files.
+    window.showSaveFilePicker = undefined;
+    the_page.save = () => {};
+    const blob = await the_page.films.make(the_page.films.settings());
+    if (!blob) return null;
+    const bytes = new Uint8Array(await blob.arrayBuffer());
+    let text = '';
+    for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
+    return btoa(text);
+  }, {...size, ...values});
+  return base64 === null ? null : Buffer.from(base64, 'base64');
+}
+const said = (tab) => tab.$eval('#film-said', (field) => field.textContent);
+
+/** Makes a film and writes it into a file. */
+async function film_file(tab, name, values) {
+  const bytes = await made(tab, values);
+  assert.ok(bytes, await said(tab));
+  fs.writeFileSync(path.join(folder, name), bytes);
+  return path.join(folder, name);
+}
+
+const probed = (file) => JSON.parse(run('ffprobe', ['-v', 'error', '-count_frames', '-show_streams', '-show_format', '-of', 'json', file]));
+
+function assert_film(file, codec, n_frames) {
+  const {streams, format} = probed(file);
+  const [video] = streams;
+  assert.equal(video.codec_name, codec);
+  assert.equal(Number(video.nb_read_frames), n_frames);
+  assert.equal(video.r_frame_rate, '30/1');
+  assert.equal(video.avg_frame_rate, '30/1');
+  assert.ok(Math.abs(Number(format.duration) - n_frames / 30) < 0.002, format.duration);
+  assert.deepEqual([video.width, video.height], [size.width, size.height]);
+  assert.equal(video.color_range, 'tv');
+  assert.equal(video.color_space, 'bt709');
+  assert.equal(video.color_primaries, 'bt709');
+  assert.equal(video.color_transfer, 'bt709');
+}
+
+/** What the file says of itself, and that it can be drawn again. */
+function assert_record(file, frames) {
+  const record = JSON.parse(poinsot('explain', file, '--json'));
+  assert.match(record.maker, is_firefox ? /Firefox/ : /Chrome/);
+  assert.match(record.renderer, /^WebGL/);
+  assert.deepEqual(record.frames, frames);
+  assert.deepEqual(record.size, [size.width, size.height]);
+  assert.match(poinsot('explain', file), /moments_kg_m2/);
+}
+
+check('makes an MP4 film with the frames of the native one', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const file = await film_file(tab, 'page.mp4', {kind: 'mp4'});
+  assert_film(file, 'h264', 60);
+  assert_same_frames(rgb_of(['-i', file]));
+  assert_record(file, [0, 59]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+  // The record draws the film again natively: the bytes of the native film of the same scene.
+  const again = path.join(folder, 'again.mp4');
+  poinsot('rerender', file, '-o', again, '--quiet');
+  assert_same_frames(rgb_of(['-i', again]));
+});
+
+check('makes a WebM film', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const file = await film_file(tab, 'page.webm', {kind: 'webm'});
+  assert_film(file, 'vp9', 60);
+  assert_same_frames(rgb_of(['-i', file]));
+  assert_record(file, [0, 59]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('makes PNG pictures of the frames that lead to a stop', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const file = await film_file(tab, 'page.zip', {kind: 'png', span: 'stop 0'});
+  run('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; z.extractall(sys.argv[2])', file, folder]);
+  const names = fs.readdirSync(folder).filter((name) => /^short_\d+\.png$/.test(name)).sort();
+  assert.equal(names.length, 31);
+  assert.equal(names[30], 'short_0030.png');
+  assert_same_frames(rgb_of(['-i', path.join(folder, 'short_%04d.png')]));
+  assert_record(path.join(folder, names[0]), [0, 30]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('can be cancelled, stays usable, and saves nothing then', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const cancelled = made(tab, {kind: 'mp4'});
+  await until(tab, 'document.getElementById("film-done").value > 0.1');
+  await tab.evaluate('poinsot.seek(1.5)');
+  await until(tab, 'Math.abs(document.getElementById("scrub").valueAsNumber - 1.5) < 0.01');
+  assert.match(await tab.$eval('#film-hint', (hint) => hint.textContent), /\d+ \/ 60.*time left/);
+  // A second film waits for the first.
+  assert.equal(await tab.evaluate('the_page.films.make(the_page.films.settings())'), null);
+  await tab.evaluate('document.getElementById("film-cancel").click()');
+  assert.equal(await cancelled, null);
+  assert.match(await said(tab), /nothing was saved/);
+  assert.ok(await tab.$eval('#film-make', (button) => !button.hidden));
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('writes to a chosen file, and leaves nothing of a film that fails', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const outcome = await tab.evaluate(async () => {
+    const outcomes = [];
+    for (const most of [Infinity, 20000]) {
+      const file = {size: 0, closed: false, aborted: false};
+      window.showSaveFilePicker = async () => ({createWritable: async () => ({
+        write: async (chunk) => {
+          file.size = Math.max(file.size, chunk.position + chunk.data.length);
+          if (file.size > most) throw new DOMException('no space', 'QuotaExceededError');
+        },
+        close: async () => { file.closed = true; },
+        abort: async () => { file.aborted = true; },
+      })});
+      await the_page.films.make({...the_page.films.settings(), width: 320, height: 180});
+      outcomes.push({...file, said: document.getElementById('film-said').textContent});
+    }
+    return outcomes;
+  });
+  assert.ok(outcome[0].closed && !outcome[0].aborted && outcome[0].size > 20000, JSON.stringify(outcome[0]));
+  assert.match(outcome[0].said, /is saved/);
+  assert.ok(outcome[1].aborted && !outcome[1].closed, JSON.stringify(outcome[1]));
+  assert.match(outcome[1].said, /disk is full/);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('says it in one sentence where the browser has no encoder or refuses', async (browser) => {
+  for (const [before, kind] of [
+    [() => { delete window.VideoEncoder; }, 'mp4'],
+    [() => { VideoEncoder.prototype.configure = () => { throw new DOMException('refused', 'NotSupportedError'); }; }, 'webm']]) {
+    const {tab, faults} = await opened(browser, {before});
+    assert.equal(await made(tab, {kind}), null);
+    assert.match(await said(tab), /cannot encode such a film; choose/);
+    assert.deepEqual(faults, []);
+    await tab.close();
+  }
+});
+
+check('takes VP9 in MP4 where there is no H.264, and says so', async (browser) => {
+  const {tab} = await opened(browser, {before: () => {
+    const configure = VideoEncoder.prototype.configure;
+    VideoEncoder.prototype.configure = function (config) {
+      if (config.codec.startsWith('avc1')) throw new DOMException('refused', 'NotSupportedError');
+      return configure.call(this, config);
+    };
+  }});
+  const file = await film_file(tab, 'vp9.mp4', {kind: 'mp4', quality: 'draft', span: 'stop 0'});
+  assert.equal(probed(file).streams[0].codec_name, 'vp9');
+  assert.match(await said(tab), /no H\.264.*VP9/);
+  await tab.close();
+});
+
+check('makes a film at another rate, size and value', async (browser) => {
+  const {tab} = await opened(browser);
+  const bytes = await made(tab, {kind: 'mp4', rate: 12.5, width: 322, height: 180, span: 'stop 0'});
+  fs.writeFileSync(path.join(folder, 'other.mp4'), bytes);
+  const [video] = probed(path.join(folder, 'other.mp4')).streams;
+  assert.equal(video.avg_frame_rate, '25/2');
+  assert.deepEqual([video.width, video.height, Number(video.nb_read_frames)], [322, 180, 14]);
+  assert.equal(await made(tab, {kind: 'mp4', width: 321}), null);
+  assert.match(await said(tab), /even width/);
+  await tab.close();
+});
+
+check('says whose work writes the film, and where its source is', async () => {
+  const lock = JSON.parse(fs.readFileSync(path.join(__dirname, '../../page/film_writer/package-lock.json'), 'utf8'));
+  const {version} = lock.packages['node_modules/mediabunny'];
+  assert.match(fs.readFileSync(page_file, 'utf8'), new RegExp(`Mediabunny ${version}, .*Mozilla Public License 2\\.0.*source: https://\\S+/${version}`));
+});
+
+check('offers the qualities of the program', async (browser) => {
+  const {tab} = await opened(browser);
+  const names = await tab.$$eval('#film-quality option', (options) => options.map((option) => option.value));
+  const listed = poinsot('list', 'qualities');
+  for (const name of names) assert.match(listed, new RegExp(`^\\s*${name}\\b`, 'm'));
+  assert.equal(names.length, 4);
+  await tab.close();
+});
+
+run_checks(checks, only);
