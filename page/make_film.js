@@ -237,7 +237,7 @@ class FilmPanel {
     const from = span.kind === 'chapter' ? loaded.chapters[span.index]?.at_s ?? 0 : span.kind === 'stop' ? loaded.stops[span.index - 1]?.at_s ?? 0 : 0;
     const marks = span.kind === 'chapter' ? loaded.chapters[span.index + 1] : span.kind === 'stop' ? loaded.stops[span.index] : undefined;
     const length_s = Math.max(0, (marks?.at_s ?? loaded.film_length_s) - from);
-    // Measured: pictures take a fortieth of their pixels' bytes and more.
+    // An estimate: a picture takes about a twentieth of its pixels' bytes.
     const bytes = kind === 'png' ? length_s * rate * width * height * 0.15
       : (length_s * bitrate_of(quality, {width, height, numerator: rate, denominator: 1})) / 8;
     const number = (/** @type {number} */ x, /** @type {number} */ digits) => new Intl.NumberFormat(words.code, {maximumSignificantDigits: digits}).format(x);
