@@ -89,17 +89,7 @@ PaperEllipse ring_of(const ArrowShape& shape, const Eigen::Vector2d& middle, dou
 // A part of a ring between two angles as Béziers; angle 0 is ahead.
 std::vector<Bezier> arc(const PaperEllipse& ring, double from, double to) {
     const int n = std::max(1, static_cast<int>(std::ceil(std::abs(to - from) / (0.5 * pi))));
-    const double handle = 4.0 / 3.0 * std::tan(0.25 * (to - from) / n);
-    const auto slope = [&](double t) -> Eigen::Vector2d {
-        return ring.b * std::cos(t) - ring.a * std::sin(t);
-    };
-    std::vector<Bezier> beziers;
-    for (int k = 0; k < n; ++k) {
-        const double s = from + (to - from) * k / n, t = from + (to - from) * (k + 1) / n;
-        beziers.push_back({ring.at(s), ring.at(s) + handle * slope(s),
-                           ring.at(t) - handle * slope(t), ring.at(t)});
-    }
-    return beziers;
+    return arc_of(ring, from, to, n);
 }
 
 // The convex hull of two rings of one shape, the second ahead of the first.

@@ -449,19 +449,8 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
             const double towards = std::atan2(from_rim.y(), from_rim.x());
             const double touch = std::acos(1.0 / apart);
             const double from = towards + touch, to = towards + 2.0 * pi - touch;
-            const PaperEllipse& turned = *ellipse;
-            const int n = std::max(2, static_cast<int>(std::ceil((to - from) / 0.7)));
-            const double handle = 4.0 / 3.0 * std::tan(0.25 * (to - from) / n);
-            const auto slope = [&](double t) -> Eigen::Vector2d {
-                return turned.b * std::cos(t) - turned.a * std::sin(t);
-            };
-            std::vector<Bezier> beziers;
-            for (int k = 0; k < n; ++k) {
-                const double s = from + (to - from) * k / n, t = from + (to - from) * (k + 1) / n;
-                beziers.push_back({turned.at(s), turned.at(s) + handle * slope(s),
-                                   turned.at(t) - handle * slope(t), turned.at(t)});
-            }
-            hull.add(beziers);
+            hull.add(arc_of(*ellipse, from, to,
+                            std::max(2, static_cast<int>(std::ceil((to - from) / 0.7)))));
             hull.line(apex);
             hull.close();
         }

@@ -88,15 +88,21 @@ std::vector<Bezier> beziers_of(const PaperEllipse& ellipse, double tolerance_pt,
     int n = 4;
     while (n < 4096 && error(n) > tolerance_pt) n += 2;
     off_pt = std::max(off_pt, error(n));
-    const double handle = 4.0 / 3.0 * std::tan(0.25 * (2.0 * pi / n));
+    std::vector<Bezier> beziers = arc_of(ellipse, 0.0, 2.0 * pi, n);
+    beziers.back()[3] = beziers.front()[0];
+    return beziers;
+}
+
+std::vector<Bezier> arc_of(const PaperEllipse& ellipse, double from, double to, int n) {
+    const double handle = 4.0 / 3.0 * std::tan(0.25 * (to - from) / n);
     const auto slope = [&](double t) -> Eigen::Vector2d {
         return ellipse.b * std::cos(t) - ellipse.a * std::sin(t);
     };
     std::vector<Bezier> beziers;
     for (int k = 0; k < n; ++k) {
-        const double from = 2.0 * pi * k / n, to = 2.0 * pi * ((k + 1) % n) / n;
-        const Eigen::Vector2d begin = ellipse.at(from), end = ellipse.at(to);
-        beziers.push_back({begin, begin + handle * slope(from), end - handle * slope(to), end});
+        const double s = from + (to - from) * k / n, t = from + (to - from) * (k + 1) / n;
+        beziers.push_back({ellipse.at(s), ellipse.at(s) + handle * slope(s),
+                           ellipse.at(t) - handle * slope(t), ellipse.at(t)});
     }
     return beziers;
 }

@@ -31,11 +31,14 @@ std::optional<PaperEllipse> picture_of(const Conic& conic, const Projection& pro
 // inside.
 std::optional<Conic> limb_of(const SphereSight& sphere);
 
-// A whole ellipse as Béziers whose ends lie on the ellipse and have its tangents. The deviation is
-// at most `tolerance_pt`; `off_pt` is raised to its bound: for a circle of radius 1 and an arc θ
-// the deviation is (4/27)·sin⁶(θ/4)/cos²(θ/4), and an affine map stretches it by at most the
-// ellipse's longest half-axis.
+// A whole ellipse as such Béziers. The deviation is at most `tolerance_pt`; `off_pt` is raised to
+// its bound: for a circle of radius 1 and an arc θ the deviation is (4/27)·sin⁶(θ/4)/cos²(θ/4), and
+// an affine map stretches it by at most the ellipse's longest half-axis.
 std::vector<Bezier> beziers_of(const PaperEllipse& ellipse, double tolerance_pt, double& off_pt);
+
+// The part of an ellipse between two parameters as n Béziers whose ends lie on the ellipse and have
+// its tangents.
+std::vector<Bezier> arc_of(const PaperEllipse& ellipse, double from, double to, int n);
 
 // The track along a conic from one parameter to another.
 Track track_of(const Conic& conic, double first, double last);

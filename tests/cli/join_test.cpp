@@ -13,7 +13,8 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST_F(Parts, JoinedAreByteIdenticalToASingleRun) {
-    for (const std::string kind : {".mp4", ".webm", ".mov", ".gif", ".md5"}) {
+    // tests/output/film_parts_test.cpp has the other formats.
+    for (const std::string kind : {".mp4", ".mov"}) {
         // Two chunks and a short one.
         const std::string render = "render a.toml -q --set film.fps=20 -o ";
         make(render + "one" + kind);
@@ -28,7 +29,7 @@ TEST_F(Parts, JoinedAreByteIdenticalToASingleRun) {
     beside.replace(beside.find("one.mp4"), 7, "a.mp4");
     EXPECT_EQ(bytes("a.chapters.json"), beside);
     // So are the captions: they are shown from 4 s to the end.
-    for (const std::string name : {"a.mp4", "a.webm", "a.mov"}) {
+    for (const std::string name : {"a.mp4", "a.mov"}) {
         const std::string text = bytes(name == "a.mp4" ? "a.vtt" : name + ".vtt");
         EXPECT_EQ(text, "WEBVTT\n\nNOTE poinsot: " + name +
                             "\n\n00:00:04.000 --> 00:00:12.400\nL stays\n");

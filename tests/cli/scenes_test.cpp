@@ -19,24 +19,16 @@ namespace {
 using SceneMessages = Messages;
 
 // Every supplied scene can be drawn, and its picture has more than one colour.
-class EveryScene : public ::testing::TestWithParam<std::string> {};
-
-std::vector<std::string> scene_files() {
-    std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
-        if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
-    }
-    return files;
-}
+class EveryScene : public ::testing::TestWithParam<std::filesystem::path> {};
 
 TEST_P(EveryScene, FulfilsItsClaims) {
     const ScratchFolder folder;
-    const ProgramRun check = run_program_in(folder, "check '" + GetParam() + "'");
+    const ProgramRun check = run_program_in(folder, "check '" + GetParam().string() + "'");
     EXPECT_EQ(check.code, 0) << check.err;
     EXPECT_NE(check.out.find("title: "), std::string::npos);
 }
 
-INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, ::testing::ValuesIn(scene_files()),
+INSTANTIATE_TEST_SUITE_P(Scenes, EveryScene, ::testing::ValuesIn(supplied_scenes()),
                          [](const auto& tested) {
                              return std::filesystem::path(tested.param).stem().string();
                          });
@@ -60,8 +52,8 @@ TEST(Scenes, AllShowSomething) {
     const ProgramRun still =
         run_program_in(folder, "still " + scenes + " --size 320x180 --time 1 -q -o '{scene}.png'");
     ASSERT_EQ(still.code, 0) << still.err;
-    for (const std::string& file : scene_files()) {
-        const std::string name = std::filesystem::path(file).stem().string() + ".png";
+    for (const std::filesystem::path& file : supplied_scenes()) {
+        const std::string name = file.stem().string() + ".png";
         // Of thin rods and arrows alone, or as pale as the ground.
         const bool is_slight = name == "inertial_forces.png" || name == "feynman_plate.png";
         const double least = is_slight ? 0.04 : 0.05;

@@ -354,5 +354,20 @@ TEST(Separatrices, LieOnTheEllipsoidWithTheMiddleRatio) {
     EXPECT_TRUE(separatrices(InertiaTensor::from_principal_moments({2.0, 2.0, 3.0}), 1e-3).empty());
 }
 
+// ω too large by a share of δ: L by δ, T by 2δ + δ², and the contact is beyond the plane by δ.
+TEST(PoinsotConstruction, ResidualsOfAWrongStateAreItsErrors) {
+    const Body body{"generic", {1.0, 2.0, 2.9}, {1.0, 0.3, 0.2}};
+    const Motion motion(problem_of(body));
+    const PoinsotConstruction construction(motion.problem().inertia, motion.at(0.0));
+    constexpr double share = 1e-3;
+    RotationState state = motion.at(0.0);
+    state.omega_body *= 1.0 + share;
+    const RollingResiduals residuals = construction.residuals(state);
+    EXPECT_NEAR(residuals.momentum, share, 1e-14);
+    EXPECT_NEAR(residuals.energy, 2.0 * share + share * share, 1e-14);
+    EXPECT_NEAR(residuals.contact_plane_gap, share, 1e-14);
+    EXPECT_NEAR(residuals.tangency_gap, 0.0, 1e-14);
+}
+
 }  // namespace
 }  // namespace poinsot

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "error/error.h"
+#include "refusal.h"
 
 namespace poinsot {
 namespace {
@@ -14,12 +15,7 @@ namespace {
 const std::array<LiveValue, 2> values{{{"time_s", 1.25}, {"omega_1_rad_s", -0.5}}};
 
 std::string error_of(std::string_view text) {
-    try {
-        expand_live_text(text, values);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_message([&] { expand_live_text(text, values); });
 }
 
 TEST(CaptionTemplate, ReplacesNumbersInTheirFormat) {

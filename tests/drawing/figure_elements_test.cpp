@@ -18,6 +18,7 @@
 #include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "mechanics/solids.h"
+#include "refusal.h"
 #include "scenes_by_hand.h"
 #include "typeset/files/installed_fonts.h"
 
@@ -311,12 +312,7 @@ TEST(FigureElements, InertialForcesBeginAtTheirMasses) {
 TEST(FigureElements, InertialForcesNeedPointMassesWithoutFriction) {
     const auto refusal_of = [](Scene scene) -> std::string {
         scene.locations["show"] = {"disc.toml", 3, 1};
-        try {
-            const StagedScene staged(scene, 10.0);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return refusal_message([&] { const StagedScene staged(scene, 10.0); });
     };
     EXPECT_EQ(refusal_of(disc_scene()), "");
     Scene by_moments = disc_scene();

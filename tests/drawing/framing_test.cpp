@@ -17,6 +17,7 @@
 #include "drawing/stage/panel.h"
 #include "error/error.h"
 #include "places.h"
+#include "refusal.h"
 #include "scene/files/load_scene.h"
 #include "scene/write_scene.h"
 #include "scenes_by_hand.h"
@@ -133,12 +134,7 @@ duration_s = 8.0
 Scene scene_of(const std::string& more) { return parse_scene(a_body + more, "a.toml", {}); }
 
 std::string refusal(const std::string& more) {
-    try {
-        const StagedScene staged(scene_of(more), 8.0);
-        return "";
-    } catch (const InputError& error) {
-        return error.what();
-    }
+    return refusal_message([&] { const StagedScene staged(scene_of(more), 8.0); });
 }
 
 Eigen::Vector3d sight(const View& view) {
@@ -390,10 +386,7 @@ class Extent {
 bool is_chart(const PanelSpec& panel) { return panel.kind == "plot" || panel.kind == "potential"; }
 
 TEST(Filling, FigureSpansFourFifthsOfItsPanel) {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
-        if (entry.path().extension() == ".toml") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
+    const std::vector<std::filesystem::path> files = supplied_scenes();
     ASSERT_GE(files.size(), 30u);
     for (const auto& file : files) {
         for (const auto& [width, height] :

@@ -21,14 +21,6 @@
 namespace poinsot {
 namespace {
 
-std::vector<std::filesystem::path> scene_files() {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
-        if (entry.path().extension() == ".toml") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 // Luminance for WCAG's contrast ratio.
 double luminance(const Colour& c) {
     return 0.2126 * linear_from_srgb(c.r) + 0.7152 * linear_from_srgb(c.g) +
@@ -51,7 +43,7 @@ class Legible : public ::testing::Test {
 
 // In every scene, at two sizes: no text is smaller than 1/45 of the height.
 TEST_F(Legible, TextOfAFilmIsAtLeastAFortyFifthOfItsHeight) {
-    for (const auto& file : scene_files()) {
+    for (const auto& file : supplied_scenes()) {
         for (const auto& [width, height] : {std::pair{1920, 1080}, std::pair{640, 360}}) {
             Scene scene = scene_of(file);
             scene.film.width_px = width;

@@ -14,6 +14,7 @@
 #include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
 #include "image/synthetic.h"
+#include "refusal.h"
 #include "system/faults.h"
 #include "system/files/atomic_file.h"
 
@@ -22,15 +23,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using Bytes = std::vector<std::uint8_t>;
-
-std::string refusal(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
 
 Image random_image(bool opaque) {
     const int width = *rc::gen::inRange(1, 40), height = *rc::gen::inRange(1, 40);
@@ -251,9 +243,9 @@ TEST(PngReading, NamesTheColourSpace) {
 TEST(PngReading, RejectsAnimations) {
     const Bytes file =
         with_chunk(encode_png(synthetic_frame(8, 8, 0)), "acTL", {0, 0, 0, 2, 0, 0, 0, 0});
-    EXPECT_NE(refusal([&] { decode_png(file, "x"); }).find("x is an animated PNG"),
+    EXPECT_NE(refusal_message([&] { decode_png(file, "x"); }).find("x is an animated PNG"),
               std::string::npos);
-    EXPECT_NE(refusal([&] { decode_stored_png(file, "x"); }), "");
+    EXPECT_NE(refusal_message([&] { decode_stored_png(file, "x"); }), "");
 }
 
 // A row of 16-bit grey and alpha samples: 257·v is exactly v in 8 bits.
@@ -335,9 +327,10 @@ TEST(PngReading, RejectsHugeSizesBeforeAllocating) {
                 static_cast<std::uint8_t>(sum >> (24 - 8 * i));
         return changed;
     };
-    EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 1), "a.png"); }),
+    EXPECT_EQ(refusal_message([&] { decode_png(with_size(0x40, 1), "a.png"); }),
               "a.png is 16385×16385 pixels; poinsot reads at most 268 million pixels");
-    EXPECT_EQ(refusal([&] { decode_png(with_size(0x40, 0), "a.png"); }), "a.png is cut short");
+    EXPECT_EQ(refusal_message([&] { decode_png(with_size(0x40, 0), "a.png"); }),
+              "a.png is cut short");
 }
 
 TEST(PngReading, ReadsLongPicturesAndMetadataOfLargeOnes) {
@@ -361,14 +354,14 @@ TEST(PngReading, RejectsFalseChunkLengthsBeforeAllocating) {
     for (const char byte :
          {'\x5c', '\x0f', '\0', '\x10', 'i', 'T', 'X', 't', 'k', '\0', '\0', '\0', '\0'})
         claims.push_back(static_cast<std::uint8_t>(byte));
-    EXPECT_EQ(refusal([&] { decode_png(claims, "a.png"); }), "a.png is cut short");
+    EXPECT_EQ(refusal_message([&] { decode_png(claims, "a.png"); }), "a.png is cut short");
 
     constexpr std::size_t too_long = (std::size_t{4} << 20) + 1;
     Bytes large(file.begin(), file.end() - 12);
     for (int i = 3; i >= 0; --i) large.push_back(static_cast<std::uint8_t>(too_long >> 8 * i));
     for (const char c : {'i', 'T', 'X', 't'}) large.push_back(static_cast<std::uint8_t>(c));
     large.resize(large.size() + too_long + 4);
-    EXPECT_EQ(refusal([&] { decode_png(large, "a.png"); }),
+    EXPECT_EQ(refusal_message([&] { decode_png(large, "a.png"); }),
               "a.png is a broken PNG picture: a chunk without pixels has 4194305 bytes; poinsot "
               "reads at most 4194304");
 }
@@ -376,11 +369,11 @@ TEST(PngReading, RejectsFalseChunkLengthsBeforeAllocating) {
 TEST(PngReading, ErrorsNameTheFault) {
     const TemporaryFolder folder;
     const fs::path path = folder / "a.png";
-    EXPECT_EQ(refusal([&] { read_png(path); }), path.string() + " does not exist");
-    EXPECT_EQ(refusal([&] { read_png(folder.path()); }),
+    EXPECT_EQ(refusal_message([&] { read_png(path); }), path.string() + " does not exist");
+    EXPECT_EQ(refusal_message([&] { read_png(folder.path()); }),
               folder.path().string() + " is a folder, not a PNG picture");
     AtomicFile(path).commit();
-    EXPECT_EQ(refusal([&] { read_png(path); }), path.string() + " is not a PNG picture");
+    EXPECT_EQ(refusal_message([&] { read_png(path); }), path.string() + " is not a PNG picture");
 }
 
 TEST(PngWriting, RejectsValuesThatPngCannotHold) {

@@ -22,6 +22,7 @@
 #include "mechanics/reference_cases.h"
 #include "mechanics/top_families.h"
 #include "numerics/least_turn.h"
+#include "refusal.h"
 
 namespace poinsot::heavy_top_tests {
 namespace {
@@ -229,14 +230,6 @@ TEST(HeavyTop, StartsWithExactlyWhatItWasGiven) {
 }
 
 TEST(HeavyTop, RefusesWhatLiesBeyondTheRangeOfDouble) {
-    const auto refusal_of = [](const auto& call) -> std::string {
-        try {
-            call();
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
-    };
     using P = HeavyTopProblem;
     const auto refusal = [&](auto change) {
         P p{.moment_transverse_kg_m2 = 1.9,
@@ -244,7 +237,7 @@ TEST(HeavyTop, RefusesWhatLiesBeyondTheRangeOfDouble) {
             .mgl_N_m = 1.0,
             .theta_rad = 0.5};
         change(p);
-        return refusal_of([&] { HeavyTop{p}; });
+        return refusal_message([&] { HeavyTop{p}; });
     };
     const std::string overflows = ": the angular momentum of the top overflows; choose other units";
     EXPECT_EQ(refusal([](P& p) { p.omega3_rad_s = 1e308, p.moment_axial_kg_m2 = 2.0; }),
@@ -255,7 +248,7 @@ TEST(HeavyTop, RefusesWhatLiesBeyondTheRangeOfDouble) {
     for (const double theta : {-1e-300, 3.1416, 1e16, 1e150, 1e308}) {
         EXPECT_NE(refusal([=](P& p) { p.theta_rad = theta; }).find("give an angle from 0 to 3.14"),
                   std::string::npos);
-        EXPECT_NE(refusal_of([=] { start_of(P{.theta_rad = theta}); }), "");
+        EXPECT_NE(refusal_message([=] { start_of(P{.theta_rad = theta}); }), "");
     }
     EXPECT_EQ(refusal([](P& p) { p.theta_rad = pi; }), "");
 }

@@ -12,6 +12,7 @@
 #include <string>
 
 #include "error/error.h"
+#include "refusal.h"
 
 namespace poinsot::inertia_tests {
 namespace {
@@ -22,20 +23,11 @@ using Eigen::Vector3d;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 
-// Returns the message of the InputError, or an empty text.
-std::string refusal(const std::function<void()>& make) {
-    try {
-        make();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
 std::string refusal_of_moments(const Vector3d& moments) {
-    return refusal([&] { InertiaTensor::from_principal_moments(moments); });
+    return refusal_message([&] { InertiaTensor::from_principal_moments(moments); });
 }
 std::string refusal_of_tensor(const Matrix3d& tensor) {
-    return refusal([&] { InertiaTensor::from_matrix(tensor); });
+    return refusal_message([&] { InertiaTensor::from_matrix(tensor); });
 }
 
 // R D Rᵀ, symmetric to the last bit.
@@ -78,7 +70,7 @@ TEST(InertiaTensor, AcceptsUnphysicalMomentsWhenAllowed) {
     const InertiaTensor inertia = InertiaTensor::from_principal_moments(given, Physicality::waived);
     EXPECT_EQ(inertia.moments_kg_m2(), given);
     EXPECT_FALSE(inertia.planar());
-    EXPECT_NE(refusal([&] {
+    EXPECT_NE(refusal_message([&] {
                   InertiaTensor::from_principal_moments({-1.0, 1.0, 1.0}, Physicality::waived);
               }),
               "");
@@ -207,7 +199,7 @@ TEST(InertiaTensor, NamesTheTensorInMessages) {
 }
 
 TEST(InertiaTensor, GivenAxesMustBeARotation) {
-    EXPECT_NE(refusal([] {
+    EXPECT_NE(refusal_message([] {
                   InertiaTensor::from_principal_axes({1.0, 2.0, 2.5}, -Matrix3d::Identity());
               }),
               "");

@@ -7,25 +7,11 @@
 #include <string>
 #include <vector>
 
+#include "mechanics/generic_problem.h"
 #include "mechanics/step_choice.h"
 
 namespace poinsot {
 namespace {
-
-MotionProblem generic_problem(const std::string& method) {
-    MotionProblem problem;
-    problem.inertia = InertiaTensor::from_principal_moments({1.0, 2.0, 2.9});
-    problem.start.omega_body = {1.678, 0.1, 0.639};
-    problem.method.name = method;
-    problem.last_time_s = 10.0;
-    return problem;
-}
-
-std::vector<double> frames() {
-    std::vector<double> times;
-    for (int k = 0; k < 300; ++k) times.push_back(k / 30.0);
-    return times;
-}
 
 TEST(MotionErrors, AngleIsThatOfTheRotationBetween) {
     const Eigen::Quaterniond a(Eigen::AngleAxisd(0.3, Eigen::Vector3d(1, 2, 2).normalized()));

@@ -12,6 +12,7 @@
 
 #include "error/error.h"
 #include "mechanics/free/free_rotation.h"
+#include "refusal.h"
 
 namespace poinsot {
 namespace {
@@ -34,12 +35,7 @@ FreeRotation motion_of(const InertiaTensor& inertia, const PolhodeStart& start) 
 }
 
 std::string said_about(const ConservedQuantities& conserved) {
-    try {
-        start_on_polhode(three, conserved);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_message([&] { start_on_polhode(three, conserved); });
 }
 
 TEST(PolhodeStart, HasTheEnergyAndTheMomentum) {

@@ -13,20 +13,12 @@
 #include <vector>
 
 #include "error/error.h"
+#include "refusal.h"
 
 namespace poinsot::solids_tests {
 namespace {
 
 using Eigen::Vector3d;
-
-std::string refusal(const std::function<void()>& make) {
-    try {
-        make();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
 
 Vector3d moments_of(std::string_view name, std::vector<double> sizes, double mass = 1.0) {
     return inertia_of_solid(name, sizes, mass).moments_kg_m2();
@@ -138,22 +130,22 @@ TEST(Solids, EveryRowIsValidAtEveryScale) {
 }
 
 TEST(Solids, RefuseInvalidSizesAndMasses) {
-    EXPECT_NE(refusal([] {
+    EXPECT_NE(refusal_message([] {
                   moments_of("cyllinder", {1.0, 1.0});
               }).find("\"cylinder\""),
               std::string::npos);
-    EXPECT_NE(refusal([] {
+    EXPECT_NE(refusal_message([] {
                   moments_of("box", {1.0, 2.0});
               }).find("3 values, not 2"),
               std::string::npos);
-    EXPECT_NE(refusal([] {
+    EXPECT_NE(refusal_message([] {
                   moments_of("box", {1.0, 0.0, 1.0});
               }).find("size_m[1] = 0"),
               std::string::npos);
-    EXPECT_NE(refusal([] { moments_of("sphere", {std::nan("")}); }), "");
-    EXPECT_NE(refusal([] { moments_of("sphere", {1.0}, -1.0); }).find("mass_kg"),
+    EXPECT_NE(refusal_message([] { moments_of("sphere", {std::nan("")}); }), "");
+    EXPECT_NE(refusal_message([] { moments_of("sphere", {1.0}, -1.0); }).find("mass_kg"),
               std::string::npos);
-    EXPECT_NE(refusal([] { moments_of("sphere", {1e200}, 1.0); }).find("beyond"),
+    EXPECT_NE(refusal_message([] { moments_of("sphere", {1e200}, 1.0); }).find("beyond"),
               std::string::npos);
 }
 
@@ -207,7 +199,7 @@ TEST(PointMasses, CoplanarMassesAreALamina) {
 
 TEST(PointMasses, NameTheMissingExtent) {
     const auto message = [](std::vector<PointMass> masses) {
-        return refusal([&] { inertia_of_masses(masses); });
+        return refusal_message([&] { inertia_of_masses(masses); });
     };
     EXPECT_NE(message({}).find("empty"), std::string::npos);
     EXPECT_NE(message({{1.0, {1.0, 2.0, 3.0}}}).find("at one point"), std::string::npos);

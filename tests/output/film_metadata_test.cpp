@@ -37,7 +37,7 @@ TEST(FilmMetadata, IsEmptyWithoutMetadata) {
 
 TEST(FilmMetadata, OfAMissingFileIsRefused) {
     const TemporaryFolder folder;
-    EXPECT_NE(input_error_of([&] { film_metadata(folder / "a.mp4"); }), "");
+    EXPECT_NE(refusal_message([&] { film_metadata(folder / "a.mp4"); }), "");
 }
 
 TEST(Chapters, AreReadBackFromTheFilm) {

@@ -14,6 +14,7 @@
 #include "image/synthetic.h"
 #include "output/frame_sink.h"
 #include "output/video_reader.h"
+#include "refusal.h"
 #include "system/faults.h"
 
 namespace poinsot {
@@ -51,24 +52,6 @@ inline void write_film(const OutputPlan& plan) {
 inline std::string bytes_of(const std::filesystem::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-inline std::string input_error_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
-}
-
-inline std::string environment_error_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const EnvironmentError& error) {
-        return error.what();
-    }
-    return "";
 }
 
 inline std::vector<Image> frames_of(const std::filesystem::path& path) {

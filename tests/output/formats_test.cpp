@@ -27,13 +27,13 @@ TEST(Formats, FileNamesSelectTheirFormat) {
 }
 
 TEST(Formats, UnknownSuffixListsTheKnown) {
-    EXPECT_EQ(input_error_of([] { format_for("b.mkv"); }),
+    EXPECT_EQ(refusal_message([] { format_for("b.mkv"); }),
               "b.mkv: there is no output format for the suffix \".mkv\"; write .mp4, and convert "
               "it without loss: `ffmpeg -i film.mp4 -c copy film.mkv`; the formats are .mp4, "
               ".webm, .mov, .gif, .png, .html, .pptx, .md5");
-    EXPECT_NE(input_error_of([] { format_for("film"); }).find("a name without a suffix"),
+    EXPECT_NE(refusal_message([] { format_for("film"); }).find("a name without a suffix"),
               std::string::npos);
-    EXPECT_NE(input_error_of([] { format_for("b_####.mp4"); }).find("####"), std::string::npos);
+    EXPECT_NE(refusal_message([] { format_for("b_####.mp4"); }).find("####"), std::string::npos);
 }
 
 // Every row writes a complete output of two frames (a still: one) and leaves no other file.
@@ -74,22 +74,22 @@ TEST(Formats, FilmsRefuseUnsupportedPlans) {
         OutputPlan plan = small_plan(folder / name);
         const auto open = [&] { format_for(plan.path).open(plan); };
         plan.rate = {0, 1};
-        EXPECT_EQ(input_error_of(open), "a film needs a frame rate above 0; 0/1 is not one")
+        EXPECT_EQ(refusal_message(open), "a film needs a frame rate above 0; 0/1 is not one")
             << name;
         plan.rate = {30, 0};
-        EXPECT_NE(input_error_of(open), "") << name;
+        EXPECT_NE(refusal_message(open), "") << name;
         plan.rate = {std::int64_t{1} << 40, 1};
-        EXPECT_NE(input_error_of(open), "") << name;
+        EXPECT_NE(refusal_message(open), "") << name;
         plan = small_plan(folder / name);
         plan.height_px = 0;
-        EXPECT_NE(input_error_of(open), "") << name;
+        EXPECT_NE(refusal_message(open), "") << name;
         plan = small_plan(folder / name);
-        EXPECT_NE(input_error_of([&] {
+        EXPECT_NE(refusal_message([&] {
                       const auto sink = format_for(plan.path).open(plan);
                       sink->write(Image(10, 10));
                   }).find("a frame of 10×10 pixels"),
                   std::string::npos);
-        EXPECT_NE(input_error_of([&] {
+        EXPECT_NE(refusal_message([&] {
                       format_for(plan.path).open(plan)->finish();
                   }).find("was given no frame"),
                   std::string::npos);
@@ -102,7 +102,7 @@ TEST(Formats, UnknownQualityListsTheKnown) {
     for (const char* name : {"a.mp4", "a.webm", "a.mov"}) {
         OutputPlan plan = small_plan(folder / name);
         plan.quality = "best";
-        EXPECT_EQ(input_error_of([&] { format_for(plan.path).open(plan); }),
+        EXPECT_EQ(refusal_message([&] { format_for(plan.path).open(plan); }),
                   "unknown quality \"best\"; choose from: draft, lecture, print, reference");
     }
 }
@@ -111,14 +111,14 @@ TEST(Formats, OddSizesAreRefusedForMp4WithASentence) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / "a.mp4");
     plan.width_px = 65;
-    EXPECT_EQ(input_error_of([&] { format_for(plan.path).open(plan); }),
+    EXPECT_EQ(refusal_message([&] { format_for(plan.path).open(plan); }),
               "an MP4 film needs an even width and height, and 65×48 is not; take 66×48, or write "
               "PNG frames or WebM");
     EXPECT_TRUE(folder.contents().empty());
 }
 
 TEST(Formats, GifRefusesRatesThatPlayersSlowDown) {
-    EXPECT_NE(input_error_of([&] {
+    EXPECT_NE(refusal_message([&] {
                   check_rate(format_for("a.gif"), {60, 1});
               }).find("at most 50"),
               std::string::npos);
@@ -132,7 +132,7 @@ TEST(Formats, EveryRowNamesAMissingFolder) {
         if (format.open == nullptr) continue;
         if (format.name == "null") continue;
         const OutputPlan plan = small_plan(folder / "missing/f#" += format.suffix);
-        EXPECT_EQ(environment_error_of([&] { format.open(plan); }),
+        EXPECT_EQ(refusal_message<EnvironmentError>([&] { format.open(plan); }),
                   "cannot write " + plan.path.string() + ": the folder " +
                       (folder / "missing").string() + " does not exist; make it first");
     }
@@ -218,7 +218,7 @@ TEST(Films, DoNotContainTheirPath) {
 
 TEST(Recover, AcceptsOnlyFilms) {
     const TemporaryFolder folder;
-    EXPECT_NE(input_error_of([&] { recover_film(folder / "a_#.png"); }).find("is not a film"),
+    EXPECT_NE(refusal_message([&] { recover_film(folder / "a_#.png"); }).find("is not a film"),
               std::string::npos);
 }
 
@@ -227,7 +227,7 @@ TEST(Films, SecondRunOnTheSameOutputIsRefused) {
     for (const char* name : {"a.mp4", "a.webm", "a.mov", "a.gif"}) {
         const OutputPlan plan = small_plan(folder / name);
         const auto first = format_for(plan.path).open(plan);
-        EXPECT_EQ(environment_error_of([&] { format_for(plan.path).open(plan); }),
+        EXPECT_EQ(refusal_message<EnvironmentError>([&] { format_for(plan.path).open(plan); }),
                   "cannot write " + plan.path.string() +
                       ": another run is writing it; wait for it or name another output");
     }
@@ -291,7 +291,7 @@ TEST(Films, VanishedFolderIsReported) {
         const OutputPlan plan = small_plan(folder / "sub" / name, 1);
         const auto sink = format_for(plan.path).open(plan);
         fs::remove_all(folder / "sub");
-        const std::string message = environment_error_of([&] {
+        const std::string message = refusal_message<EnvironmentError>([&] {
             sink->write(frame_of(plan, 0));
             sink->finish();
         });
@@ -306,7 +306,7 @@ TEST(Films, LackOfDiskSpaceIsReportedAfterTheFirstFrames) {
         OutputPlan plan = small_plan(folder / name, 130);
         plan.n_frames = std::int64_t{1} << 50;
         const auto sink = format_for(plan.path).open(plan);
-        const std::string message = environment_error_of([&] {
+        const std::string message = refusal_message<EnvironmentError>([&] {
             for (std::int64_t k = 0; k < 130; ++k) sink->write(frame_of(plan, k));
         });
         EXPECT_NE(message.find("remaining frames need about"), std::string::npos) << name;

@@ -236,7 +236,7 @@ TEST_P(InterruptedFilm, WithAnotherPlanIsNotResumed) {
 TEST_P(InterruptedFilm, WithACorruptLogStartsAgain) {
     write_unfinished(plan_, 130);
     std::ofstream(part_of(plan_)) << std::string(5000, 'x');
-    EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
+    EXPECT_EQ(refusal_message([&] { recover_film(plan_.path); }),
               "no frame of " + plan_.path.string() + " had been finished");
     write_film(plan_);
     EXPECT_EQ(frames_of(plan_.path).size(), 400u);
@@ -263,7 +263,7 @@ TEST_P(InterruptedFilm, OfAnotherProgramIsRefused) {
         forged.append(reinterpret_cast<const char*>(&size), 4);
         forged.append(reinterpret_cast<const char*>(&sum), 4);
         std::ofstream(log, std::ios::binary) << forged + content;
-        const std::string refused = input_error_of([&] { recover_film(plan_.path); });
+        const std::string refused = refusal_message([&] { recover_film(plan_.path); });
         EXPECT_NE(refused, "");
         EXPECT_FALSE(fs::exists(plan_.path));
         fs::remove(log);
@@ -275,7 +275,7 @@ TEST_P(InterruptedFilm, WithALogOfZeroesStartsAgain) {
     write_unfinished(plan_, 130);
     for (const std::size_t size : {8u, 4096u}) {
         std::ofstream(part_of(plan_), std::ios::binary) << std::string(size, '\0');
-        EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
+        EXPECT_EQ(refusal_message([&] { recover_film(plan_.path); }),
                   "no frame of " + plan_.path.string() + " had been finished");
     }
 }
@@ -296,7 +296,7 @@ TEST_P(InterruptedFilm, LeavesAFileThatIsNoLog) {
 }
 
 TEST_P(InterruptedFilm, IsNotFoundWithoutALog) {
-    EXPECT_EQ(input_error_of([&] { recover_film(plan_.path); }),
+    EXPECT_EQ(refusal_message([&] { recover_film(plan_.path); }),
               "there is no unfinished film " + plan_.path.string());
     EXPECT_TRUE(folder_.contents().empty());
 }

@@ -89,11 +89,11 @@ TEST(AsyncSink, ErrorsOfTheSinkAreThrownAndStopIt) {
     Record record;
     record.fails_at = 5;
     AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
-    EXPECT_EQ(environment_error_of([&] {
+    EXPECT_EQ(refusal_message<EnvironmentError>([&] {
                   for (int k = 0; k < 100; ++k) sink.write(numbered(k));
               }),
               "the disk is full");
-    EXPECT_EQ(environment_error_of([&] { sink.finish(); }), "the disk is full");
+    EXPECT_EQ(refusal_message<EnvironmentError>([&] { sink.finish(); }), "the disk is full");
     EXPECT_FALSE(record.finished);
     EXPECT_EQ(record.frames.size(), 5u);
 }
@@ -102,7 +102,7 @@ TEST(AsyncSink, AnErrorOfTheLastFrameIsThrownByFinish) {
     Record record;
     record.fails_at = 0;
     AsyncSink sink(std::make_unique<RecordingSink>(record), 2);
-    EXPECT_EQ(environment_error_of([&] {
+    EXPECT_EQ(refusal_message<EnvironmentError>([&] {
                   sink.write(numbered(0));
                   sink.finish();
               }),

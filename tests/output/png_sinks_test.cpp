@@ -17,7 +17,7 @@ TEST(PngStill, RefusesASecondFrame) {
     const OutputPlan plan = small_plan(folder / "a.png");
     const auto sink = format_for(plan.path).open(plan);
     sink->write(frame_of(plan, 0));
-    EXPECT_NE(input_error_of([&] { sink->write(frame_of(plan, 1)); }).find("holds one picture"),
+    EXPECT_NE(refusal_message([&] { sink->write(frame_of(plan, 1)); }).find("holds one picture"),
               std::string::npos);
 }
 
@@ -118,7 +118,9 @@ TEST(PngSequence, SecondRunIsRefused) {
     const TemporaryFolder folder;
     const OutputPlan plan = small_plan(folder / "f_#.png");
     const auto first = format_for(plan.path).open(plan);
-    EXPECT_NE(environment_error_of([&] { format_for(plan.path).open(plan); }).find("another run"),
+    EXPECT_NE(refusal_message<EnvironmentError>([&] {
+                  format_for(plan.path).open(plan);
+              }).find("another run"),
               std::string::npos);
 }
 

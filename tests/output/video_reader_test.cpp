@@ -18,9 +18,9 @@ TEST(VideoReader, FindsAnyFrame) {
         Image next;
         ASSERT_TRUE(reader.read(next));
         EXPECT_TRUE(next == frames[4]);
-        EXPECT_NE(input_error_of([&] { reader.frame(130); }).find("has no frame 130; it has 130"),
+        EXPECT_NE(refusal_message([&] { reader.frame(130); }).find("has no frame 130; it has 130"),
                   std::string::npos);
-        EXPECT_NE(input_error_of([&] { reader.frame(-1); }), "");
+        EXPECT_NE(refusal_message([&] { reader.frame(-1); }), "");
     }
 }
 
@@ -29,7 +29,7 @@ TEST(VideoReader, RefusesOtherFiles) {
     std::ofstream(folder / "a.mp4") << "not a film";
     std::ofstream(folder / "empty.mp4") << "";
     for (const char* name : {"a.mp4", "empty.mp4", "missing.mp4", "."})
-        EXPECT_NE(input_error_of([&] { VideoReader(folder / name); }).find("cannot be read"),
+        EXPECT_NE(refusal_message([&] { VideoReader(folder / name); }).find("cannot be read"),
                   std::string::npos)
             << name;
 }

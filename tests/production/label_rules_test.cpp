@@ -39,9 +39,7 @@ std::vector<std::string> scenes() {
         return {"contact_matter", "four_views", "generic", "lecture_construction",
                 "symmetric_oblate"};
     std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
-        if (entry.path().extension() == ".toml") names.push_back(entry.path().stem().string());
-    std::sort(names.begin(), names.end());
+    for (const auto& file : supplied_scenes()) names.push_back(file.stem().string());
     return names;
 }
 

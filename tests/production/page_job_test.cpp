@@ -19,13 +19,12 @@ namespace {
 // Text in a picture as small as a thumb's nail is dust.
 TEST(Gallery, ThumbnailsHaveNoLetters) {
     int n_scenes = 0, n_shapes = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes")) {
-        if (entry.path().extension() != ".toml") continue;
+    for (const std::filesystem::path& file : supplied_scenes()) {
         std::vector<std::string> overrides = thumbnail_overrides();
         overrides.push_back(fmt::format("film.size={}x{}", thumbnail_px, thumbnail_px * 9 / 16));
         SessionRequest request;
         request.fonts = installed_fonts();
-        const Session session = session_of(load_scene(entry.path(), overrides), request);
+        const Session session = session_of(load_scene(file, overrides), request);
         const double time_s = session.scene.film.start_s;
         // The masks of a drawing's labels belong to its stage.
         const Stage stage = stage_of(session, {.first_time_s = time_s, .last_time_s = time_s},
@@ -34,7 +33,7 @@ TEST(Gallery, ThumbnailsHaveNoLetters) {
         for (const View& view : drawing.views) {
             for (const Label& label : view.labels)
                 EXPECT_TRUE(label.mask == nullptr || label.mask->letters.empty())
-                    << entry.path() << " " << label.mask->source.text;
+                    << file << " " << label.mask->source.text;
             n_shapes += static_cast<int>(view.curves.size() + view.arrows.size() +
                                          view.ellipsoids.size() + view.meshes.size());
         }

@@ -30,14 +30,6 @@ struct Size {
 };
 constexpr std::array<Size, 3> sizes{{{1920, 1080, {}}, {640, 360, {}}, {1920, 1080, 85.0}}};
 
-std::vector<std::filesystem::path> scene_files() {
-    std::vector<std::filesystem::path> files;
-    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
-        if (entry.path().extension() == ".toml") files.push_back(entry.path());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 Box box_of_label(const Label& label) {
     return {label.top_left_px,
             label.top_left_px + Eigen::Vector2d(label.mask->width_px(), label.mask->height_px())};
@@ -102,7 +94,7 @@ TEST(Names, StandClearOfEachOtherOfArrowheadsAndOfTheEdges) {
     Faults faults;
     // The places depend little on the theme: every size sees each of them in some scenes.
     std::size_t scene_number = 0;
-    for (const auto& file : scene_files()) {
+    for (const auto& file : supplied_scenes()) {
         std::size_t turn = scene_number++;
         for (const Size& size : sizes) {
             const Theme& theme = themes()[turn % themes().size()];

@@ -27,14 +27,6 @@ namespace {
 
 constexpr double column_mm = 85.0;
 
-std::vector<std::string> scene_files() {
-    std::vector<std::string> files;
-    for (const auto& entry : std::filesystem::directory_iterator(source_folder() / "scenes"))
-        if (entry.path().extension() == ".toml") files.push_back(entry.path().string());
-    std::sort(files.begin(), files.end());
-    return files;
-}
-
 SessionRequest on_a_column(double type_pt = default_type_pt) {
     SessionRequest request{installed_fonts()};
     request.print.width_mm = column_mm;
@@ -42,7 +34,8 @@ SessionRequest on_a_column(double type_pt = default_type_pt) {
     return request;
 }
 
-Session session_at_column(const std::string& file, std::vector<std::string> overrides = {}) {
+Session session_at_column(const std::filesystem::path& file,
+                          std::vector<std::string> overrides = {}) {
     overrides.emplace_back("theme=print");
     return session_of(load_scene(file, overrides), on_a_column());
 }
@@ -58,7 +51,7 @@ Stage stage_of(const Session& session) {
 }
 
 TEST(PaperLayout, TitleAndCaptionTakeAQuarterOfThePageAtMost) {
-    for (const std::string& file : scene_files()) {
+    for (const std::filesystem::path& file : supplied_scenes()) {
         const Session session = session_at_column(file);
         const auto paper = print_size_of(on_a_column().print, 1920, 1080);
         const int overlays_px =
@@ -69,7 +62,7 @@ TEST(PaperLayout, TitleAndCaptionTakeAQuarterOfThePageAtMost) {
 }
 
 TEST(PaperLayout, NoPanelLiesUnderTitleOrCaption) {
-    for (const std::string& file : scene_files()) {
+    for (const std::filesystem::path& file : supplied_scenes()) {
         const Session session = session_at_column(file);
         const Stage stage = stage_of(session);
         const Drawing drawing = drawing_of(session, stage);
@@ -89,7 +82,7 @@ TEST(PaperLayout, NoPanelLiesUnderTitleOrCaption) {
 // A plane ends inside its panel, so that no edge cuts it.
 TEST(PaperLayout, PlanesEndInsideTheirPanels) {
     int n_planes = 0;
-    for (const std::string& file : scene_files()) {
+    for (const std::filesystem::path& file : supplied_scenes()) {
         const Session session = session_at_column(file);
         const Stage stage = stage_of(session);
         const Drawing drawing = drawing_of(session, stage);

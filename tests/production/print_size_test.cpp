@@ -7,6 +7,7 @@
 #include <string>
 
 #include "error/error.h"
+#include "refusal.h"
 
 namespace poinsot {
 namespace {
@@ -49,12 +50,7 @@ TEST(PrintSize, LinesHaveTheirPointsAtAnyDpi) {
 }
 
 std::string refusal(const PrintChoices& print, int width_px = 1920, int height_px = 1080) {
-    try {
-        print_size_of(print, width_px, height_px);
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_message([&] { print_size_of(print, width_px, height_px); });
 }
 
 TEST(PrintSize, RejectsImpossibleSizesWithTheOptionsName) {

@@ -22,6 +22,7 @@
 #include "production/provenance/record.h"
 #include "production/provenance/verify.h"
 #include "production/slides/slide_files.h"
+#include "refusal.h"
 #include "system/faults.h"
 #include "system/files/file_contents.h"
 #include "system/sha256.h"
@@ -80,12 +81,7 @@ class SlideDeck : public ::testing::Test {
     }
 
     std::string refusal(const std::string& name) const {
-        try {
-            write(name);
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return refusal_message([&] { write(name); });
     }
 
     // All files of a folder, hidden ones included.

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "production/session/session.h"
+#include "refusal.h"
 #include "scene/files/load_scene.h"
 #include "scene/scene_error.h"
 
@@ -27,12 +28,7 @@ std::vector<Slide> slides_with(const std::string& events) {
 }
 
 std::string refusal_of(const std::string& events) {
-    try {
-        slides_with(events);
-    } catch (const SceneError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_message<SceneError>([&] { slides_with(events); });
 }
 
 TEST(SlidePlan, EachSlideBeginsWithTheLastFrameOfTheOneBefore) {

@@ -14,6 +14,7 @@
 
 #include "error/error.h"
 #include "pictures.h"
+#include "refusal.h"
 #include "render/context/gl_handles.h"
 
 namespace poinsot::testing {
@@ -234,12 +235,7 @@ TEST(Renderer, BytesAreIndependentOfShaderCompilation) {
 
 TEST(Renderer, RejectsPicturesItCannotDraw) {
     const auto message = [](int width_px, int height_px) -> std::string {
-        try {
-            renderer().render(lecture(width_px, height_px));
-        } catch (const InputError& error) {
-            return error.what();
-        }
-        return "";
+        return refusal_message([&] { renderer().render(lecture(width_px, height_px)); });
     };
     EXPECT_NE(message(100000, 90).find("16384"), std::string::npos);
     EXPECT_NE(message(160, 0).find("160x0"), std::string::npos);

@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "error/error.h"
+#include "refusal.h"
 #include "system/faults.h"
 
 namespace poinsot {
@@ -17,12 +18,7 @@ const BaselineManifest two_baselines = {
     {"folder/a \"name\" = { }, # \\", {"", "", "a\nb", "\x1b[31m\x7f", "ω", "why = \"x\""}}};
 
 std::string message_of(const std::string& text) {
-    try {
-        parse_manifest(text, "list.toml");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_message([&] { parse_manifest(text, "list.toml"); });
 }
 
 TEST(BaselineManifest, IsReadBackWithAnyNames) {

@@ -7,18 +7,14 @@
 #include <random>
 
 #include "error/error.h"
+#include "refusal.h"
 #include "system/faults.h"
 
 namespace poinsot {
 namespace {
 
 std::string message_for(const std::string& text) {
-    try {
-        parse_compare_file(text, "compare.toml");
-    } catch (const InputError& error) {
-        return error.what();
-    }
-    return "";
+    return refusal_message([&] { parse_compare_file(text, "compare.toml"); });
 }
 
 TEST(CompareFile, LaterEntriesOverrideEarlierOnes) {

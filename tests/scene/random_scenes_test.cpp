@@ -30,21 +30,6 @@ std::optional<Scene> scene_if_any(const std::string& text) {
     }
 }
 
-std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
-
-// Exact comparison; an integer equals the same number as a float.
-bool same(const TomlValue& a, const TomlValue& b) {
-    using Type = TomlValue::Type;
-    const auto is_number = [](const TomlValue& value) {
-        return value.type == Type::integer || value.type == Type::number;
-    };
-    if (is_number(a) && is_number(b)) return bits(a.number) == bits(b.number);
-    if (a.type != b.type || a.items.size() != b.items.size()) return false;
-    for (std::size_t i = 0; i < a.items.size(); ++i)
-        if (!same(a.items[i], b.items[i])) return false;
-    return a.boolean == b.boolean && a.text == b.text;
-}
-
 // The values of a document with their paths: "panels[2].camera.view".
 void flatten(const TomlValue& value, const std::string& path,
              std::map<std::string, TomlValue>& values) {

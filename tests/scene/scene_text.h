@@ -3,11 +3,15 @@
 
 #include <gtest/gtest.h>
 
+#include <bit>
+#include <cstddef>
+#include <cstdint>
 #include <string>
 #include <vector>
 
 #include "scene/files/load_scene.h"
 #include "scene/scene_error.h"
+#include "scene/toml_document.h"
 
 namespace poinsot {
 
@@ -30,6 +34,21 @@ inline std::string refusal(const std::string& text,
     }
     ADD_FAILURE() << "accepted:\n" << text;
     return "";
+}
+
+inline std::uint64_t bits(double value) { return std::bit_cast<std::uint64_t>(value); }
+
+// Exact comparison; an integer equals the same number as a float.
+inline bool same(const TomlValue& a, const TomlValue& b) {
+    using Type = TomlValue::Type;
+    const auto is_number = [](const TomlValue& value) {
+        return value.type == Type::integer || value.type == Type::number;
+    };
+    if (is_number(a) && is_number(b)) return bits(a.number) == bits(b.number);
+    if (a.type != b.type || a.items.size() != b.items.size()) return false;
+    for (std::size_t i = 0; i < a.items.size(); ++i)
+        if (!same(a.items[i], b.items[i])) return false;
+    return a.boolean == b.boolean && a.text == b.text;
 }
 
 }  // namespace poinsot

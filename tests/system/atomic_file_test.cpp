@@ -6,6 +6,7 @@
 
 #include <fstream>
 
+#include "refusal.h"
 #include "system/faults.h"
 
 namespace poinsot {
@@ -19,15 +20,6 @@ std::vector<std::uint8_t> bytes_of(const std::string& text) { return {text.begin
 std::string text_of(const fs::path& path) {
     std::ifstream stream(path, std::ios::binary);
     return {std::istreambuf_iterator<char>(stream), {}};
-}
-
-std::string message_of(const std::function<void()>& action) {
-    try {
-        action();
-    } catch (const EnvironmentError& error) {
-        return error.what();
-    }
-    return "";
 }
 
 // Leaves the temporary file of a run that was killed.
@@ -65,7 +57,9 @@ TEST(AtomicFile, UncommittedKeepsOnlyTheOldFile) {
 TEST(AtomicFile, RejectsASecondRunOnTheSameOutput) {
     const TemporaryFolder folder;
     AtomicFile first(folder / "a.png");
-    EXPECT_NE(message_of([&] { AtomicFile second(folder / "a.png"); }).find("another run"),
+    EXPECT_NE(refusal_message<EnvironmentError>([&] {
+                  AtomicFile second(folder / "a.png");
+              }).find("another run"),
               std::string::npos);
     first.write(bytes_of("first"));
     first.commit();
@@ -99,9 +93,12 @@ TEST(AtomicFile, LeavesAFileThatItHasNotMade) {
             "cannot write " + (folder / "a.png").string() + ": its temporary file " +
             (folder / ".a.png.part").string() +
             " exists and is not unfinished work of poinsot; remove it, or name another output";
-        EXPECT_EQ(message_of([&] { AtomicFile file(folder / "a.png"); }), refusal);
-        EXPECT_EQ(message_of([&] { check_aside(folder / "a.png"); }), refusal);
-        EXPECT_EQ(message_of([&] { AtomicFile::lock(folder / "a.png", folder / ".a.png.part"); }),
+        EXPECT_EQ(refusal_message<EnvironmentError>([&] { AtomicFile file(folder / "a.png"); }),
+                  refusal);
+        EXPECT_EQ(refusal_message<EnvironmentError>([&] { check_aside(folder / "a.png"); }),
+                  refusal);
+        EXPECT_EQ(refusal_message<EnvironmentError>(
+                      [&] { AtomicFile::lock(folder / "a.png", folder / ".a.png.part"); }),
                   refusal);
         remove_left_aside(folder / "a.png");
         EXPECT_EQ(folder.contents(), std::vector<std::string>{".a.png.part"});
@@ -154,7 +151,7 @@ TEST(AtomicFile, FollowsASymbolicLink) {
 TEST(AtomicFile, MissingFolderIsNamed) {
     const TemporaryFolder folder;
     const fs::path path = folder / "missing" / "a.png";
-    const std::string message = message_of([&] { AtomicFile file(path); });
+    const std::string message = refusal_message<EnvironmentError>([&] { AtomicFile file(path); });
     EXPECT_EQ(message, "cannot write " + path.string() + ": the folder " +
                            path.parent_path().string() + " does not exist; make it first");
 }
@@ -164,7 +161,7 @@ TEST(AtomicFile, NamesTheOutputAndNotTheAimOfALink) {
     std::ofstream(folder / "target.png") << "old";
     fs::create_symlink("target.png", folder / "link.png");
     const AtomicFile first(folder / "link.png");
-    EXPECT_TRUE(message_of([&] {
+    EXPECT_TRUE(refusal_message<EnvironmentError>([&] {
                     AtomicFile second(folder / "link.png");
                 }).starts_with("cannot write " + (folder / "link.png").string() + ": another"));
 }
@@ -173,10 +170,10 @@ TEST(AtomicFile, TooLongANameIsSaidSo) {
     const TemporaryFolder folder;
     for (const std::size_t n : {252u, 300u}) {
         const fs::path path = folder / std::string(n, 'a');
-        EXPECT_TRUE(message_of([&] {
+        EXPECT_TRUE(refusal_message<EnvironmentError>([&] {
                         AtomicFile file(path);
                     }).starts_with("cannot write " + path.string() + ": the name is too long; "));
-        EXPECT_TRUE(message_of([&] {
+        EXPECT_TRUE(refusal_message<EnvironmentError>([&] {
                         AtomicFile file(path / "a.png");
                     }).starts_with("cannot write " + (path / "a.png").string()));
     }
@@ -185,7 +182,9 @@ TEST(AtomicFile, TooLongANameIsSaidSo) {
 
 TEST(AtomicFile, RejectsAFolder) {
     const TemporaryFolder folder;
-    EXPECT_NE(message_of([&] { AtomicFile file(folder.path()); }).find("it is a folder"),
+    EXPECT_NE(refusal_message<EnvironmentError>([&] {
+                  AtomicFile file(folder.path());
+              }).find("it is a folder"),
               std::string::npos);
 }
 
@@ -201,8 +200,9 @@ TEST(AtomicFile, IsNotMadeInWhatIsNoRegularFile) {
         const std::string refusal =
             "cannot write " + (folder / name).string() + ": its temporary file " + aside +
             " exists and is not unfinished work of poinsot; remove it, or name another output";
-        EXPECT_EQ(message_of([&] { AtomicFile file(folder / name); }), refusal);
-        EXPECT_EQ(message_of([&] { check_aside(folder / name); }), refusal);
+        EXPECT_EQ(refusal_message<EnvironmentError>([&] { AtomicFile file(folder / name); }),
+                  refusal);
+        EXPECT_EQ(refusal_message<EnvironmentError>([&] { check_aside(folder / name); }), refusal);
         remove_left_aside(folder / name);
     }
     EXPECT_EQ(folder.contents().size(), 4u);
@@ -211,7 +211,7 @@ TEST(AtomicFile, IsNotMadeInWhatIsNoRegularFile) {
 
 TEST(AtomicFile, FullDeviceIsReportedAtTheWrite) {
     AtomicFile file("/dev/full");
-    EXPECT_EQ(message_of([&] { file.write(bytes_of("x")); }),
+    EXPECT_EQ(refusal_message<EnvironmentError>([&] { file.write(bytes_of("x")); }),
               "cannot write /dev/full: No space left on device");
     EXPECT_TRUE(fs::is_character_file("/dev/full"));
 }
@@ -229,8 +229,9 @@ TEST(AtomicFile, VanishedFolderIsReportedAtTheCommit) {
     AtomicFile file(folder / "sub" / "a.png");
     file.write(bytes_of("x"));
     fs::remove_all(folder / "sub");
-    EXPECT_NE(message_of([&] { file.commit(); }).find("No such file or directory"),
-              std::string::npos);
+    EXPECT_NE(
+        refusal_message<EnvironmentError>([&] { file.commit(); }).find("No such file or directory"),
+        std::string::npos);
 }
 
 TEST(AtomicFile, FolderWithoutPermissionIsReported) {

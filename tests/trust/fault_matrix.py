@@ -4,10 +4,9 @@
 A run must end with the correct file (byte-identical to an undisturbed run), or with exit code 3 (2 if the scene could not be read),
 one line of message, and no file under the final name. Exit code 1 if any case fails.
 Random choices follow from the seed, separately for each trial: a failure prints its trial, and `--seed N --only CASE --trial TRIAL`
-repeats it. Positions of system calls are exact; moments of `kills` depend on the machine's clock; with libfiu the seed determines
-which call fails, if threads make calls in the same order, but not the error, which its library chooses by the clock. Failures that
-are exactly repeatable, including errors, are those of output_sequences.
-Usage: fault_matrix.py POINSOT [FAILING_NEW.so [QUOTA.so]] [--kills N] [--seed N] [--runs N] [--only CASE…] [--trial TRIAL]
+repeats it. Positions of system calls are exact; moments of `kills` depend on the machine's clock. Sequences of such failures, exactly
+repeatable, are those of output_sequences.
+Usage: fault_matrix.py POINSOT [FAILING_NEW.so [QUOTA.so]] [--kills N] [--seed N] [--only CASE…] [--trial TRIAL]
 """
 import argparse
 import hashlib
@@ -364,32 +363,6 @@ class Matrix:
                          "every baseline as approved" if right else
                          f"exit {again.returncode}, {compared.stdout[-200:]}, left {left} (trial approve:{call}:{n})")
 
-    def failing_calls(self, n_runs):
-        """libfiu: random failures of the C library's reads, writes, opens and syncs."""
-        if shutil.which("fiu-run") is None:
-            self.say("libfiu", "all", True, "skipped: fiu-run is not installed (Debian: fiu-utils)")
-            return
-        # As in fiu-run, but with FFmpeg loaded from the start: libfiu's malloc() requests thread-local data while the loader
-        # is about to move it for libraries opened later, and glibc 2.36 then frees it twice.
-        # And without Mesa's shader cache: its writer thread asks the loader for a symbol while it holds libfiu's lock, and the
-        # loader, opening FFmpeg, calls libfiu's malloc() while it holds its own lock: a deadlock. Shaders are compiled in quick
-        # mode.
-        preloaded = " ".join(["/usr/lib/fiu/fiu_run_preload.so", "/usr/lib/fiu/fiu_posix_preload.so",
-                              "libavformat.so.59", "libswscale.so.6"])
-        for what, probability in (("posix/io/rw/*", 0.02), ("posix/io/oc/*", 0.03), ("posix/io/sync/*", 0.5),
-                                  ("posix/stdio/*", 0.02)):
-            for name in KINDS:
-                for k in range(n_runs):
-                    if not self.wants("libfiu", what, name, k):
-                        continue
-                    place = self.fresh()
-                    seed = self.dice("libfiu", what, name, k).randrange(1, 2**31)
-                    done = self.run(self.command(name, place),
-                                    env=dict(os.environ, LD_PRELOAD=preloaded, MESA_SHADER_CACHE_DISABLE="true",
-                                             GALLIVM_PERF="nopt", FIU_PRNG_SEED=str(seed),
-                                             FIU_ENABLE=f"enable_random name={what},probability={probability}"))
-                    self.judge(f"libfiu {what}", name, place, done, input_may_fail=True, trial=f"libfiu:{what}:{name}:{k}")
-
     def failing_allocation(self, library, n_points):
         if library is None:
             return
@@ -494,9 +467,8 @@ def main():
     arguments.add_argument("quota", nargs="?")
     arguments.add_argument("--kills", type=int, default=50)
     arguments.add_argument("--seed", type=int, default=1)
-    arguments.add_argument("--runs", type=int, default=6, help="of each kind under each of libfiu's faults")
     arguments.add_argument("--only", nargs="*", metavar="CASE", help="of the cases, these")
-    arguments.add_argument("--trial", help="of the trials of kills, system_calls, approvals or libfiu, this one")
+    arguments.add_argument("--trial", help="of the trials of kills, system_calls or approvals, this one")
     chosen = arguments.parse_args()
     with tempfile.TemporaryDirectory(prefix="poinsot-faults-") as folder:
         matrix = Matrix(chosen.program, pathlib.Path(folder), chosen.seed, chosen.trial)
@@ -505,7 +477,6 @@ def main():
                  "folders": matrix.closed_folders, "pipe": matrix.broken_pipe, "second_run": matrix.second_run,
                  "parts": lambda: matrix.parts(chosen.kills), "room": matrix.room, "kills": lambda: matrix.kills(chosen.kills),
                  "system_calls": matrix.system_calls, "approvals": matrix.approvals,
-                 "libfiu": lambda: matrix.failing_calls(chosen.runs),
                  "allocation": lambda: matrix.failing_allocation(chosen.failing_new, 8)}
         for case in chosen.only or cases:
             cases[case]()

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "../pinhole.h"
 #include "random_views.h"
 #include "vector/conic.h"
 #include "vector/occluders.h"
@@ -55,49 +56,6 @@ Track herpolhode(const Plane& plane, double radius, double swing, double waves) 
     };
     for (int k = 0; k <= 24; ++k) track.knots.push_back(2.0 * two_pi * k / 24.0);
     return track;
-}
-
-// How deep inside the ellipsoid the line of sight passes in front of a point: positive if the point
-// is hidden.
-bool behind_ellipsoid(const Ellipsoid& ellipsoid, const Camera& camera,
-                      const Eigen::Vector3d& point, bool on_it) {
-    const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
-    const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
-    const Eigen::Vector3d from =
-        camera.orthographic ? Eigen::Vector3d(point - 50.0 * away) : camera.eye;
-    const Eigen::Vector3d u = to_u * (from - ellipsoid.centre), d = to_u * (point - from);
-    // On the surface: hidden where the outer normal points away from the eye.
-    if (on_it) return (u + d).dot(d) > 0.0;
-    const double nearest = std::clamp(-u.dot(d) / d.squaredNorm(), 0.0, 1.0);
-    return nearest < 1.0 ? u.cross(d).squaredNorm() < d.squaredNorm() : (u + d).squaredNorm() < 1.0;
-}
-
-bool behind_plane(const Plane& plane, const Camera& camera, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
-    const double here = plane.normal.dot(point - plane.centre);
-    if (camera.orthographic) return here * plane.normal.dot(-away) < 0.0;
-    return here * plane.normal.dot(camera.eye - plane.centre) < 0.0;
-}
-
-// Möller and Trumbore (1997), for all triangles.
-bool behind_mesh(const Mesh& mesh, const Camera& camera, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
-    const Eigen::Vector3d from =
-        camera.orthographic ? Eigen::Vector3d(point - 50.0 * away) : camera.eye;
-    const Eigen::Vector3d run = point - from;
-    const auto& positions = mesh.geometry->positions;
-    for (std::size_t k = 0; k + 2 < positions.size(); k += 3) {
-        const Eigen::Vector3d a = positions[k].cast<double>();
-        const Eigen::Vector3d e = positions[k + 1].cast<double>() - a;
-        const Eigen::Vector3d f = positions[k + 2].cast<double>() - a;
-        const Eigen::Vector3d p = run.cross(f), s = from - a, q = s.cross(e);
-        const double determinant = e.dot(p);
-        if (determinant == 0.0) continue;
-        const double u = s.dot(p) / determinant, v = run.dot(q) / determinant;
-        const double t = f.dot(q) / determinant;
-        if (u >= 0.0 && v >= 0.0 && u + v <= 1.0 && t > 0.0 && t < 1.0 - 1e-6) return true;
-    }
-    return false;
 }
 
 struct Held {
@@ -156,9 +114,10 @@ TEST(CurvesOnSurfaces, PolhodeVisibilityAgreesWithRayCasting) {
         // In every ninth view the eye lies in the plane.
         if (k % 9 == 0 && !view.camera.orthographic)
             view.planes[0].centre = view.camera.eye + 0.3 * view.planes[0].along;
+        const testing::Pinhole camera(view);
         const auto hidden = [&](const Eigen::Vector3d& point) {
-            return behind_ellipsoid(view.ellipsoids[0], view.camera, point, true) ||
-                   behind_plane(view.planes[0], view.camera, point);
+            return camera.turns_away(view.ellipsoids[0], point) ||
+                   camera.hides(view.planes[0], point);
         };
         hold(view, track, {0, -1}, hidden, 60, random, held);
     }
@@ -181,8 +140,9 @@ TEST(CurvesOnSurfaces, HerpolhodeVisibilityAgreesWithRayCasting) {
         const double swing =
             k % 5 == 0 ? radius / (1.0 + waves) : random.between(0.0, 0.4) * radius;
         const Track track = herpolhode(on, radius, swing, waves);
+        const testing::Pinhole camera(view);
         const auto hidden = [&](const Eigen::Vector3d& point) {
-            return behind_ellipsoid(view.ellipsoids[0], view.camera, point, false);
+            return camera.hides(view.ellipsoids[0], point);
         };
         hold(view, track, {-1, 0}, hidden, 60, random, held);
     }
@@ -232,9 +192,8 @@ TEST(CurvesOnSurfaces, MeshVisibilityAgreesWithRayCasting) {
         Mesh& mesh = view.meshes.emplace_back();
         mesh.geometry = &body;
         const Conic conic = random.conic();
-        const auto hidden = [&](const Eigen::Vector3d& point) {
-            return behind_mesh(mesh, view.camera, point);
-        };
+        const testing::Pinhole camera(view);
+        const auto hidden = [&](const Eigen::Vector3d& point) { return camera.hides(mesh, point); };
         hold(view, track_of(conic, 0.0, two_pi), {}, hidden, 60, random, held);
     }
     EXPECT_GT(held.n_points, 16'000);

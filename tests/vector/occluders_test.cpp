@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "../pinhole.h"
 #include "random_views.h"
 #include "vector/conic.h"
 
@@ -15,30 +16,11 @@ namespace {
 
 constexpr double two_pi = 2.0 * std::numbers::pi;
 
-// Whether the line of sight to the point passes through the ellipsoid in front of it: the minimum
-// of a quadratic over a segment, independent of poles and outlines.
-bool ray_meets(const Ellipsoid& ellipsoid, const Camera& camera, const Eigen::Vector3d& point) {
-    const Eigen::Matrix3d to_u = ellipsoid.half_axes.inverse();
-    const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
-    const Eigen::Vector3d from =
-        camera.orthographic ? Eigen::Vector3d(point - 50.0 * away) : camera.eye;
-    const Eigen::Vector3d u = to_u * (from - ellipsoid.centre), d = to_u * (point - from);
-    const double nearest = std::clamp(-u.dot(d) / d.squaredNorm(), 0.0, 1.0);
-    // The square at the nearest point, accurate to rounding: |u × d|²/|d|² for the whole line.
-    return nearest < 1.0 ? u.cross(d).squaredNorm() < d.squaredNorm() : (u + d).squaredNorm() < 1.0;
-}
-
-bool ray_crosses(const Plane& plane, const Camera& camera, const Eigen::Vector3d& point) {
-    const Eigen::Vector3d away = (camera.target - camera.eye).normalized();
-    const double here = plane.normal.dot(point - plane.centre);
-    if (camera.orthographic) return here * plane.normal.dot(-away) < 0.0;
-    return here * plane.normal.dot(camera.eye - plane.centre) < 0.0;
-}
-
 // Two bits: behind or inside the ellipsoid, behind the plane.
 int hidden_by_rays(const View& view, const Eigen::Vector3d& point) {
-    return (ray_meets(view.ellipsoids[0], view.camera, point) ? 1 : 0) +
-           (ray_crosses(view.planes[0], view.camera, point) ? 2 : 0);
+    const testing::Pinhole camera(view);
+    return (camera.hides(view.ellipsoids[0], point) ? 1 : 0) +
+           (camera.hides(view.planes[0], point) ? 2 : 0);
 }
 
 int hidden(const View& view, const Cover& cover) {
