@@ -645,8 +645,7 @@ std::vector<ShownName> planned_places(const Spots& spots, const ThingName& name,
         found.push_back(shown);
     }
     // Where its two places overlap, the name fades at one and then appears at the other.
-    if (found.size() == 2 &&
-        found[0].placed->spot.box.distance(found[1].placed->spot.box) <= 0.0)
+    if (found.size() == 2 && found[0].placed->spot.box.distance(found[1].placed->spot.box) <= 0.0)
         for (ShownName& shown : found) shown.opacity = std::max(0.0, 2.0 * shown.opacity - 1.0);
     return found;
 }
@@ -724,9 +723,8 @@ std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vecto
                 add_name(panel, name, spots, shown.placed->spot, shown.opacity * seen, view);
         for (const ShownName& shown : places)
             if (shown.opacity > 0.0)
-                around->labels.push_back(
-                    {shown.placed->spot.box.centre_px + name.offset_px,
-                     shown.placed->spot.box.half_px, shown.opacity * seen});
+                around->labels.push_back({shown.placed->spot.box.centre_px + name.offset_px,
+                                          shown.placed->spot.box.half_px, shown.opacity * seen});
     }
     return left_out;
 }
