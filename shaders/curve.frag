@@ -15,7 +15,8 @@
 //      the opacity
 //   then the solids, and after them
 //   FADE: where it fades: transparent and opaque point; the depth that marks this curve
-//   FADE + 1: corner of the layer with the cached part of the curve px; 1 if there is one
+//   FADE + 1: corner of the layer with the cached part of the curve px; 1 if there is one; width
+//      where hidden px
 flat in vec4 ends;
 flat in vec4 neighbours;
 flat in vec4 along;
@@ -34,6 +35,8 @@ void main() {
                 (from_segment(pixel, ends.zw, neighbours.zw).x < own.x && neighbours.zw != ends.zw);
 
     float covered = stroke_coverage(pixel, ends, own, constant(6).x);
+    bool thins = constant(FADE + 1).w < constant(6).x;
+    float covered_hidden = thins ? stroke_coverage(pixel, ends, own, constant(FADE + 1).w) : covered;
     float t = along_segment(own.y, depths.xy, constant(0).w > 0.5);
     float depth = mix(depths.x, depths.y, t);
     float run_px = max(length(ends.zw - ends.xy), 1e-3);
@@ -55,6 +58,7 @@ void main() {
             vec2 kept = texelFetch(texture_3, texel, 0).xy;
             none = false;
             covered = kept_covered;
+            covered_hidden = kept_covered;
             drawn = 1.0;
             depth = kept.x;
             front = kept.y;
@@ -75,7 +79,9 @@ void main() {
     bool has_glass = is_absent || period < 0.0;
     float transmitted = has_glass ? (1.0 - seen.y) / max(seen.w, 1e-3) : 1.0 - seen.y;
     float hidden = is_absent ? 0.0 : drawn * max(constant(6).y, transmitted);
-    float alpha = constant(5).a * covered * mix(hidden, visible, has_glass ? seen.z : seen.x);
+    float clear = has_glass ? seen.z : seen.x;
+    float alpha = constant(5).a * covered * mix(hidden, visible, clear);
+    if (thins) alpha = constant(5).a * mix(covered_hidden * hidden, covered * visible, clear);
     if (has_glass) alpha *= through_glass(seen.w);
     vec2 fade = constant(FADE).xy;
     if (fade.y > fade.x) alpha *= clamp((mix(along.x, along.y, t) - fade.x) / (fade.y - fade.x), 0.0, 1.0);

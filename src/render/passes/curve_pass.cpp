@@ -47,10 +47,12 @@ Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve,
     const double fade_end = std::max(range_of(curve).last, curve.fade_end);
     constants.add(fade_end - curve.fade_points, fade_end, 1.0 - n_drawn_ * depth_step,
                   0.9 * depth_step);
+    const bool thins = curve.hidden == HiddenStyle::dashed && !curve.stands_for_hidden;
+    const double hidden_px = (thins ? curve.hidden_share : 1.0) * curve.width_px;
     if (layer == nullptr)
-        constants.add(0.0, 0.0, 0.0, 0.0);
+        constants.add(0.0, 0.0, 0.0, hidden_px);
     else
-        constants.add(layer->rect().left, layer->rect().top, 1.0, 0.0);
+        constants.add(layer->rect().left, layer->rect().top, 1.0, hidden_px);
     return constants;
 }
 
