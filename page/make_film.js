@@ -179,7 +179,7 @@ class FilmPanel {
     const {loaded} = this.page.figure;
     if (!loaded || !has_film_writer()) return;
     const {words} = this.page;
-    const signature = JSON.stringify([words.code, loaded.width, loaded.height, loaded.frames_per_s, loaded.chapters, loaded.stops]);
+    const signature = JSON.stringify([words.code, loaded.film_width, loaded.film_height, loaded.frames_per_s, loaded.chapters, loaded.stops]);
     if (signature === this.signature) return;
     this.signature = signature;
     const options = (/** @type {string} */ id, /** @type {[string, string][]} */ rows, chosen = rows[0]?.[0]) => {
@@ -196,8 +196,8 @@ class FilmPanel {
       ...stops.map(({title}, k) => /** @type {[string, string]} */ ([`stop ${k}`, `→ ${words.of('stop')} ${k + 1} ${title}`])),
       ...(stops.length > 0 ? [/** @type {[string, string]} */ ([`stop ${stops.length}`, `→ ${words.of('end')}`])] : []),
     ]);
-    input('film-width').value = String(loaded.width);
-    input('film-height').value = String(loaded.height);
+    input('film-width').value = String(loaded.film_width);
+    input('film-height').value = String(loaded.film_height);
     input('film-rate').value = String(loaded.frames_per_s);
     this.#name();
     this.#hint();

@@ -57,8 +57,9 @@ Session session_of_page(const Scene& scene, FontSource fonts) {
 
 namespace {
 
-Scene read(const LectureFiles& files, const CanvasSize& size) {
+Scene read(const LectureFiles& files, const CanvasSize& size, CanvasSize& film_size) {
     Scene scene = scene_of_page(files);
+    film_size = {scene.film.width_px, scene.film.height_px};
     scene.film.width_px = size.width_px;
     scene.film.height_px = size.height_px;
     return scene;
@@ -149,7 +150,7 @@ Camera changed(const Camera& camera, const PanelView& view) {
 }
 
 Lecture::Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size)
-    : session_(session_of_page(read(files, size), std::move(fonts))),
+    : session_(session_of_page(read(files, size, film_size_), std::move(fonts))),
       grid_(session_.scene.grid),
       panels_(session_.scene.panels),
       type_scale_(session_.scene.type_scale),

@@ -117,6 +117,7 @@ class Lecture {
     void size_scene(const CanvasSize& size);
     Stage stage_of_size(const CanvasSize& size);
 
+    CanvasSize film_size_;  // of the scene as read
     Session session_;
     GridSpec grid_;                  // of the scene as read
     std::vector<PanelSpec> panels_;  // likewise

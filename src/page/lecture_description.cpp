@@ -148,6 +148,8 @@ std::string Lecture::description() const {
         .add("frames_per_s", film_.rate.per_second())
         .add("width", scene.film.width_px)
         .add("height", scene.film.height_px)
+        .add("film_width", film_size_.width_px)
+        .add("film_height", film_size_.height_px)
         .add("regime", regime_sentence(session_.motion))
         .json("notes", json_list(notes))
         .json("panels", panels_text())
