@@ -331,6 +331,7 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
         throw InputError("fewer than two flights are of one body; fit them one by one");
 
     std::vector<JointPart> counted;
+    counted.reserve(used.size());
     for (const std::size_t i : used) counted.push_back(parts[i]);
     // As in fit_motion: a richer drag where linear drag does not describe the rows to their noise.
     JointMinimum best =

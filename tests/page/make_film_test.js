@@ -261,7 +261,7 @@ check('says whose work writes the film, and where its source is', async () => {
 check('offers the qualities of the program, and the size of the scene whatever that of the window', async (browser) => {
   const {tab} = await opened(browser);
   await tab.setViewport({width: 700, height: 600});
-  assert.deepEqual(await tab.$$eval('#film-width, #film-height', (inputs) => inputs.map((input) => input.value)), ['1280', '720']);
+  assert.deepEqual(await tab.$$eval('#film-width, #film-height', (inputs) => inputs.map((input) => input.value)), ['1920', '1080']);
   const names = await tab.$$eval('#film-quality option', (options) => options.map((option) => option.value));
   const listed = poinsot('list', 'qualities');
   for (const name of names) assert.match(listed, new RegExp(`^\\s*${name}\\b`, 'm'));
