@@ -37,9 +37,9 @@ std::vector<std::vector<MeasuredRow>> made_flights(const ThrownBody& body, int n
     for (int i = 0; i < n; ++i) {
         MadeRecording one(1000 * seed + static_cast<unsigned>(i));
         const double rate = 7.0 + 10.0 * random.unit();
-        one.fly(body,
-                rate * (body.axes * Eigen::Vector3d(random.unit() - 0.5, 1.0, random.unit() - 0.5)),
-                1.0);
+        // One after the other: the order of arguments is the compiler's.
+        const double along_e3 = random.unit() - 0.5, along_e1 = random.unit() - 0.5;
+        one.fly(body, rate * (body.axes * Eigen::Vector3d(along_e1, 1.0, along_e3)), 1.0);
         tables.push_back(one.rows({.noise_rad_s = noise}));
     }
     return tables;

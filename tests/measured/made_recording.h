@@ -47,8 +47,8 @@ class MadeRecording {
         std::vector<Eigen::Vector3d> made(steps_of(span_s), Eigen::Vector3d::Zero());
         for (const double frequency : {0.5, 0.9, 1.8, 3.1, 5.7}) {
             const double f = frequency * (0.8 + 0.4 * unit());
-            const Eigen::Vector3d sine = direction() * most_rad_s * unit() / std::sqrt(frequency);
-            const Eigen::Vector3d cosine = direction() * most_rad_s * unit() / std::sqrt(frequency);
+            const Eigen::Vector3d sine = swing(most_rad_s / std::sqrt(frequency));
+            const Eigen::Vector3d cosine = swing(most_rad_s / std::sqrt(frequency));
             for (std::size_t i = 0; i < made.size(); ++i) {
                 const double x = 2.0 * std::numbers::pi * f * step_s * static_cast<double>(i);
                 made[i] += sine * std::sin(x) + cosine * std::cos(x);
@@ -99,7 +99,8 @@ class MadeRecording {
             const double left = 1.0 - static_cast<double>(i) / static_cast<double>(n);
             if (i % knock == 0) {
                 from = to;
-                to = left * most * (0.4 + unit()) * direction();
+                const double size = left * most * (0.4 + unit());
+                to = size * direction();
             }
             const double x = static_cast<double>(i % knock) / static_cast<double>(knock);
             omega_.push_back(from + x * (to - from));
@@ -126,6 +127,11 @@ class MadeRecording {
         return made;
     }
 
+    // One after the other: the order of operands is the compiler's.
+    Eigen::Vector3d swing(double most) {
+        const double size = most * unit();
+        return size * direction();
+    }
     double unit() { return std::uniform_real_distribution<double>(0.0, 1.0)(random_); }
     Eigen::Vector3d direction() {
         std::normal_distribution<double> normal;
