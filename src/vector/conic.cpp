@@ -1,5 +1,7 @@
 #include "vector/conic.h"
 
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
@@ -91,6 +93,34 @@ std::vector<Bezier> beziers_of(const PaperEllipse& ellipse, double tolerance_pt,
     std::vector<Bezier> beziers = arc_of(ellipse, 0.0, 2.0 * pi, n);
     beziers.back()[3] = beziers.front()[0];
     return beziers;
+}
+
+std::optional<PaperEllipse> ellipse_through(std::span<const Eigen::Vector2d> points) {
+    const double n = static_cast<double>(points.size());
+    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
+    for (const Eigen::Vector2d& point : points) middle += point / n;
+    double square = 0.0;
+    for (const Eigen::Vector2d& point : points) square += (point - middle).squaredNorm() / n;
+    if (!(square > 0.0)) return {};
+    const double size = std::sqrt(square);
+    Eigen::Matrix<double, 5, 5> squares = Eigen::Matrix<double, 5, 5>::Zero();
+    Eigen::Matrix<double, 5, 1> sums = Eigen::Matrix<double, 5, 1>::Zero(), terms;
+    for (const Eigen::Vector2d& point : points) {
+        const Eigen::Vector2d p = (point - middle) / size;
+        terms << p.x() * p.x(), 2.0 * p.x() * p.y(), p.y() * p.y(), p.x(), p.y();
+        squares += terms * terms.transpose();
+        sums += terms;
+    }
+    const Eigen::Matrix<double, 5, 1> conic = squares.ldlt().solve(sums);
+    Eigen::Matrix2d A;
+    A << conic[0], conic[1], conic[1], conic[2];
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(A);
+    constexpr double flattest = 1e-8;
+    if (!(axes.eigenvalues().minCoeff() > flattest * axes.eigenvalues().maxCoeff())) return {};
+    const Eigen::Vector2d centre = -0.5 * A.inverse() * conic.tail<2>();
+    const Eigen::Matrix2d half_axes =
+        size * std::sqrt(1.0 + centre.dot(A * centre)) * axes.operatorInverseSqrt();
+    return PaperEllipse{middle + size * centre, half_axes.col(0), half_axes.col(1)};
 }
 
 std::vector<Bezier> arc_of(const PaperEllipse& ellipse, double from, double to, int n) {

@@ -4,6 +4,7 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <optional>
+#include <span>
 #include <vector>
 
 #include "vector/fit.h"
@@ -35,6 +36,10 @@ std::optional<Conic> limb_of(const SphereSight& sphere);
 // its bound: for a circle of radius 1 and an arc θ the deviation is (4/27)·sin⁶(θ/4)/cos²(θ/4), and
 // an affine map stretches it by at most the ellipse's longest half-axis.
 std::vector<Bezier> beziers_of(const PaperEllipse& ellipse, double tolerance_pt, double& off_pt);
+
+// The ellipse nearest to points on paper: the conic xᵀAx + b·x = 1 about their mean, by least
+// squares. Nothing if they lie on no ellipse: on one point, on a line, or on another conic.
+std::optional<PaperEllipse> ellipse_through(std::span<const Eigen::Vector2d> points);
 
 // The part of an ellipse between two parameters as n Béziers whose ends lie on the ellipse and have
 // its tangents.

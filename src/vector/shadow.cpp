@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <vector>
 
 #include "shapes/soft_shadow.h"
@@ -14,7 +15,7 @@ namespace poinsot::vector {
 
 namespace {
 
-constexpr int most_levels = 12, n_spokes = 8;
+constexpr int most_levels = 12, n_spokes = 16;
 
 // The places of a level of darkness on paper, one for each spoke.
 using Outline = std::array<Eigen::Vector2d, n_spokes>;
@@ -61,34 +62,20 @@ Path smooth_through(const Outline& places) {
     return path;
 }
 
-// The ellipse nearest to an outline: the mean of its points, and their first harmonics.
-Eigen::Affine2d ellipse_of(const Outline& places) {
-    Eigen::Affine2d page_from_circle = Eigen::Affine2d::Identity();
-    Eigen::Vector2d middle = Eigen::Vector2d::Zero();
-    Eigen::Matrix2d axes = Eigen::Matrix2d::Zero();
-    for (int k = 0; k < n_spokes; ++k) {
-        const double angle = 2.0 * std::numbers::pi * k / n_spokes;
-        const Eigen::Vector2d& at = places[static_cast<std::size_t>(k)];
-        middle += at / n_spokes;
-        axes += 2.0 / n_spokes * at * Eigen::RowVector2d(std::cos(angle), std::sin(angle));
-    }
-    page_from_circle.translation() = middle;
-    page_from_circle.linear() = axes;
-    return page_from_circle;
-}
-
 // An ink that rises from nothing at one outline to its full opacity at the next one inside, so that
 // the shadow has no visible steps.
 Paint ramp(const Outline& outer, const Outline& inner, const PaperInk& ink) {
-    const Eigen::Affine2d rim = ellipse_of(outer), core = ellipse_of(inner);
-    const double area = std::abs(rim.linear().determinant());
-    if (!(area > 1e-9)) return ink;
+    const std::optional<PaperEllipse> rim = ellipse_through(outer), core = ellipse_through(inner);
+    if (!rim) return ink;
     RadialFade fade;
-    fade.page_from_circle = rim;
+    fade.page_from_circle = rim->page_from_circle();
+    const Eigen::Affine2d to_circle = fade.page_from_circle.inverse();
     const double share =
-        std::clamp(std::sqrt(std::abs(core.linear().determinant()) / area), 0.0, 0.98);
+        core ? std::clamp(std::sqrt((to_circle * core->page_from_circle()).linear().determinant()),
+                          0.0, 0.98)
+             : 0.0;
     // The circles in between shrink about one point.
-    fade.focus = rim.inverse() * core.translation() / (1.0 - share);
+    fade.focus = to_circle * (core ? core->centre : inner[0]) / (1.0 - share);
     constexpr double farthest = 0.95;
     if (fade.focus.norm() > farthest) fade.focus *= farthest / fade.focus.norm();
     fade.stops = {{0.0, ink}, {share, ink}, {1.0, {ink.colour, 0.0}}};

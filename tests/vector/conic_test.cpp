@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 #include "random_views.h"
 #include "vector/canvas.h"
@@ -48,6 +49,33 @@ TEST(Conic, ProjectsToAnEllipseThroughItsPoints) {
         }
     }
     EXPECT_GT(n_seen, 70);
+}
+
+TEST(Conic, IsTheEllipseThroughUnevenPoints) {
+    const PaperEllipse ellipse{{412.0, -87.0}, {30.0, 12.0}, {-4.0, 21.0}};
+    std::vector<Eigen::Vector2d> points;
+    // Crowded on one side, as if seen from a place near the rim.
+    for (int k = 0; k < 16; ++k) {
+        const double t = two_pi * k / 16.0;
+        points.push_back(ellipse.at(t + 0.9 * std::sin(t)));
+    }
+    const auto found = ellipse_through(points);
+    ASSERT_TRUE(found);
+    for (int k = 0; k < 32; ++k)
+        EXPECT_NEAR(found->radius_of(ellipse.at(two_pi * k / 32.0)), 1.0, 1e-9) << k;
+    EXPECT_NEAR((found->centre - ellipse.centre).norm(), 0.0, 1e-8);
+}
+
+TEST(Conic, IsNoEllipseThroughOnePointOrALine) {
+    EXPECT_FALSE(ellipse_through(std::vector<Eigen::Vector2d>(16, {3.0, 4.0})));
+    std::vector<Eigen::Vector2d> line, hyperbola;
+    for (int k = -8; k < 8; ++k) {
+        line.emplace_back(2.0 * k, 5.0 - 3.0 * k);
+        const double t = 0.2 * (k + 0.5);
+        hyperbola.emplace_back((k % 2 == 0 ? 1.0 : -1.0) * std::cosh(t), std::sinh(t));
+    }
+    EXPECT_FALSE(ellipse_through(line));
+    EXPECT_FALSE(ellipse_through(hyperbola));
 }
 
 TEST(Conic, BeziersStayWithinAMicrometre) {
