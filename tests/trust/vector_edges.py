@@ -98,8 +98,6 @@ def places(ours, own, theirs, free, after, level=True):
     even &= (abs(left[0] - left[1]) < 8) & (abs(right[0] - right[1]) < 8)
     steps = even & (abs(left[0] - right[0]) > CONTRAST)
     dips = even & (abs(left[0] - right[0]) < FLAT) & (a[..., side:-side].min(axis=2) < left[0] - CONTRAST)
-    # Hidden dashes of vector figures begin and end where the hidden part does; those of pixels are elsewhere on the line.
-    dips &= b[..., side:-side].min(axis=2) < left[1] - 0.5 * CONTRAST
     off = []
     for kind, place, middle in ((steps, cover_of, n / 2), (dips, middle_of, (n - 1) / 2)):
         for y, x in zip(*numpy.nonzero(kind)):
@@ -227,6 +225,8 @@ def main():
     # 1080p, or a quarter of it, at 300 dots per inch.
     # Both sides are given, and the page is laid out on the same fine pixels: the number of rows added for text is an integer.
     size = ["--width-mm", "81.28", "--height-mm", "45.72"] if small else ["--width-mm", "162.56", "--height-mm", "91.44"]
+    # The dashes of hidden lines begin elsewhere in pixels than in vectors.
+    size += ["--set", 'hidden="pale"']
     if small:
         # Text of 8 pt would leave only a third of such a small page for the figure.
         size += ["--set", 'title=""', "--set", 'caption=""', "--set", "clock=false"]
