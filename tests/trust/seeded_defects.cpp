@@ -67,10 +67,11 @@ Eigen::Vector3d half_pixel(const View& view) {
     return 0.5 * units_per_px * ahead.cross(view.camera.up).normalized();
 }
 
-// The herpolhode: the curve on the plane.
+// The herpolhode itself, not its light edge.
 Curve* herpolhode_of(View& view) {
     for (Curve& curve : view.curves)
-        if (curve.on_plane >= 0) return &curve;
+        if (curve.on_plane >= 0 && curve.name.element == "herpolhode" && curve.name.part.empty())
+            return &curve;
     return nullptr;
 }
 
