@@ -98,6 +98,8 @@ def places(ours, own, theirs, free, after, level=True):
     even &= (abs(left[0] - left[1]) < 8) & (abs(right[0] - right[1]) < 8)
     steps = even & (abs(left[0] - right[0]) > CONTRAST)
     dips = even & (abs(left[0] - right[0]) < FLAT) & (a[..., side:-side].min(axis=2) < left[0] - CONTRAST)
+    # Where a reader's dots or dashes stand elsewhere on their line, there is nothing to compare.
+    dips &= b[..., side:-side].min(axis=2) < left[1] - 0.5 * CONTRAST
     off = []
     for kind, place, middle in ((steps, cover_of, n / 2), (dips, middle_of, (n - 1) / 2)):
         for y, x in zip(*numpy.nonzero(kind)):
