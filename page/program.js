@@ -224,54 +224,18 @@ function gl_functions(memory, context) {
 /** The WebAssembly modules that were compiled, by their bytes. @type {WeakMap<object, Promise<WebAssembly.Module>>} */
 const compiled_modules = new WeakMap();
 
-class Program {
-  /**
-   * Starts the program on a canvas; without one it computes and does not draw. Rejects with a
-   * ProgramError of kind 'no-wasm' or 'no-webgl'.
-   * @param {Uint8Array} module_bytes
-   * @param {Uint8Array} font_bytes
-   * @param {HTMLCanvasElement|OffscreenCanvas|null} canvas
-   * @returns {Promise<Program>}
-   */
-  static async start(module_bytes, font_bytes, canvas) {
-    const program = new Program(font_bytes);
-    try {
-      let compiled = compiled_modules.get(module_bytes);
-      if (!compiled) {
-        compiled = WebAssembly.compile(/** @type {any} */ (module_bytes));
-        compiled_modules.set(module_bytes, compiled);
-      }
-      program.module = await compiled;
-      await program.#instantiate();
-    } catch (error) {
-      throw new ProgramError({kind: 'no-wasm', message: String(/** @type {Error} */ (error).message || error)});
-    }
-    if (canvas) program.#open(canvas);
-    return program;
-  }
-
-  /** @param {Uint8Array} font_bytes */
-  constructor(font_bytes) {
-    this.font_bytes = font_bytes;
-    /** @type {WebAssembly.Module|null} */
-    this.module = null;
+/** A module of WebAssembly, and how its functions take and give texts, bytes and numbers. */
+class WasmModule {
+  constructor() {
     /** @type {Record<string, any>} */
     this.exports = {};
-    /** @type {WebGL2RenderingContext|null} */
-    this.gl = null;
     this.memory = new ModuleMemory();
-    /** @type {Map<string, Uint8Array>} */
-    this.files = new Map();
-    /** The scene that was loaded last. @type {{text: string, name: string, overrides: string[], width: number, height: number, type_scale?: number}|null} */
-    this.last = null;
-    this.imported = gl_functions(this.memory, () => /** @type {WebGL2RenderingContext} */ (this.gl));
-    this.has_integer_light = false;
+    /** What the module wrote before it ended itself. */
+    this.said = '';
   }
 
-  async #instantiate() {
-    const module = /** @type {WebAssembly.Module} */ (this.module);
-    /** @type {Record<string, Record<string, any>>} */
-    const imports = {gl: this.imported.functions, page: {has_integer_light: () => (this.has_integer_light ? 1 : 0)}};
+  /** @param {WebAssembly.Module} module @param {Record<string, Record<string, any>>} imports */
+  async instantiate(module, imports) {
     for (const {module: from, name} of WebAssembly.Module.imports(module)) {
       imports[from] = imports[from] || {};
       if (!imports[from][name]) imports[from][name] = this.#system(name);
@@ -280,8 +244,6 @@ class Program {
     this.exports = instance.exports;
     this.memory.set(this.exports.memory);
     this.exports.__wasm_call_ctors();
-    this.#add_fonts();
-    for (const [name, bytes] of this.files) this.#add_file(name, bytes);
   }
 
   /** What the module's C library asks of a system: a clock, and nothing else. @param {string} name */
@@ -320,7 +282,7 @@ class Program {
   }
 
   /** Copies bytes into the module's memory. @param {Uint8Array} bytes */
-  #put(bytes) {
+  put(bytes) {
     const at = this.exports.take(bytes.length || 1);
     this.memory.refresh();
     this.memory.bytes.set(bytes, at);
@@ -328,16 +290,84 @@ class Program {
   }
 
   /** Passes texts and bytes to a function for the time of its call. @param {(Uint8Array|string)[]} items @param {(...at: number[]) => any} call */
-  #with(items, call) {
+  with_items(items, call) {
     const held = items.map((item) => {
       const bytes = typeof item === 'string' ? new TextEncoder().encode(item) : item;
-      return [this.#put(bytes), bytes.length];
+      return [this.put(bytes), bytes.length];
     });
     try {
       return call(...held.flat());
     } finally {
       for (const [at] of held) this.exports.give_back(at);
     }
+  }
+
+  /** Calls a function of the module; throws what it refuses. @param {string} name @param {any[]} given @returns {any} */
+  call(name, ...given) {
+    try {
+      if (this.exports[name](...given)) return undefined;
+    } catch (error) {
+      throw new ProgramError({kind: 'crash', message: this.said || String(/** @type {Error} */ (error).message || error)});
+    }
+    throw new ProgramError(JSON.parse(this.answer()));
+  }
+
+  answer() {
+    return this.memory.text(this.exports.answer_at(), this.exports.answer_size());
+  }
+
+  numbers() {
+    return this.memory.doubles(this.exports.numbers_at(), this.exports.n_numbers());
+  }
+}
+
+class Program extends WasmModule {
+  /**
+   * Starts the program on a canvas; without one it computes and does not draw. Rejects with a
+   * ProgramError of kind 'no-wasm' or 'no-webgl'.
+   * @param {Uint8Array} module_bytes
+   * @param {Uint8Array} font_bytes
+   * @param {HTMLCanvasElement|OffscreenCanvas|null} canvas
+   * @returns {Promise<Program>}
+   */
+  static async start(module_bytes, font_bytes, canvas) {
+    const program = new Program(font_bytes);
+    try {
+      let compiled = compiled_modules.get(module_bytes);
+      if (!compiled) {
+        compiled = WebAssembly.compile(/** @type {any} */ (module_bytes));
+        compiled_modules.set(module_bytes, compiled);
+      }
+      program.module = await compiled;
+      await program.#instantiate();
+    } catch (error) {
+      throw new ProgramError({kind: 'no-wasm', message: String(/** @type {Error} */ (error).message || error)});
+    }
+    if (canvas) program.#open(canvas);
+    return program;
+  }
+
+  /** @param {Uint8Array} font_bytes */
+  constructor(font_bytes) {
+    super();
+    this.font_bytes = font_bytes;
+    /** @type {WebAssembly.Module|null} */
+    this.module = null;
+    /** @type {WebGL2RenderingContext|null} */
+    this.gl = null;
+    /** @type {Map<string, Uint8Array>} */
+    this.files = new Map();
+    /** The scene that was loaded last. @type {{text: string, name: string, overrides: string[], width: number, height: number, type_scale?: number}|null} */
+    this.last = null;
+    this.imported = gl_functions(this.memory, () => /** @type {WebGL2RenderingContext} */ (this.gl));
+    this.has_integer_light = false;
+  }
+
+  async #instantiate() {
+    await this.instantiate(/** @type {WebAssembly.Module} */ (this.module),
+      {gl: this.imported.functions, page: {has_integer_light: () => (this.has_integer_light ? 1 : 0)}});
+    this.#add_fonts();
+    for (const [name, bytes] of this.files) this.#add_file(name, bytes);
   }
 
   #add_fonts() {
@@ -347,14 +377,14 @@ class Program {
       const [name, size] = new TextDecoder().decode(rest.subarray(0, line)).split(' ');
       const table = rest.subarray(line + 1, line + 1 + Number(size));
       const named = new TextEncoder().encode(name);
-      this.exports.add_font(this.#put(named), named.length, this.#put(table), table.length);
+      this.exports.add_font(this.put(named), named.length, this.put(table), table.length);
       rest = rest.subarray(line + 1 + Number(size));
     }
   }
 
   /** @param {string} name @param {Uint8Array} bytes */
   #add_file(name, bytes) {
-    this.#with([name, bytes], (...at) => this.exports.add_file(...at));
+    this.with_items([name, bytes], (...at) => this.exports.add_file(...at));
   }
 
   /** @param {HTMLCanvasElement|OffscreenCanvas} canvas */
@@ -372,24 +402,6 @@ class Program {
     this.has_integer_light = Boolean(gl.getExtension('EXT_texture_norm16'));
     if (!floats && !gl.isContextLost())
       throw new ProgramError({kind: 'no-webgl', message: 'this browser cannot draw into textures with 16 bits a component'});
-  }
-
-  /** Calls a function of the module; throws what it refuses. @param {string} name @param {any[]} given @returns {any} */
-  #call(name, ...given) {
-    try {
-      if (this.exports[name](...given)) return undefined;
-    } catch (error) {
-      throw new ProgramError({kind: 'crash', message: this.said || String(/** @type {Error} */ (error).message || error)});
-    }
-    throw new ProgramError(JSON.parse(this.#answer()));
-  }
-
-  #answer() {
-    return this.memory.text(this.exports.answer_at(), this.exports.answer_size());
-  }
-
-  #numbers() {
-    return this.memory.doubles(this.exports.numbers_at(), this.exports.n_numbers());
   }
 
   /** Adds a file that the scene names, before it is loaded. @param {string} name @param {Uint8Array} bytes */
@@ -415,10 +427,10 @@ class Program {
     // NUL ends an override, so that a value with NUL would set another key.
     if (all.some((item) => item.includes('\0'))) throw new Error('a value holds the character NUL; leave it out');
     const {width, height, type_scale = 1} = options;
-    this.#with([text, name, all.map((item) => `${item}\0`).join('')],
-               (...at) => this.#call('load', ...at, width, height, type_scale));
+    this.with_items([text, name, all.map((item) => `${item}\0`).join('')],
+               (...at) => this.call('load', ...at, width, height, type_scale));
     this.last = {text, name, overrides: all, width, height, type_scale};
-    return JSON.parse(this.#answer());
+    return JSON.parse(this.answer());
   }
 
   /** After a crash: starts the module anew, with the scene that was loaded last. */
@@ -432,9 +444,9 @@ class Program {
 
   /** Lays out anew. @param {number} width @param {number} height @param {number} [type_scale] @returns {Panel[]} */
   resize(width, height, type_scale = 1) {
-    this.#call('resize', width, height, type_scale);
+    this.call('resize', width, height, type_scale);
     if (this.last) Object.assign(this.last, {width, height, type_scale});
-    return JSON.parse(this.#answer());
+    return JSON.parse(this.answer());
   }
 
   /** Replaces the viewers' changes of cameras; [] gives the scene's own back. @param {View[]} views */
@@ -442,7 +454,7 @@ class Program {
     const numbers = new Float64Array(views.flatMap((view) => [
       view.panel, view.azimuth_deg, view.elevation_deg, view.roll_deg, view.distance, view.zoom, view.shift_x, view.shift_y,
     ].map((number) => (number === undefined ? NaN : number))));
-    this.#with([new Uint8Array(numbers.buffer)], (at) => this.#call('set_views', at, views.length));
+    this.with_items([new Uint8Array(numbers.buffer)], (at) => this.call('set_views', at, views.length));
   }
 
   /**
@@ -452,12 +464,12 @@ class Program {
    */
   draw(t, film_s = NaN) {
     if (!this.gl || this.gl.isContextLost()) return;
-    this.#call('draw', t, film_s);
+    this.call('draw', t, film_s);
   }
 
   /** Computes what `draw` hands to WebGL, and nothing else; for measurements. @param {number} t */
   prepare(t) {
-    this.#call('prepare', t);
+    this.call('prepare', t);
   }
 
   /** The instant that a second of the film shows. @param {number} film_s @returns {number} */
@@ -472,8 +484,8 @@ class Program {
 
   /** The digits of `poinsot sample`. @param {number} t @returns {Digits} */
   at(t) {
-    this.#call('at', t);
-    const n = this.#numbers();
+    this.call('at', t);
+    const n = this.numbers();
     return {
       time_s: t,
       omega_body: n.slice(0, 3),
@@ -485,14 +497,14 @@ class Program {
 
   /** The state as a sentence in the scene's language. @param {number} t @param {number} [film_s] @returns {string} */
   state(t, film_s = NaN) {
-    this.#call('state', t, film_s);
-    return this.#answer();
+    this.call('state', t, film_s);
+    return this.answer();
   }
 
   /** The instant as the text of an SVG file. @param {number} t @param {number} [film_s] @returns {string} */
   svg(t, film_s = NaN) {
-    this.#call('svg', t, film_s);
-    return this.#answer();
+    this.call('svg', t, film_s);
+    return this.answer();
   }
 
   /**
@@ -501,7 +513,7 @@ class Program {
    * @returns {Uint8ClampedArray}
    */
   pixels(t, width, height, film_s = NaN) {
-    this.#call('pixels', t, film_s, width, height);
+    this.call('pixels', t, film_s, width, height);
     const at = this.exports.answer_at();
     this.memory.refresh();
     return new Uint8ClampedArray(this.memory.bytes.slice(at, at + this.exports.answer_size()).buffer);
@@ -513,13 +525,13 @@ class Program {
    */
   openFilm(text, name, overrides) {
     if (overrides.some((item) => item.includes('\0'))) throw new Error('a value holds the character NUL; leave it out');
-    this.#with([text, name, overrides.map((item) => `${item}\0`).join('')], (...at) => this.#call('open_film', ...at));
-    return JSON.parse(this.#answer());
+    this.with_items([text, name, overrides.map((item) => `${item}\0`).join('')], (...at) => this.call('open_film', ...at));
+    return JSON.parse(this.answer());
   }
 
   /** The bytes of a film's frame: straight R, G, B and alpha, or the planes Y', Cb and Cr on white. @param {number} frame @param {boolean} as_planes */
   filmFrame(frame, as_planes) {
-    this.#call('film_frame', frame, Number(as_planes));
+    this.call('film_frame', frame, Number(as_planes));
     const at = this.exports.answer_at();
     this.memory.refresh();
     return this.memory.bytes.slice(at, at + this.exports.answer_size());
@@ -528,13 +540,13 @@ class Program {
   /** The record of a film's frames. @param {[number, number]} span first and last frame @param {string} maker the browser and its encoder */
   filmRecord(span, maker) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
-    this.#with([`WebGL: ${gl.getParameter(gl.RENDERER)}`, maker], (...at) => this.#call('film_record', ...at, ...span));
-    return this.#answer();
+    this.with_items([`WebGL: ${gl.getParameter(gl.RENDERER)}`, maker], (...at) => this.call('film_record', ...at, ...span));
+    return this.answer();
   }
 
   /** Holds the cameras of an instant, also for other values, or lets them go. @param {boolean} holds @param {number} t @param {number} [film_s] */
   hold(holds, t, film_s = NaN) {
-    this.#call('hold', t, film_s, Number(holds));
+    this.call('hold', t, film_s, Number(holds));
   }
 
   /**
@@ -544,8 +556,8 @@ class Program {
    * @returns {Grip[]}
    */
   grips(t, film_s = NaN) {
-    this.#call('grips', t, film_s);
-    return JSON.parse(this.#answer());
+    this.call('grips', t, film_s);
+    return JSON.parse(this.answer());
   }
 
   /**
@@ -555,8 +567,8 @@ class Program {
    * @returns {{omega: number[], attitude: number[]}|null}
    */
   startAt(t, grip, x, y, film_s = NaN) {
-    this.#call('start_at', t, film_s, grip.panel, grip.thing === 'omega' ? 0 : 1, x, y);
-    const start = this.#numbers();
+    this.call('start_at', t, film_s, grip.panel, grip.thing === 'omega' ? 0 : 1, x, y);
+    const start = this.numbers();
     return start.length === 7 ? {omega: start.slice(0, 3), attitude: start.slice(3)} : null;
   }
 
@@ -566,8 +578,8 @@ class Program {
    * @returns {number[]|null}
    */
   omegaAt(t, panel, x, y, film_s = NaN) {
-    this.#call('omega_at', t, film_s, panel, x, y);
-    const omega = this.#numbers();
+    this.call('omega_at', t, film_s, panel, x, y);
+    const omega = this.numbers();
     return omega.length === 3 ? omega : null;
   }
 
@@ -577,8 +589,8 @@ class Program {
    * @returns {number|null}
    */
   energyAt(t, panel, x, y, film_s = NaN) {
-    this.#call('energy_at', t, film_s, panel, x, y);
-    return this.#numbers()[0] ?? null;
+    this.call('energy_at', t, film_s, panel, x, y);
+    return this.numbers()[0] ?? null;
   }
 
   /** Gives the WebGL context back. The canvas cannot be drawn into any more. */

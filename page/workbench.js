@@ -56,6 +56,7 @@ class Workbench {
     this.editor.text = page.data.text;
     this.files = {...page.data.files};
     page.said = () => this.#find();
+    this.measure = new Measure(this.words, (name, text, files) => this.open(name, text, files));
   }
 
   #name() {
@@ -121,10 +122,15 @@ class Workbench {
     this.#write(name, {values: new Map(), shown: null});
   }
 
-  /** Opens scenes, and keeps the files that scenes name. @param {File[]} files */
+  /** Opens scenes, keeps the files that scenes name, and measures tables that the scene does not name. @param {File[]} files */
   async #take(files) {
     if (files.length === 0) return;
     const scene = files.find((file) => file.name.toLowerCase().endsWith('.toml'));
+    const table = files.find((file) => /\.(csv|tsv|txt)$/i.test(file.name));
+    if (table && !scene && (this.measure.is_open || !this.editor.text.includes(table.name))) {
+      await this.measure.take(table.name, new Uint8Array(await table.arrayBuffer()));
+      return;
+    }
     /** @type {Record<string, string>} */
     const taken = {};
     for (const file of files) if (file !== scene) taken[file.name] = base64_of_bytes(new Uint8Array(await file.arrayBuffer()));
@@ -139,8 +145,7 @@ class Workbench {
     const row = document.createElement('p');
     row.textContent = `${this.words.of('reading')} ${files.map((file) => file.name).join(', ')} …`;
     part('findings').replaceChildren(row);
-    // A frame's callbacks run before it is painted, and the next task after it.
-    await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
+    await painted();
   }
 
   #soon() {
@@ -236,4 +241,4 @@ class Workbench {
   }
 }
 
-new Workbench(the_page);
+const the_workbench = new Workbench(the_page);

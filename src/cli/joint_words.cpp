@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cli/fit_words.h"
+#include "production/fits/fit_words.h"
 #include "text/json_text.h"
 
 namespace poinsot {

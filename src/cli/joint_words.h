@@ -5,9 +5,9 @@
 #include <string>
 #include <vector>
 
-#include "cli/fit_flights.h"
 #include "measured/joint_fit.h"
 #include "measured/prediction.h"
+#include "production/fits/fit_flights.h"
 
 namespace poinsot {
 

@@ -1,27 +1,21 @@
 // What a page calls: the program as functions of a WebAssembly module. page/program.js makes one
-// instance of it a scene. Numbers are arguments and results; texts and lists lie in memory that the
-// module hands out. A function that fails returns 0 and leaves the message in the answer.
-#include <fmt/format.h>
-
+// instance of it a scene.
 #include <algorithm>
 #include <cstdint>
-#include <cstdlib>
 #include <map>
 #include <memory>
 #include <optional>
 #include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "image/downsample.h"
+#include "page/answers.h"
 #include "page/kept_fonts.h"
 #include "page/lecture.h"
 #include "page/page_film.h"
 #include "page/web_context.h"
 #include "render/renderer.h"
-#include "scene/scene_error.h"
-#include "text/json_text.h"
 
 namespace poinsot {
 namespace {
@@ -32,44 +26,11 @@ struct Program {
     std::unique_ptr<Lecture> lecture;
     std::unique_ptr<PageFilm> film;  // while one is made
     std::optional<Renderer> renderer;
-    std::string answer;
-    std::vector<double> numbers;
     std::vector<Camera> held;  // cameras of the panels, while they stay as they are
 };
 Program& program() {
     static Program it;
     return it;
-}
-
-std::string error_text(std::string_view kind, std::string_view message,
-                       const SourceLocation& where) {
-    return JsonObject()
-        .add("kind", kind)
-        .add("message", message)
-        .add("file", where.file)
-        .add("line", where.line)
-        .add("column", where.column)
-        .line();
-}
-
-// Calls a function; keeps the message of what it throws.
-template <typename Call>
-int answered(Call call) {
-    std::string& answer = program().answer;
-    try {
-        call();
-        return 1;
-    } catch (const SceneError& error) {
-        std::string_view message = error.what();
-        const std::string prefix = error.where().prefix();
-        if (message.starts_with(prefix)) message.remove_prefix(prefix.size());
-        answer = error_text("scene", message, error.where());
-    } catch (const InputError& error) {
-        answer = error_text("input", error.what(), {});
-    } catch (const std::exception& error) {
-        answer = error_text("environment", error.what(), {});
-    }
-    return 0;
 }
 
 Lecture& lecture() {
@@ -86,8 +47,6 @@ PageFilm& film() {
     if (!program().film) throw InputError("no film is open; open one first");
     return *program().film;
 }
-
-std::string_view text_at(const char* text, std::uint32_t size) { return {text, size}; }
 
 // Texts that are each followed by a NUL.
 std::vector<std::string> texts_at(const char* texts, std::uint32_t size) {
@@ -114,16 +73,6 @@ Image frame_of(std::int64_t frame) {
 
 using namespace poinsot;  // NOLINT(google-build-using-namespace)
 
-#define POINSOT_EXPORT(name) extern "C" __attribute__((export_name(#name)))
-
-POINSOT_EXPORT(take) void* take(std::uint32_t size) { return std::malloc(size); }
-POINSOT_EXPORT(give_back) void give_back(void* memory) { std::free(memory); }
-POINSOT_EXPORT(answer_at) const char* answer_at() { return program().answer.data(); }
-POINSOT_EXPORT(answer_size) std::uint32_t answer_size() {
-    return static_cast<std::uint32_t>(program().answer.size());
-}
-POINSOT_EXPORT(numbers_at) const double* numbers_at() { return program().numbers.data(); }
-
 // The memory is the module's from here on.
 POINSOT_EXPORT(add_font)
 void add_font(const char* name, std::uint32_t name_size, const char* bytes, std::uint32_t size) {
@@ -147,7 +96,7 @@ int load(const char* text, std::uint32_t text_size, const char* name, std::uint3
             LectureFiles{text_at(text, text_size), std::string(text_at(name, name_size)), given,
                          program().files},
             kept_fonts(), CanvasSize{width_px, height_px, type_scale});
-        program().answer = loaded->description();
+        answer() = loaded->description();
         loaded->hold(program().held);
         program().lecture = std::move(loaded);
     });
@@ -156,7 +105,7 @@ int load(const char* text, std::uint32_t text_size, const char* name, std::uint3
 POINSOT_EXPORT(resize) int resize(int width_px, int height_px, double type_scale) {
     return answered([&] {
         lecture().resize({width_px, height_px, type_scale});
-        program().answer = lecture().panels_text();
+        answer() = lecture().panels_text();
     });
 }
 
@@ -204,7 +153,7 @@ POINSOT_EXPORT(pixels) int pixels(double time_s, double film_s, int width_px, in
     return answered([&] {
         const Drawing drawing =
             lecture().drawing_of_size(lecture().moment_of(time_s, film_s), width_px, height_px);
-        program().answer = pixels_of(renderer(), drawing);
+        answer() = pixels_of(renderer(), drawing);
     });
 }
 
@@ -220,7 +169,7 @@ int open_film(const char* text, std::uint32_t text_size, const char* name, std::
             LectureFiles{text_at(text, text_size), std::string(text_at(name, name_size)), given,
                          program().files},
             kept_fonts());
-        program().answer = program().film->description();
+        answer() = program().film->description();
     });
 }
 POINSOT_EXPORT(close_film) void close_film() { program().film.reset(); }
@@ -230,9 +179,9 @@ POINSOT_EXPORT(film_frame) int film_frame(double frame, int as_planes) {
     return answered([&] {
         const Image image = frame_of(static_cast<std::int64_t>(frame));
         if (as_planes != 0)
-            program().answer = planes_of(image);
+            answer() = planes_of(image);
         else
-            program().answer.assign(image.bytes().begin(), image.bytes().end());
+            answer().assign(image.bytes().begin(), image.bytes().end());
     });
 }
 
@@ -240,46 +189,42 @@ POINSOT_EXPORT(film_record)
 int film_record(const char* renderer_name, std::uint32_t renderer_size, const char* maker,
                 std::uint32_t maker_size, double first, double last) {
     return answered([&] {
-        program().answer =
-            film().record(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
-                          std::string(text_at(renderer_name, renderer_size)),
-                          std::string(text_at(maker, maker_size)));
+        answer() = film().record(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
+                                 std::string(text_at(renderer_name, renderer_size)),
+                                 std::string(text_at(maker, maker_size)));
     });
 }
 
 POINSOT_EXPORT(at) int at(double time_s) {
-    return answered([&] { program().numbers = lecture().digits_at(time_s); });
+    return answered([&] { numbers() = lecture().digits_at(time_s); });
 }
 
 POINSOT_EXPORT(state) int state(double time_s, double film_s) {
-    return answered(
-        [&] { program().answer = lecture().state_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = lecture().state_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(svg) int svg(double time_s, double film_s) {
-    return answered(
-        [&] { program().answer = lecture().svg_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = lecture().svg_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(grips) int grips(double time_s, double film_s) {
-    return answered(
-        [&] { program().answer = lecture().grips_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = lecture().grips_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(omega_at)
 int omega_at(double time_s, double film_s, int panel, double x_px, double y_px) {
     return answered([&] {
-        program().numbers.clear();
+        numbers().clear();
         if (const auto omega =
                 lecture().omega_under(lecture().moment_of(time_s, film_s), panel, {x_px, y_px}))
-            program().numbers.assign(omega->begin(), omega->end());
+            numbers().assign(omega->begin(), omega->end());
     });
 }
 // thing: 0 the tip of ω, 1 the plane.
 POINSOT_EXPORT(start_at)
 int start_at(double time_s, double film_s, int panel, int thing, double x_px, double y_px) {
     return answered([&] {
-        program().numbers.clear();
+        numbers().clear();
         const FilmTime moment = lecture().moment_of(time_s, film_s);
         const Eigen::Vector2d px(x_px, y_px);
         const auto omega = thing == 0 ? lecture().omega_under(moment, panel, px)
@@ -288,21 +233,17 @@ int start_at(double time_s, double film_s, int panel, int thing, double x_px, do
         if (!start) return;
         const Eigen::Vector3d& at_start = start->omega_body;
         const Eigen::Quaterniond& q = start->space_from_body;
-        program().numbers = {at_start.x(), at_start.y(), at_start.z(), q.w(), q.x(), q.y(), q.z()};
+        numbers() = {at_start.x(), at_start.y(), at_start.z(), q.w(), q.x(), q.y(), q.z()};
     });
 }
 POINSOT_EXPORT(energy_at)
 int energy_at(double time_s, double film_s, int panel, double x_px, double y_px) {
     return answered([&] {
-        program().numbers.clear();
+        numbers().clear();
         if (const auto energy_J = lecture().energy_of_plane_at(lecture().moment_of(time_s, film_s),
                                                                panel, {x_px, y_px}))
-            program().numbers.push_back(*energy_J);
+            numbers().push_back(*energy_J);
     });
 }
-POINSOT_EXPORT(n_numbers) std::uint32_t n_numbers() {
-    return static_cast<std::uint32_t>(program().numbers.size());
-}
-
 // After the context of the canvas was lost, and when the page gives it back.
 POINSOT_EXPORT(lose_context) void lose_context() { program().renderer.reset(); }

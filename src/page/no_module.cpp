@@ -4,6 +4,7 @@
 namespace poinsot {
 
 std::string_view page_module_lzma() { return {}; }
+std::string_view page_fit_module_lzma() { return {}; }
 std::string_view page_fonts_lzma() { return {}; }
 std::string_view page_scripts_lzma() { return {}; }
 std::string_view page_film_writer_lzma() { return {}; }

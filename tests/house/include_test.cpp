@@ -49,8 +49,8 @@ const std::map<std::string, std::set<std::string>> allowed{
       "typeset", "shapes", "drawing", "render", "vector", "image", "output", "production"}},
     // The module of a page in a browser.
     {"page",
-     {"error", "text", "mechanics", "image", "typeset", "scene", "construction", "shapes",
-      "drawing", "render", "vector", "output", "production"}},
+     {"error", "text", "mechanics", "measured", "image", "typeset", "scene", "construction",
+      "shapes", "drawing", "render", "vector", "output", "production"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},
@@ -77,6 +77,7 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"typeset/files", {}},
     {"production/session", {}},
     {"production/sampling", {}},
+    {"production/fits", {}},
     {"production/sidecars", {"production/session"}},
     {"production/provenance", {"production/session"}},
     {"production/vectors", {"production/session", "production/provenance"}},
@@ -114,6 +115,7 @@ const std::map<std::string, std::set<std::string>> allowed_folders{
      {"error", "text", "system", "image", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing"}},
     {"production/sampling", {"error", "text", "system", "mechanics", "construction"}},
+    {"production/fits", {"error", "text", "mechanics", "measured", "scene"}},
     // Components of the library that need Eigen alone.
     {"library/mechanics", {"error", "mechanics"}},
     {"library/construction", {"error", "mechanics", "construction"}},
@@ -136,7 +138,8 @@ const std::set<std::string> without_files{"libm",
                                           "shapes",
                                           "drawing",
                                           "production/session",
-                                          "production/sampling"};
+                                          "production/sampling",
+                                          "production/fits"};
 
 // A list of this length is still readable.
 constexpr int most_headers = 20;

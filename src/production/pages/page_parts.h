@@ -20,6 +20,9 @@ const std::vector<PageFile>& page_files();
 std::string_view page_module_lzma();
 std::string_view page_fonts_lzma();
 
+// What the workbench measures with, likewise.
+std::string_view page_fit_module_lzma();
+
 // The packed scripts of a page, joined in the order of page_scripts.h, without comments and
 // indents.
 std::string_view page_scripts_lzma();

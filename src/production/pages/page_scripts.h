@@ -17,6 +17,7 @@ inline constexpr std::array<std::string_view, 15> packed_scripts{
     "png_frames.js", "film_encoder.js", "make_film.js", "page.js",    "scripting.js"};
 
 // As they are: those that the workbench adds.
-inline constexpr std::array<std::string_view, 2> workbench_scripts{"editor.js", "workbench.js"};
+inline constexpr std::array<std::string_view, 5> workbench_scripts{
+    "editor.js", "record.js", "measure_chart.js", "measure.js", "workbench.js"};
 
 }  // namespace poinsot

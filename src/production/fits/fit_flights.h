@@ -1,4 +1,4 @@
-// The flights of the tables that `poinsot fit` reads, each with a fit of its own.
+// The flights of the tables that `poinsot fit` and the workbench read, each with a fit of its own.
 #pragma once
 
 #include <cstddef>
@@ -34,10 +34,11 @@ struct FitKnown {
     std::optional<DragModel> drag;
 };
 
-// Reads a table, finds its flights and fits each. A table of which one flight takes four fifths or
-// more is that flight as a whole; so is one in which no flight is found. Throws InputError if it
-// cannot be read.
-FitTable fitted_table(const std::filesystem::path& file, const FitKnown& known);
+// Finds the flights of a table and fits each. A table of which one flight takes four fifths or more
+// is that flight as a whole; so is one in which no flight is found. Rows without ω get it from the
+// differences of their attitudes. `file`: for names and messages; it is not opened.
+FitTable fitted_table(MeasuredMotion measured, const std::filesystem::path& file,
+                      const FitKnown& known);
 
 // The flight that says most about the body: the one with the smallest standard deviations of
 // moments and axes. Throws InputError if none has a fit.

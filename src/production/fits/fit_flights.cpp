@@ -1,15 +1,15 @@
-#include "cli/fit_flights.h"
+#include "production/fits/fit_flights.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <utility>
 
-#include "cli/fit_words.h"
 #include "error/error.h"
-#include "measured/files/measured_file.h"
 #include "measured/flights.h"
+#include "production/fits/fit_words.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 
@@ -38,10 +38,10 @@ double uncertainty_of(const TableFlight& flight) {
 
 }  // namespace
 
-FitTable fitted_table(const std::filesystem::path& file, const FitKnown& known) {
+FitTable fitted_table(MeasuredMotion measured, const std::filesystem::path& file,
+                      const FitKnown& known) {
     FitTable table;
     table.file = file;
-    MeasuredMotion measured = load_measured(file);
     add_omega_by_differences(measured);
     const std::vector<FreeFlight> flights = flights_of(measured.rows);
     constexpr double least_share = 0.8;

@@ -1,4 +1,4 @@
-#include "cli/fit_words.h"
+#include "production/fits/fit_words.h"
 
 #include <fmt/format.h>
 

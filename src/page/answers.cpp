@@ -1,0 +1,43 @@
+#include "page/answers.h"
+
+#include <cstdlib>
+
+#include "text/json_text.h"
+
+namespace poinsot {
+
+std::string& answer() {
+    static std::string it;
+    return it;
+}
+
+std::vector<double>& numbers() {
+    static std::vector<double> it;
+    return it;
+}
+
+std::string error_text(std::string_view kind, std::string_view message,
+                       const SourceLocation& where) {
+    return JsonObject()
+        .add("kind", kind)
+        .add("message", message)
+        .add("file", where.file)
+        .add("line", where.line)
+        .add("column", where.column)
+        .line();
+}
+
+}  // namespace poinsot
+
+using namespace poinsot;  // NOLINT(google-build-using-namespace)
+
+POINSOT_EXPORT(take) void* take(std::uint32_t size) { return std::malloc(size); }
+POINSOT_EXPORT(give_back) void give_back(void* memory) { std::free(memory); }
+POINSOT_EXPORT(answer_at) const char* answer_at() { return answer().data(); }
+POINSOT_EXPORT(answer_size) std::uint32_t answer_size() {
+    return static_cast<std::uint32_t>(answer().size());
+}
+POINSOT_EXPORT(numbers_at) const double* numbers_at() { return numbers().data(); }
+POINSOT_EXPORT(n_numbers) std::uint32_t n_numbers() {
+    return static_cast<std::uint32_t>(numbers().size());
+}

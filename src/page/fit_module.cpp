@@ -1,0 +1,100 @@
+// What the workbench measures with: `poinsot fit` as functions of a WebAssembly module of its own,
+// which pages that only show a scene do without. page/measure.js calls it.
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "measured/flights.h"
+#include "page/answers.h"
+#include "production/fits/fit_flights.h"
+#include "production/fits/fit_words.h"
+#include "production/fits/fitted_scene.h"
+#include "text/json_text.h"
+#include "text/printable.h"
+
+namespace poinsot {
+namespace {
+
+std::optional<FitTable>& fit_table() {
+    static std::optional<FitTable> it;
+    return it;
+}
+
+void add_row(double time_s, const Eigen::Vector3d& omega) {
+    numbers().insert(numbers().end(), {time_s, omega.x(), omega.y(), omega.z()});
+}
+
+}  // namespace
+}  // namespace poinsot
+
+using namespace poinsot;  // NOLINT(google-build-using-namespace)
+
+// Reads a table, finds its flights and fits each. The rows are the numbers, four each: the time in
+// s and ω in rad/s. The answer is JSON: "is_recording", "flights" as `poinsot fit --json` lists
+// them, "best", the number of the one that says most about the body, or "refusal".
+POINSOT_EXPORT(read_table)
+int read_table(const char* text, std::uint32_t text_size, const char* name,
+               std::uint32_t name_size) {
+    return answered([&] {
+        fit_table().reset();
+        numbers().clear();
+        const std::string file(text_at(name, name_size));
+        MeasuredMotion measured = read_measured(text_at(text, text_size), file);
+        add_omega_by_differences(measured);
+        for (const MeasuredRow& row : measured.rows) add_row(row.time_s, row.omega_body);
+        FitTable table = fitted_table(std::move(measured), file, {});
+        JsonObject said;
+        said.add("is_recording", table.is_recording).json("flights", json_of_flights(table));
+        try {
+            said.add("best", best_flight(table).number);
+        } catch (const InputError& error) {
+            said.add("refusal", error.what());
+        }
+        answer() = said.line();
+        fit_table() = std::move(table);
+    });
+}
+
+// A flight of the table that was read last. `scene_table`: the name that the scene gives its rows.
+// The answer is JSON: "fit" as `poinsot fit --json` prints it, "words", the "scene" that `poinsot
+// fit -o` writes and, of a recording, the "table" of the flight's rows.
+POINSOT_EXPORT(flight)
+int flight(double number, const char* scene_table, std::uint32_t scene_table_size) {
+    return answered([&] {
+        if (!fit_table()) throw InputError("no table is read; read one first");
+        const FitTable& table = *fit_table();
+        const TableFlight& chosen = table.flights.at(static_cast<std::size_t>(number) - 1);
+        if (!chosen.fit) throw InputError(chosen.name + ": " + chosen.refusal);
+        JsonObject fit;
+        if (table.is_recording)
+            fit.json("flights", json_of_flights(table)).add("flight", chosen.number);
+        add_fit(fit, *chosen.fit);
+        std::vector<std::string> words = words_of(*chosen.fit, chosen.measured);
+        for (std::string& line : words) line = json_string(line);
+        JsonObject said;
+        said.json("fit", fit.line())
+            .json("words", json_list(words))
+            .add("scene", fitted_scene(*chosen.fit, chosen.measured, chosen.name,
+                                       std::string(text_at(scene_table, scene_table_size))));
+        if (table.is_recording) said.add("table", table_text(chosen.measured));
+        answer() = said.line();
+    });
+}
+
+// The flights of rows as `read_table` gives them, two numbers each: begin and end in s.
+POINSOT_EXPORT(find_flights) int find_flights(const double* given, std::uint32_t n_rows) {
+    return answered([&] {
+        std::vector<MeasuredRow> rows(n_rows);
+        for (MeasuredRow& row : rows) {
+            row.time_s = given[0];
+            row.omega_body = {given[1], given[2], given[3]};
+            given += 4;
+        }
+        numbers().clear();
+        for (const FreeFlight& found : flights_of(rows))
+            numbers().insert(numbers().end(), {found.begin_s(), found.end_s()});
+    });
+}
