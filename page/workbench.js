@@ -57,6 +57,14 @@ class Workbench {
     this.files = {...page.data.files};
     page.said = () => this.#find();
     this.measure = new Measure(this.words, (name, text, files) => this.open(name, text, files));
+    this.#open_named();
+  }
+
+  /** A link may name a scene of the gallery: poinsot.html#scene=tennis_racket. */
+  #open_named() {
+    const name = new URLSearchParams(location.hash.slice(1)).get('scene');
+    const scene = this.data.scenes.find((scene) => scene.name === name);
+    if (scene) this.open(scene.name, scene.text, scene.files);
   }
 
   #name() {
