@@ -96,10 +96,12 @@ class Figure {
       type_scale: type_scale_of(Math.max(16, clientWidth), Math.max(16, clientHeight))};
   }
 
-  /** Starts the program and draws the first picture. @param {SceneData} data */
-  async start(data) {
+  /** Starts the program and draws the first picture. @param {() => SceneData} data_now */
+  async start(data_now) {
     const {module, fonts} = await this.hooks.bytes();
     const program = await Program.start(module, fonts, this.canvas);
+    // The workbench may have another text by now.
+    const data = data_now();
     this.#watch_context(this.canvas);
     for (const [name, bytes] of Object.entries(data.files)) program.addFile(name, bytes_of_base64(bytes));
     this.program = program;

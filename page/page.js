@@ -87,7 +87,7 @@ class Page {
     part('bar').inert = true;
     part('sentence').hidden = true;
     try {
-      await this.figure.start(this.data);
+      await this.figure.start(() => this.data);
     } catch (error) {
       const kind = error instanceof ProgramError && error.kind.startsWith('no-') ? error.kind : 'no-start';
       this.figure.program = null;

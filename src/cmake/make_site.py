@@ -54,6 +54,7 @@ def anchor_of(heading):
 class Site:
     def __init__(self, source, workbench, folder, downloads):
         self.source, self.workbench, self.folder, self.downloads = source, workbench, folder, downloads
+        self.icon = re.search(r'<link rel="icon"[^>]*>', (source / "page" / "index.html").read_text())[0]
 
     def make(self):
         if self.folder.exists() and any(self.folder.iterdir()) and not (self.folder / MARK).exists():
@@ -134,6 +135,7 @@ class Site:
 <meta charset="utf-8">
 <meta name="viewport" content="width=device-width">
 <title>{title if title == "poinsot" else f"{title} – poinsot"}</title>
+{self.icon}
 <link rel="stylesheet" href="{up}style.css">
 </head>
 <body>

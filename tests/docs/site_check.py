@@ -40,11 +40,11 @@ def faults(site):
     opened = set()
     for page, links in pages.items():
         for link in links.loaded:
-            if re.match(r"[a-z]+:|//", link):
+            if re.match(r"(?!data:)[a-z]+:|//", link):
                 yield f"{page.relative_to(site)} loads {link}"
         for link in links.followed + links.loaded:
             path, _, anchor = link.partition("#")
-            if re.match(r"(https?|mailto):", link):
+            if re.match(r"(https?|mailto|data):", link):
                 continue
             file = (page.parent / path).resolve() if path else page
             if not file.exists() or not file.is_relative_to(site):

@@ -48,7 +48,8 @@ async function walk(browser, start) {
   await ready(tab);
   assert.match(await tab.$eval('#text', (field) => field.value), /^\[body\]/m);
   assert.match(await tab.$eval('#text', (field) => field.value), /theta_rad/);
-  await until(tab, 'window.poinsot.at(0).theta_rad > 0');
+  const omega3 = Number(/omega3_rad_s = ([\d.]+)/.exec(await tab.$eval('#text', (field) => field.value))[1]);
+  await until(tab, `window.poinsot.at(0).omega_body[2] === ${omega3}`);
   assert.deepEqual(answers, []);
   const own = `request: ${start}`;
   assert.deepEqual(faults.filter((fault) => !fault.startsWith(own) && !fault.endsWith('/favicon.ico')), []);
