@@ -19,10 +19,9 @@
 #include "error/error.h"
 #include "measured/joint_fit.h"
 #include "measured/prediction.h"
-#include "mechanics/free/free_rotation.h"
+#include "production/jobs/fitted_scene.h"
 #include "production/session/slow_work_notice.h"
 #include "scene/parse_scene.h"
-#include "scene/toml_text.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
 #include "text/json_text.h"
@@ -96,46 +95,6 @@ void check_name_in_scene(const std::filesystem::path& scene, const std::filesyst
                 printable(file.string())));
         rest.remove_prefix(character.size);
     }
-}
-
-// A scene of the fitted motion, without its drag, with the table beside it. Its times are those
-// of the table: the motion is followed back to t = 0. ω(t) tells moments up to a common factor
-// only: I1 = 1 kg m² unless they were given.
-std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene,
-                     const std::filesystem::path& file, const std::string& name,
-                     const MeasuredMotion& measured) {
-    std::string text = fmt::format("# Fitted to {}.\n", name);
-    for (const std::string& line : words_of(fit, measured)) text += fmt::format("# {}\n", line);
-    text += "# The scene leaves the drag out.\n";
-    const InertiaTensor inertia = InertiaTensor::from_matrix(fit.tensor(), Physicality::waived);
-    const RotationState first{fit.first_time_s, measured.rows.front().space_from_body,
-                              fit.omega_rad_s};
-    const RotationState start = FreeRotation(inertia, first).at(0.0);
-    const Eigen::Vector3d moments = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
-    if (moments[0] < moments[1] || moments[1] < moments[2])
-        text += fmt::format(
-            "# The scene numbers the axes otherwise: I1, I2, I3 = {:.4g}, {:.4g}, {:.4g}, in units "
-            "of the largest.\n",
-            moments[0], moments[1], moments[2]);
-    text += fmt::format("\n[body]\ntensor_kg_m2 = {}{}\n", toml_text(fit.tensor()),
-                        fit.I1_kg_m2 ? "" : "  # I1 = 1: a common factor has no effect on ω");
-    if (excess_of(fit) > 0.0) text += "allow_unphysical = true\n";
-    text += fmt::format("\n[start]\nomega_rad_s = {}\n", toml_text(start.omega_body));
-    const Eigen::Quaterniond& q = start.space_from_body;
-    if (measured.has_attitude)
-        text +=
-            fmt::format("attitude = {}\n", toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
-    text += fmt::format("\n[measured]\nfile = {}\n",
-                        toml_text(std::string_view(seen_from(scene, file).string())));
-    // A still shows all points. A film that would be short or long lasts ten seconds.
-    const double span_s = measured.rows.back().time_s - fit.first_time_s;
-    text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\nstill_s = {}\n",
-                        toml_text(fit.first_time_s), toml_text(span_s),
-                        toml_text(measured.rows.back().time_s));
-    constexpr double short_s = 5.0, long_s = 60.0, length_s = 10.0;
-    if (span_s < short_s || span_s > long_s)
-        text += fmt::format("speed = {}\n", toml_text(span_s / length_s));
-    return text;
 }
 
 // The flight that --flight names, or the best one.
@@ -240,11 +199,16 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
         shown = table_of_scene(table, choices.output);
         const std::string name = printable(file.filename().string());
         if (table.is_recording) write_whole(shown, table_text(flight.measured));
-        write_whole(
-            choices.output,
-            scene_of(fit, choices.output, shown,
-                     table.is_recording ? fmt::format("{}, flight {}", name, flight.number) : name,
-                     flight.measured));
+        FittedScene scene{
+            .fit = fit,
+            .from = table.is_recording ? fmt::format("{}, flight {}", name, flight.number) : name,
+            .words = words_of(fit, flight.measured),
+            .last_time_s = flight.measured.rows.back().time_s,
+            .attitude = {},
+            .table = seen_from(choices.output, shown).string()};
+        if (flight.measured.has_attitude)
+            scene.attitude = flight.measured.rows.front().space_from_body;
+        write_whole(choices.output, text_of(scene));
     }
     if (choices.json) {
         JsonObject answer;
