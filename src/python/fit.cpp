@@ -7,6 +7,7 @@
 
 #include <span>
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "measured/flights.h"
@@ -14,6 +15,7 @@
 #include "measured/measured_motion.h"
 #include "measured/prediction.h"
 #include "production/jobs/fitted_scene.h"
+#include "production/vectors/flight_page.h"
 #include "python/bindings.h"
 
 namespace poinsot::python {
@@ -206,23 +208,6 @@ py::dict fit(const Doubles& times, const Doubles& omega, const Maybe& moments,
     return made;
 }
 
-// A flight of a joint fit, as a motion of the body of all.
-FittedMotion flight_motion(const JointFit& joint, const JointFlight& flight) {
-    FittedMotion motion;
-    motion.first_time_s = flight.first_time_s;
-    motion.omega_rad_s = flight.omega_rad_s;
-    motion.moments = joint.moments;
-    motion.moments_sd = joint.moments_sd;
-    motion.I1_kg_m2 = joint.I1_kg_m2;
-    motion.instrument_from_principal = joint.instrument_from_principal;
-    motion.axes_sd_rad = joint.axes_sd_rad;
-    motion.drag = joint.drag;
-    motion.drag_rates = flight.drag_rates;
-    motion.residual_rad_s = flight.residual_rad_s;
-    motion.n_rows = flight.n_rows;
-    return motion;
-}
-
 py::dict fit_together(const std::vector<std::pair<Doubles, Doubles>>& flights, const Maybe& moments,
                       const std::optional<std::string>& drag, bool share_drag,
                       std::optional<int> predict) {
@@ -249,7 +234,7 @@ py::dict fit_together(const std::vector<std::pair<Doubles, Doubles>>& flights, c
     py::list list;
     for (std::size_t i = 0; i < joint.flights.size(); ++i) {
         const JointFlight& flight = joint.flights[i];
-        py::dict one = dict_of(flight_motion(joint, flight));
+        py::dict one = dict_of(poinsot::motion_of(joint, flight));
         for (const char* unknown : {"omega_sd", "drag_rates_sd", "noise", "correlation"})
             one[unknown] = py::none();
         one["left_out"] = flight.left_out;
@@ -309,6 +294,39 @@ std::string fitted_scene(const py::dict& fit, const std::vector<std::string>& wo
     return text_of(scene);
 }
 
+// `flights`: the fit, times, omega, whether it is left out and, in `own`, its fit alone or None.
+py::bytes fit_chart(const std::string& title, const py::list& flights, const py::object& together,
+                    const std::string& format) {
+    const auto ratios_of = [](const py::dict& fit, const char* name) -> Eigen::Vector2d {
+        return Eigen::Map<const Eigen::Vector3d>(fit[name].cast<Doubles>().data()).tail<2>();
+    };
+    FlightChart chart;
+    chart.title = title;
+    if (!together.is_none()) {
+        chart.ratios = ratios_of(together, "moments");
+        chart.ratios_sd = ratios_of(together, "moments_sd");
+    }
+    for (const py::handle& given : flights) {
+        const auto [fit, times, omega, is_left_out, own] =
+            given.cast<std::tuple<py::dict, Doubles, Doubles, bool, py::object>>();
+        ChartedFlight flight = charted(fit_of(fit), rows_of(times, omega));
+        flight.is_left_out = is_left_out;
+        if (flights.size() > 1) flight.name = std::to_string(chart.flights.size() + 1);
+        if (flight.is_left_out) flight.name += ", left out";
+        if (!own.is_none()) {
+            flight.ratios = ratios_of(own, "moments");
+            flight.ratios_sd = ratios_of(own, "moments_sd");
+        }
+        chart.flights.push_back(std::move(flight));
+    }
+    std::string bytes;
+    {
+        const WithoutLock without_lock;
+        bytes = flight_page(chart, "poinsot.fit", format == "svg");
+    }
+    return bytes;
+}
+
 }  // namespace
 
 void check_rows(const Doubles& times, const Maybe& omega, const Maybe& attitude) {
@@ -326,6 +344,7 @@ void add_fit(py::module_& module) {
     module.def("fitted_omega", fitted_omega, "fit"_a, "times"_a);
     module.def("fitted_scene", fitted_scene, "fit"_a, "words"_a, "last_time_s"_a, "attitude"_a,
                "table"_a);
+    module.def("fit_chart", fit_chart, "title"_a, "flights"_a, "together"_a, "format"_a);
 }
 
 }  // namespace poinsot::python

@@ -320,6 +320,18 @@ def test_a_departure_is_that_of_the_program(program):
         assert found.largest[name].time_s == pytest.approx(said[name]["at_s"]), name
 
 
+def test_a_fit_shows_its_chart(throw, throws, tmp_path):
+    found = poinsot.fit(TIMES, throw)
+    chart = found.chart()
+    assert found._repr_svg_() == chart.svg and chart.svg.startswith("<?xml") and chart.pdf.startswith(b"%PDF-")
+    chart.save(tmp_path / "chart.pdf")
+    joint = poinsot.fit(throws)
+    assert joint._repr_svg_().startswith("<?xml")
+    assert len(joint._repr_svg_()) < 1_000_000
+    known = poinsot.fit(TIMES, throw, moments=[0.004, 0.01, 0.007])
+    assert known.chart().svg != chart.svg
+
+
 def test_the_package_shows_its_own_names_only():
     assert dir(poinsot) == sorted(poinsot.__all__)
     assert not [name for name in dir(poinsot) if name.startswith("_") and name != "__version__"]

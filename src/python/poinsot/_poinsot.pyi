@@ -154,6 +154,12 @@ def fitted_omega(fit: Dict[str, Any], times: NDArray[np.float64]) -> NDArray[np.
 def fitted_scene(
     fit: Dict[str, Any], words: Sequence[str], last_time_s: float, attitude: Optional[NDArray[np.float64]], table: str
 ) -> str: ...
+def fit_chart(
+    title: str,
+    flights: List[Tuple[Dict[str, Any], NDArray[np.float64], NDArray[np.float64], bool, Optional[Dict[str, Any]]]],
+    together: Optional[Dict[str, Any]],
+    format: str,
+) -> bytes: ...
 def compare_pair(
     name: str, expected: str, actual: str, profile: str, limits: Dict[str, Any], measures: bool
 ) -> Dict[str, Any]: ...

@@ -12,7 +12,7 @@ from . import _poinsot
 from .arrays import Numbers, number, numbers
 from .errors import InputError
 from .paths import Path, path_text
-from .pictures import write_file
+from .pictures import Figure, write_file
 from .recordings import is_table, rows_of, with_omega
 from .scene import Scene
 
@@ -140,6 +140,28 @@ class _Body:
         """The number of rows that were used."""
         return int(self._found["n_rows"])
 
+    def chart(self) -> Figure:
+        """Measured and fitted ω with the residuals below, in the axes of the instrument, as `poinsot fit --chart`.
+
+        Of several flights also the ratios of the moments of each flight alone, with their standard deviations, and
+        those of all: a line between dashed ones at its deviation. Raises InputError if the motion does not reach a row.
+        """
+        title, flights, together = self._charted()
+        svg = _poinsot.fit_chart(title, flights, together, "svg").decode("utf-8")
+        return Figure(svg, lambda: _poinsot.fit_chart(title, flights, together, "pdf"))
+
+    def _charted(self) -> Tuple[str, List[Any], Optional[Dict[str, Any]]]:
+        raise NotImplementedError
+
+    def _title(self) -> str:
+        if self._found["I1_kg_m2"] is not None:
+            return "the moments are given"
+        two = [with_sd(value, sd) for value, sd in zip(self.ratios, self.ratios_sd)]
+        return f"$I_2/I_1$ = {two[0]}, $I_3/I_1$ = {two[1]}"
+
+    def _repr_svg_(self) -> str:
+        return self.chart().svg
+
     def _body_words(self) -> str:
         if self._found["I1_kg_m2"] is not None:
             return "moments {:.4g}, {:.4g}, {:.4g} kg m², as given".format(*self.moments)
@@ -219,6 +241,9 @@ class Fit(_Body):
         write_file(name, self._scene_text(os.path.basename(table)).encode("utf-8"))
         return Scene(name if os.path.dirname(name) else os.path.join(os.curdir, name))
 
+    def _charted(self) -> Tuple[str, List[Any], Optional[Dict[str, Any]]]:
+        return self._title(), [(self._found, self.times, self.omega, False, None)], None
+
     def _scene_text(self, table: str) -> str:
         attitude = None if self.attitude is None else self.attitude[0]
         words = [f"{self._body_words()}, drag: {self._found['drag']}", self._row_words()]
@@ -260,6 +285,14 @@ class JointFit(_Body):
     def n_used(self) -> int:
         """The number of flights that count."""
         return int(self._found["n_used"])
+
+    def _charted(self) -> Tuple[str, List[Any], Optional[Dict[str, Any]]]:
+        is_known = self._found["I1_kg_m2"] is not None
+        held = []
+        for one in self.flights:
+            own = None if is_known or one.own is None else one.own._found
+            held.append((one._found, one.times, one.omega, bool(one.left_out), own))
+        return self._title(), held, None if is_known else self._found
 
     def __repr__(self) -> str:
         left_out = len(self.flights) - self.n_used
