@@ -10,6 +10,7 @@
 #include <span>
 #include <string_view>
 
+#include "cli/chart_file.h"
 #include "cli/command.h"
 #include "cli/joint_words.h"
 #include "cli/options.h"
@@ -22,10 +23,12 @@
 #include "production/fits/fit_words.h"
 #include "production/jobs/fitted_scene.h"
 #include "production/session/slow_work_notice.h"
+#include "production/vectors/flight_page.h"
 #include "scene/parse_scene.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
 #include "text/json_text.h"
+#include "text/label_text.h"
 #include "text/numbers.h"
 #include "text/printable.h"
 #include "text/utf8.h"
@@ -36,7 +39,7 @@ namespace {
 
 struct FitChoices {
     std::vector<std::string> files;
-    std::string output;
+    std::string output, chart;
     std::string moments, drag, flight;
     std::optional<int> predict;
     bool share_drag = false;
@@ -134,6 +137,11 @@ std::size_t n_predicted_from(const FitChoices& choices) {
 }
 
 void check_output(const FitChoices& choices, bool is_joint) {
+    if (!choices.chart.empty() && !is_flight_chart_name(choices.chart))
+        throw InputError(
+            fmt::format("--chart {}: the chart is an SVG, a PDF or a PNG; end its name in .svg, "
+                        ".pdf or .png",
+                        printable(choices.chart)));
     if (choices.output.empty()) return;
     if (suffix_of(choices.output) != ".toml")
         throw InputError(fmt::format("-o {}: the output is a scene; end its name in .toml",
@@ -147,6 +155,57 @@ void check_output(const FitChoices& choices, bool is_joint) {
         throw InputError(fmt::format("-o {}: a scene shows a fit of all rows; leave --predict out",
                                      printable(choices.output)));
     check_name_in_scene(choices.output, choices.files.at(0));
+}
+
+// What the chart and its file are called.
+std::string title_of(const std::vector<FitTable>& tables) {
+    constexpr std::size_t most_characters = 28;
+    const std::string first = printable(tables.front().file.filename().string(), most_characters);
+    return tables.size() == 1 ? first : fmt::format("{} and {} more", first, tables.size() - 1);
+}
+
+// The ratios, if they were fitted.
+void add_ratios(ChartedFlight& flight, const std::optional<FittedMotion>& fit) {
+    if (!fit || fit->I1_kg_m2) return;
+    flight.ratios = fit->moments.tail<2>();
+    flight.ratios_sd = fit->moments_sd.tail<2>();
+}
+
+void write_chart_of(const FitChoices& choices, const FitTable& table, const TableFlight& flight) {
+    const FittedMotion& fit = *flight.fit;
+    std::string title = title_of({table});
+    if (table.is_recording) title += fmt::format(", flight {}", flight.number);
+    FlightChart chart;
+    chart.title = as_caption(title);
+    if (!fit.I1_kg_m2)
+        chart.title += fmt::format(": $I_2/I_1$ = {}, $I_3/I_1$ = {}",
+                                   with_sd(fit.moments[1], fit.moments_sd[1]),
+                                   with_sd(fit.moments[2], fit.moments_sd[2]));
+    chart.flights = {charted(fit, flight.measured.rows)};
+    write_chart(chart, title, choices.chart);
+}
+
+void write_chart_of(const FitChoices& choices, const std::vector<FitTable>& tables,
+                    const JointFit& joint, const std::vector<const TableFlight*>& flights) {
+    FlightChart chart;
+    const std::string title = title_of(tables);
+    chart.title = as_caption(title);
+    if (!joint.I1_kg_m2) {
+        chart.ratios = joint.moments.tail<2>();
+        chart.ratios_sd = joint.moments_sd.tail<2>();
+        chart.title += fmt::format(": $I_2/I_1$ = {}, $I_3/I_1$ = {}",
+                                   with_sd(joint.moments[1], joint.moments_sd[1]),
+                                   with_sd(joint.moments[2], joint.moments_sd[2]));
+    }
+    for (std::size_t i = 0; i < flights.size(); ++i) {
+        const JointFlight& flight = joint.flights[i];
+        ChartedFlight made = charted(motion_of(joint, flight), flights[i]->measured.rows);
+        made.is_left_out = !flight.left_out.empty();
+        made.name = fmt::format("{}{}", i + 1, made.is_left_out ? ", left out" : "");
+        add_ratios(made, flight.own);
+        chart.flights.push_back(std::move(made));
+    }
+    write_chart(chart, title, choices.chart);
 }
 
 // All flights as those of one body.
@@ -174,11 +233,13 @@ int fit_all(const FitChoices& choices, const std::vector<FitTable>& tables, cons
                                          error.what()));
         }
     }
+    if (!choices.chart.empty()) write_chart_of(choices, tables, joint, flights);
     if (choices.json) {
         fmt::print("{}", json_of(joint, flights, predictions));
         return 0;
     }
     for (const std::string& line : words_of(joint, flights, predictions)) fmt::print("{}\n", line);
+    if (!choices.chart.empty()) fmt::print("{}\n", printable(choices.chart));
     return 0;
 }
 
@@ -211,6 +272,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
             scene.attitude = flight.measured.rows.front().space_from_body;
         write_whole(choices.output, text_of(scene));
     }
+    if (!choices.chart.empty()) write_chart_of(choices, table, flight);
     if (choices.json) {
         JsonObject answer;
         if (table.is_recording)
@@ -231,6 +293,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
     }
     for (const std::string& line : words_of(fit, flight.measured)) fmt::print("{}\n", line);
     if (prediction) fmt::print("{}\n", words_of(*prediction));
+    if (!choices.chart.empty()) fmt::print("{}\n", printable(choices.chart));
     if (choices.output.empty()) return 0;
     fmt::print("{}\n", printable(choices.output));
     if (table.is_recording) fmt::print("{}\n", printable(shown.string()));
@@ -294,6 +357,10 @@ CommandLine fit_line(std::any& storage) {
               "N: fit the first N rows of a flight and say how far the other rows depart; with "
               "several flights, by the body of the others",
               &c.predict, "rows"},
+             {"--chart",
+              "FILE.svg, .pdf or .png: draw measured and fitted ω, the residuals and, for several "
+              "flights, the ratios of the moments",
+              &c.chart},
              json_option(c.json)},
             [&c] { return run(c); }};
 }

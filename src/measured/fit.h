@@ -54,6 +54,7 @@ struct FittedMotion {
 // makes. `moments_kg_m2`: the body's principal moments in any order, if they are known; then only
 // axes, start and drag are fitted. Without `drag` it is linear where this describes the rows to
 // their noise, else the one of `axes` and `quadratic` that describes them better.
+// Throws EnvironmentError if it is interrupted.
 FittedMotion fit_motion(std::span<const MeasuredRow> rows,
                         const std::optional<Eigen::Vector3d>& moments_kg_m2 = {},
                         const std::optional<DragModel>& drag = {});

@@ -8,6 +8,7 @@
 
 #include "measured/fit_start.h"
 #include "measured/table_faults.h"
+#include "system/interrupt.h"
 
 namespace poinsot {
 
@@ -127,6 +128,7 @@ FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
     FlightSums sums = flight_sums(flight, rows);
     double trust = 1e-3;
     for (int n_steps = 0; n_steps < most_steps && std::isfinite(sums.squares); ++n_steps) {
+        stop_if_interrupted();
         const Square normal = chosen(sums.normal, places);
         Column gradient(normal.rows());
         for (Eigen::Index i = 0; i < gradient.size(); ++i)

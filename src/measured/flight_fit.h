@@ -46,6 +46,7 @@ struct FoundFlight {
 double residual_of(const FoundFlight& found, std::size_t n_rows, int n_fitted);
 
 // Levenberg's and Marquardt's method on the rows as a whole. Precondition: rows are near |ω| = 1.
+// Throws EnvironmentError if it is interrupted.
 FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
                       const IsFitted& is_fitted, int most_steps = 60);
 // With linear drag, from the starts that Euler's equations give.

@@ -13,6 +13,7 @@
 #include "measured/flight_fit.h"
 #include "measured/flight_model.h"
 #include "measured/table_faults.h"
+#include "system/interrupt.h"
 
 namespace poinsot {
 
@@ -112,6 +113,7 @@ std::vector<Window> FlightFinder::windows() const {
     constexpr double steps_a_window = 4.0;
     std::size_t end = 0;
     for (std::size_t begin = 0; begin < rows_.size();) {
+        stop_if_interrupted();
         end = std::max(end, begin);
         while (end < rows_.size() &&
                (angles_[end] - angles_[begin] < least_turn_rad || end - begin < least_fitted_rows))

@@ -460,4 +460,20 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
     return joint;
 }
 
+FittedMotion motion_of(const JointFit& joint, const JointFlight& flight) {
+    FittedMotion motion;
+    motion.first_time_s = flight.first_time_s;
+    motion.omega_rad_s = flight.omega_rad_s;
+    motion.moments = joint.moments;
+    motion.moments_sd = joint.moments_sd;
+    motion.I1_kg_m2 = joint.I1_kg_m2;
+    motion.instrument_from_principal = joint.instrument_from_principal;
+    motion.axes_sd_rad = joint.axes_sd_rad;
+    motion.drag = joint.drag;
+    motion.drag_rates = flight.drag_rates;
+    motion.residual_rad_s = flight.residual_rad_s;
+    motion.n_rows = flight.n_rows;
+    return motion;
+}
+
 }  // namespace poinsot

@@ -58,4 +58,8 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> flights,
                       const std::optional<Eigen::Vector3d>& moments_kg_m2 = {},
                       const std::optional<DragModel>& drag = {}, bool shares_drag = false);
 
+// A flight of a joint fit as a motion of the body of all. Deviations of its start, noise and
+// correlation are not known and 0.
+FittedMotion motion_of(const JointFit& joint, const JointFlight& flight);
+
 }  // namespace poinsot

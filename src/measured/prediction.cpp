@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <numeric>
 #include <vector>
 
 #include "error/error.h"
@@ -236,6 +237,54 @@ Prediction predicted_by_others(std::span<const MeasuredRow> rows, std::size_t n_
     whole = minimised(scaled_by(rows, rate), whole, fitted_start(joint.drag)).flight;
     if (const auto period = period_of(whole)) made.measured_period_s = *period / rate;
     return made;
+}
+
+std::vector<Eigen::Vector3d> omega_of(const FittedMotion& fit, std::span<const double> times_s) {
+    for (const double time_s : times_s)
+        if (!std::isfinite(time_s))
+            throw InputError("times: an instant is not finite; give seconds");
+    std::vector<Eigen::Vector3d> omegas(times_s.size());
+    if (fit.drag == DragModel::none || fit.drag == DragModel::linear) {
+        const double damping = fit.drag == DragModel::none ? 0.0 : fit.drag_rates[0];
+        const FreeRotation free(
+            InertiaTensor::from_matrix(Eigen::Matrix3d(fit.moments.asDiagonal()),
+                                       Physicality::waived),
+            RotationState{0.0, Eigen::Quaterniond::Identity(),
+                          fit.instrument_from_principal.transpose() * fit.omega_rad_s});
+        for (std::size_t i = 0; i < times_s.size(); ++i) {
+            // With the torque −γL, ω(t) = e^(−γt) ω_free((1 − e^(−γt))/γ).
+            const double t = times_s[i] - fit.first_time_s, x = damping * t;
+            const double slowed = std::abs(x) < 1e-12 ? t : -std::expm1(-x) / damping;
+            omegas[i] = fit.instrument_from_principal *
+                        (std::exp(-x) * free.sample(slowed, {.attitude = false}).state.omega_body);
+            if (!omegas[i].allFinite())
+                throw InputError(
+                    fmt::format("times: at {:g} s the fitted ω is too large for a number; give "
+                                "later instants",
+                                times_s[i]));
+        }
+        return omegas;
+    }
+    std::vector<std::size_t> order(times_s.size());
+    std::iota(order.begin(), order.end(), std::size_t{0});
+    std::sort(order.begin(), order.end(),
+              [times_s](std::size_t a, std::size_t b) { return times_s[a] < times_s[b]; });
+    const double rate = fit.omega_rad_s.norm();
+    std::vector<double> times{0.0};  // where the flight begins
+    for (const std::size_t i : order) times.push_back((times_s[i] - fit.first_time_s) * rate);
+    if (times.size() > 1 && times[1] < 0.0)
+        throw InputError(
+            fmt::format("times: {:g} s is before the first row, and a motion with {} drag is "
+                        "followed forwards; give instants from {:g} s on",
+                        times_s[order.front()], name_of(fit.drag), fit.first_time_s));
+    const std::vector<Eigen::Vector3d> found = flight_omega(flight_of(fit, rate), times);
+    if (found.size() < times.size())
+        throw InputError(
+            fmt::format("times: {:g} s is too long after the rows before it for a motion with {} "
+                        "drag; give instants nearer to them",
+                        times_s[order[found.size() - 1]], name_of(fit.drag)));
+    for (std::size_t k = 0; k < order.size(); ++k) omegas[order[k]] = rate * found[k + 1];
+    return omegas;
 }
 
 }  // namespace poinsot

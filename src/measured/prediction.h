@@ -5,12 +5,18 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <vector>
 
 #include "measured/fit.h"
 #include "measured/joint_fit.h"
 #include "measured/measured_motion.h"
 
 namespace poinsot {
+
+// ω of a fitted motion at these instants, in any order, in rad/s and instrument axes. Motions
+// without drag or with linear drag reach every instant, the others only those from the first row
+// on. Throws InputError for other instants, and for those that are not finite.
+std::vector<Eigen::Vector3d> omega_of(const FittedMotion& fit, std::span<const double> times_s);
 
 // A number with its standard deviation.
 struct Predicted {

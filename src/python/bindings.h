@@ -17,6 +17,7 @@
 namespace poinsot::python {
 
 namespace py = pybind11;
+using Doubles = py::array_t<double, py::array::c_style>;
 
 // Tells the library where the package's files are.
 void add_files();
@@ -24,6 +25,11 @@ void add_files();
 void add_errors(py::module_& module);
 void add_motion(py::module_& module);
 void add_scene(py::module_& module);
+void add_fit(py::module_& module);
+// Throws InputError unless these are rows of a measured motion: instants (n,) that increase, ω (n,
+// 3) and unit quaternions (n, 4), all finite.
+void check_rows(const Doubles& times, const std::optional<Doubles>& omega,
+                const std::optional<Doubles>& attitude);
 void add_comparison(py::module_& module);
 
 // A contiguous array that owns the values.

@@ -123,6 +123,7 @@ PYBIND11_MODULE(_poinsot, module) {
     add_errors(module);
     add_motion(module);
     add_scene(module);
+    add_fit(module);
     add_comparison(module);
     pthread_atfork(nullptr, nullptr, forget_other_threads);
     // Before the interpreter unloads libraries in an order of its own.

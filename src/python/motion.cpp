@@ -10,6 +10,7 @@
 #include <array>
 #include <chrono>
 #include <functional>
+#include <limits>
 #include <memory>
 #include <string>
 
@@ -22,7 +23,6 @@ namespace {
 using library::Construction;
 using library::Motion;
 using library::State;
-using Doubles = py::array_t<double, py::array::c_style>;
 
 std::span<const double> span_of(const Doubles& values) {
     return {values.data(), static_cast<std::size_t>(values.size())};
@@ -47,6 +47,41 @@ class States {
             motion.at(times_s.subspan(first, n), std::span(states).first(n));
             for (std::size_t i = 0; i < n; ++i) put(states[i], first + i);
         }
+    }
+
+    // One state, or what the arrays hold, in two lines.
+    std::string repr() {
+        const auto text = [](double number) {
+            return py::str("{:.6g}").format(number).cast<std::string>();
+        };
+        const auto list = [&text](const double* numbers, int n) {
+            std::string line = "(" + text(numbers[0]);
+            for (int k = 1; k < n; ++k) line += ", " + text(numbers[k]);
+            return line + ")";
+        };
+        if (n_ == 0) return "<poinsot.States, no instants>";
+        if (shape_.empty())
+            return "<poinsot.States at " + text(block(0)[0]) +
+                   " s: omega_body = " + list(block(1), 3) +
+                   " rad/s,\n space_from_body = " + list(block(4), 4) +
+                   ", herpolhode = " + list(block(8), 3) + " rad/s>";
+        double least = std::numeric_limits<double>::infinity(), most = 0.0;
+        for (std::size_t i = 0; i < n_; ++i) {
+            const double rate = Eigen::Map<const Eigen::Vector3d>(block(1) + 3 * i).stableNorm();
+            least = std::min(least, rate);
+            most = std::max(most, rate);
+        }
+        const auto [first, last] = std::minmax_element(block(0), block(0) + n_);
+        const auto shape = [this](py::ssize_t width) {
+            py::list sizes;
+            for (const py::ssize_t size : shape_) sizes.append(size);
+            if (width > 0) sizes.append(width);
+            return py::str(py::tuple(sizes)).cast<std::string>();
+        };
+        return "<poinsot.States, " + std::to_string(n_) + (n_ == 1 ? " instant" : " instants") +
+               " from " + text(*first) + " to " + text(*last) + " s, |ω| from " + text(least) +
+               " to " + text(most) + " rad/s:\n time_s " + shape(0) + ", omega_body " + shape(3) +
+               ", space_from_body " + shape(4) + ", herpolhode " + shape(3) + ">";
     }
 
     // `first`: of the quantity's numbers among the 11 of a state; `width`: 0 for a number.
@@ -269,6 +304,7 @@ void add_motion(py::module_& module) {
             [first, width](const py::object& self) { return States::quantity(self, first, width); };
     };
     py::class_<States>(module, "States", without_new())
+        .def("__repr__", &States::repr)
         .def_property_readonly("time_s", quantity(0, 0))
         .def_property_readonly("omega_body", quantity(1, 3))
         .def_property_readonly("space_from_body", quantity(4, 4))

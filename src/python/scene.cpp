@@ -10,7 +10,6 @@ namespace poinsot::python {
 namespace {
 
 using library::Scene;
-using Doubles = py::array_t<double, py::array::c_style>;
 
 library::PaperOptions paper_of(const py::dict& options) {
     library::PaperOptions paper;
@@ -50,6 +49,23 @@ py::tuple sample(const Scene& scene, const Doubles& times,
     const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
     Running(py::none(), py::none()).run([&](const library::Watch& watch) {
         table = scene.sample(times_s, columns, watch);
+    });
+    const auto n_columns = static_cast<py::ssize_t>(table.names.size());
+    const auto n_rows = static_cast<py::ssize_t>(table.n_rows);
+    return py::make_tuple(table.names, array_of(std::move(table.values), {n_columns, n_rows}));
+}
+
+py::tuple departure(const Scene& scene, const Doubles& times, const std::optional<Doubles>& omega,
+                    const std::optional<Doubles>& attitude) {
+    check_rows(times, omega, attitude);
+    const auto span_of = [](const Doubles& values) {
+        return std::span<const double>(values.data(), static_cast<std::size_t>(values.size()));
+    };
+    const std::span<const double> none;
+    library::Table table;
+    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+        table = scene.departure(span_of(times), omega ? span_of(*omega) : none,
+                                attitude ? span_of(*attitude) : none, watch);
     });
     const auto n_columns = static_cast<py::ssize_t>(table.names.size());
     const auto n_rows = static_cast<py::ssize_t>(table.n_rows);
@@ -141,6 +157,7 @@ void add_scene(py::module_& module) {
         .def_property_readonly("height_px", &Scene::height_px)
         .def("check_json", check_json)
         .def("sample", sample, "times_s"_a, "columns"_a)
+        .def("departure", departure, "times_s"_a, "omega"_a, "attitude"_a)
         .def("still", still, "time_s"_a, "clearest"_a, "paper"_a, "backend"_a, "portable"_a)
         .def("figure", figure, "format"_a, "time_s"_a, "clearest"_a, "paper"_a, "shading"_a,
              "text"_a, "backend"_a, "portable"_a)

@@ -10,9 +10,11 @@
 #include <csignal>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "cli/program_run.h"
 
@@ -200,6 +202,34 @@ TEST(FitCommand, FitsFlightsTogetherAndPredicts) {
         run_program_in(folder, "fit " + recording() + " --flight all --share-drag");
     EXPECT_NE(shared.out.find("shared: γ = "), std::string::npos) << shared.out;
     EXPECT_NE(shared.out.find("rule: a flight is left out if"), std::string::npos);
+}
+
+TEST(FitCommand, DrawsChartsOfOneAndOfSeveralFlights) {
+    const ScratchFolder folder;
+    write_table(folder);
+    ASSERT_EQ(run_program_in(folder, "sample body.toml --times 30:45:0.05 -o later.csv").code, 0);
+    const auto begins = [&folder](const std::string& name, const std::string& with) {
+        std::ifstream file(folder.path() / name, std::ios::binary);
+        std::string head(with.size(), ' ');
+        file.read(head.data(), static_cast<std::streamsize>(head.size()));
+        return head == with;
+    };
+    for (const std::string tables : {"gyro.csv", "gyro.csv later.csv"}) {
+        for (const auto& [name, head] :
+             {std::pair("chart.svg", "<?xml"), {"chart.pdf", "%PDF-"}, {"chart.PNG", "\x89PNG"}}) {
+            const ProgramRun fit =
+                run_program_in(folder, fmt::format("fit {} --chart {}", tables, name));
+            ASSERT_EQ(fit.code, 0) << fit.err;
+            EXPECT_TRUE(fit.out.ends_with(fmt::format("{}\n", name))) << fit.out;
+            EXPECT_TRUE(begins(name, head)) << tables << name;
+            std::filesystem::remove(folder.path() / name);
+        }
+        const ProgramRun refused =
+            run_program_in(folder, fmt::format("fit {} --chart chart.jpg", tables));
+        EXPECT_EQ(refused.code, 2);
+        EXPECT_NE(refused.err.find("the chart is an SVG, a PDF or a PNG"), std::string::npos);
+        EXPECT_EQ(folder.listing().find("chart"), std::string::npos);
+    }
 }
 
 TEST(FitCommand, RefusesFlightsThatAreNotThere) {

@@ -56,7 +56,7 @@ const std::map<std::string, std::set<std::string>> allowed{
       "render", "image", "output", "production"}},
     {"report", {"error", "text", "system", "image", "scene", "output", "production"}},
     // The module of the Python package; the library's headers are included as programs do.
-    {"python", {"system", "image", "report"}},
+    {"python", {"system", "measured", "image", "report", "production"}},
     {"cli",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "image", "output", "report", "production", "lab"}},

@@ -517,6 +517,8 @@ print("end")
     ("from poinsot import _poinsot; a = np.random.default_rng(1).integers(0, 255, (1200, 1200, 4), np.uint8);"
      "[open(name, 'wb').write(_poinsot.png_of(pixels)) for name, pixels in (('a.png', a), ('b.png', a[::-1].copy()))]",
      "poinsot.compare('a.png', 'b.png', measures=True)"),
+    ("times = np.arange(0, 200, 0.01); omega = poinsot.Motion([3, 2, 1], [0.3, 6, 0.2]).at(times).omega_body;"
+     "omega += np.random.default_rng(1).normal(0, 0.1, omega.shape)", "poinsot.fit(times, omega, drag='axes')"),
 ])
 def test_an_interrupt_stops_long_calls(in_process, prepare, call):
     """In less than half of the time that the call takes the processor."""

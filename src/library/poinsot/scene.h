@@ -131,6 +131,16 @@ class Scene {
     Table sample(std::span<const double> times_s, const std::vector<std::string>& columns = {},
                  const Watch& watch = {}) const;
 
+    // The errors of somebody else's motion against this one, one row for each instant, in this
+    // order. `omega`: three numbers for each instant, rad/s, body axes; `attitude`: four, the unit
+    // quaternion (w, x, y, z) of space from body; one of both may be empty. Columns, if they can be
+    // computed: attitude_rad, the angle between the attitudes; omega_rad_s, |ω − exact|;
+    // omega_share, the same divided by |exact|; and of torque-free motions energy_share,
+    // T/exact − 1, momentum_share, |L|/exact − 1, and momentum_tilt_rad, the angle between L in
+    // space and the exact L. Throws InputError for other numbers of values, and as sample does.
+    Table departure(std::span<const double> times_s, std::span<const double> omega,
+                    std::span<const double> attitude, const Watch& watch = {}) const;
+
     Still still(const StillOptions& options = {}, const Watch& watch = {}) const;
     // The bytes of an SVG or a PDF.
     std::string figure(const FigureOptions& options = {}, const Watch& watch = {}) const;

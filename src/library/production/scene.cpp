@@ -1,11 +1,13 @@
 #include <fmt/format.h>
 #include <poinsot/scene.h>
 
+#include <algorithm>
 #include <atomic>
 #include <utility>
 
 #include "error/error.h"
 #include "library/production/drawing_thread.h"
+#include "measured/departure.h"
 #include "production/jobs/film_job.h"
 #include "production/jobs/journal_request.h"
 #include "production/jobs/open_session.h"
@@ -149,6 +151,53 @@ Table Scene::sample(std::span<const double> times_s, const std::vector<std::stri
     table.names = std::move(sampled.headings);
     table.n_rows = times_s.size();
     table.values = std::move(sampled.values);
+    return table;
+}
+
+Table Scene::departure(std::span<const double> times_s, std::span<const double> omega,
+                       std::span<const double> attitude, const Watch& watch) const {
+    const std::size_t n = times_s.size();
+    if (omega.empty() && attitude.empty())
+        throw InputError("the rows have neither ω nor attitudes; give one of both");
+    if ((!omega.empty() && omega.size() != 3 * n) ||
+        (!attitude.empty() && attitude.size() != 4 * n))
+        throw InputError("give three numbers of ω and four of the attitude for each instant");
+    const Session session = contents_->session_at({times_s.begin(), times_s.end()}, watch);
+    const StopsWhen stops(watch.stop);
+    Departure departure(session.motion);
+    std::vector<DepartureAt> rows;
+    rows.reserve(n);
+    for (std::size_t i = 0; i < n; ++i) {
+        constexpr std::size_t rows_between_looks = 1000;
+        if (i % rows_between_looks == 0) stop_if_interrupted();
+        MeasuredRow row;
+        row.time_s = times_s[i];
+        if (!omega.empty()) row.omega_body = Eigen::Map<const Eigen::Vector3d>(&omega[3 * i]);
+        if (!attitude.empty())
+            row.space_from_body = Eigen::Quaterniond(attitude[4 * i], attitude[4 * i + 1],
+                                                     attitude[4 * i + 2], attitude[4 * i + 3])
+                                      .normalized();
+        departure.add(row, !omega.empty(), !attitude.empty());
+        rows.push_back(departure.last());
+    }
+    Table table;
+    table.n_rows = n;
+    using Member = std::optional<double> DepartureAt::*;
+    constexpr std::pair<const char*, Member> columns[] = {
+        {"attitude_rad", &DepartureAt::attitude_rad},
+        {"omega_rad_s", &DepartureAt::omega_rad_s},
+        {"omega_share", &DepartureAt::omega_share},
+        {"energy_share", &DepartureAt::energy_share},
+        {"momentum_share", &DepartureAt::momentum_share},
+        {"momentum_tilt_rad", &DepartureAt::momentum_tilt_rad}};
+    for (const auto& [name, member] : columns) {
+        if (std::none_of(rows.begin(), rows.end(), [member = member](const DepartureAt& row) {
+                return (row.*member).has_value();
+            }))
+            continue;
+        table.names.emplace_back(name);
+        for (const DepartureAt& row : rows) table.values.push_back((row.*member).value_or(0.0));
+    }
     return table;
 }
 

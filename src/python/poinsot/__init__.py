@@ -15,9 +15,12 @@ from typing import TYPE_CHECKING, Any, List
 if TYPE_CHECKING:
     from ._poinsot import __version__
     from .comparison import Comparison, approve, compare, compare_folders
+    from .departures import Departure, Largest
     from .errors import EnvironmentError, Error, InputError
+    from .fits import Drag, Fit, JointFit, Prediction, Start, fit
     from .motion import Claim, Cones, Constants, Motion, TopConstants
     from .pictures import Figure, Film, Page, Still
+    from .recordings import Flight, flights
     from .samples import Samples
     from .scene import Scene, scenes
 
@@ -26,21 +29,31 @@ __all__ = [
     "Comparison",
     "Cones",
     "Constants",
+    "Departure",
+    "Drag",
     "EnvironmentError",
     "Error",
     "Figure",
     "Film",
+    "Fit",
+    "Flight",
     "InputError",
+    "JointFit",
+    "Largest",
     "Motion",
     "Page",
+    "Prediction",
     "Samples",
     "Scene",
+    "Start",
     "Still",
     "TopConstants",
     "__version__",
     "approve",
     "compare",
     "compare_folders",
+    "fit",
+    "flights",
     "scenes",
 ]
 
@@ -49,9 +62,12 @@ __all__ = [
 _modules = {
     "_poinsot": ["__version__"],
     "comparison": ["Comparison", "approve", "compare", "compare_folders"],
+    "departures": ["Departure", "Largest"],
     "errors": ["EnvironmentError", "Error", "InputError"],
+    "fits": ["Drag", "Fit", "JointFit", "Prediction", "Start", "fit"],
     "motion": ["Claim", "Cones", "Constants", "Motion", "TopConstants"],
     "pictures": ["Figure", "Film", "Page", "Still"],
+    "recordings": ["Flight", "flights"],
     "samples": ["Samples"],
     "scene": ["Scene", "scenes"],
 }
@@ -69,4 +85,4 @@ def __getattr__(name: str) -> Any:
 
 
 def __dir__() -> List[str]:
-    return sorted({*globals(), *__all__})
+    return sorted(__all__)

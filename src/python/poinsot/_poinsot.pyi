@@ -91,6 +91,9 @@ class Scene:
     def sample(
         self, times_s: NDArray[np.float64], columns: Sequence[str]
     ) -> Tuple[List[str], NDArray[np.float64]]: ...
+    def departure(
+        self, times_s: NDArray[np.float64], omega: Optional[NDArray[np.float64]], attitude: Optional[NDArray[np.float64]]
+    ) -> Tuple[List[str], NDArray[np.float64]]: ...
     def still(
         self,
         time_s: Optional[float],
@@ -128,6 +131,35 @@ class Scene:
         progress: Optional[Callable[[int, int], object]],
     ) -> None: ...
 
+def fit(
+    times: NDArray[np.float64],
+    omega: NDArray[np.float64],
+    moments: Optional[NDArray[np.float64]],
+    drag: Optional[str],
+    predict: Optional[int],
+) -> Dict[str, Any]: ...
+def fit_together(
+    flights: Sequence[Tuple[NDArray[np.float64], NDArray[np.float64]]],
+    moments: Optional[NDArray[np.float64]],
+    drag: Optional[str],
+    share_drag: bool,
+    predict: Optional[int],
+) -> Dict[str, Any]: ...
+def flights(
+    times: NDArray[np.float64], omega: NDArray[np.float64], attitude: Optional[NDArray[np.float64]]
+) -> List[Dict[str, Any]]: ...
+def table(text: str, name: str) -> Dict[str, Any]: ...
+def omega_by_differences(times: NDArray[np.float64], attitude: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def fitted_omega(fit: Dict[str, Any], times: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def fitted_scene(
+    fit: Dict[str, Any], words: Sequence[str], last_time_s: float, attitude: Optional[NDArray[np.float64]], table: str
+) -> str: ...
+def fit_chart(
+    title: str,
+    flights: List[Tuple[Dict[str, Any], NDArray[np.float64], NDArray[np.float64], bool, Optional[Dict[str, Any]]]],
+    together: Optional[Dict[str, Any]],
+    format: str,
+) -> bytes: ...
 def compare_pair(
     name: str, expected: str, actual: str, profile: str, limits: Dict[str, Any], measures: bool
 ) -> Dict[str, Any]: ...

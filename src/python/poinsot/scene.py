@@ -7,7 +7,7 @@ import json
 import operator
 import os
 import tempfile
-from typing import Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from . import _poinsot, toml
 from .arrays import numbers
@@ -16,6 +16,9 @@ from .paths import Path, path_text
 from .pictures import Figure, Film, Page, Still, page_name
 from .progress import Progress
 from .samples import Samples
+
+if TYPE_CHECKING:
+    from .departures import Departure
 
 _scenes_folder = os.path.join(os.path.dirname(__file__), "scenes")
 
@@ -163,6 +166,24 @@ class Scene:
         wanted = [toml.unicode_text("columns", column) for column in given]
         names, values = self._native.sample(instants.ravel(), wanted)
         return Samples(zip(names, (column.reshape(instants.shape) for column in values)))
+
+    def departure(self, times: Any, omega: Any = None, *, attitude: Any = None) -> "Departure":
+        """How far somebody else's motion is from that of the scene, as `poinsot check --against` compares them.
+
+        times: s, shape (n,), increasing; omega: rad/s, body axes, shape (n, 3); attitude: space from body as unit
+        quaternions (w, x, y, z), shape (n, 4); one of both may be missing. In place of these, `times` may be a table
+        with named columns, as for `poinsot.fit`. Returns the errors row by row, with `rms` and `largest`. Raises
+        InputError for other shapes, rows that are not finite, and instants that a stepped motion cannot reach.
+
+        >>> import numpy as np
+        >>> t = np.linspace(0.0, 5.0, 11)
+        >>> exact = Scene("generic").sample(t)["omega_body"]
+        >>> Scene("generic").departure(t, 1.01 * exact).largest["omega_share"].value.__round__(6)
+        0.01
+        """
+        from .departures import departure_of
+
+        return departure_of(self._native, times, omega, attitude)
 
     def _drawn(
         self,

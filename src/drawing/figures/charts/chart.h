@@ -1,13 +1,10 @@
 // A work-precision chart on logarithmic axes, drawn by the same renderer as the scenes.
 #pragma once
 
-#include <deque>
 #include <string>
 #include <vector>
 
-#include "drawing/stage/type/labels.h"
-#include "drawing/style/theme.h"
-#include "shapes/views.h"
+#include "drawing/figures/charts/chart_canvas.h"
 
 namespace poinsot {
 
@@ -36,7 +33,7 @@ class ChartSheet {
     ChartSheet(const ChartSheet&) = delete;
     ChartSheet& operator=(const ChartSheet&) = delete;
 
-    Drawing drawing() const;
+    Drawing drawing() const { return canvas_.drawing(); }
 
  private:
     struct Axis {
@@ -48,27 +45,15 @@ class ChartSheet {
         std::vector<double> ticks() const;
     };
 
-    void add_line(std::vector<Eigen::Vector3d> points, double width_px, const Colour& colour,
-                  double dash_px);
-    void add_type(const std::string& text, double size_px, double x_px, double y_px, double align_x,
-                  double align_y, const Colour& colour);
     void add_axes(const Chart& chart);
     void add_series(const Chart& chart);
     static Axis axis_of(const Chart& chart, double ChartPoint::*coordinate);
     static std::string tick_text(const Axis& axis, double value);
-    void request_name(const std::string& name, const Eigen::Vector3d& beside,
-                      const Eigen::Vector2d& away, const Colour& colour);
 
-    const Theme* theme_;
-    int width_px_, height_px_;
     double px_;
+    ChartCanvas canvas_;
+    int width_px_, height_px_;
     Axis x_, y_;
-    TextCache type_case_;
-    std::deque<CurveGeometry> geometries_;
-    std::vector<Curve> curves_;
-    std::vector<Dot> dots_;
-    std::vector<Label> labels_;
-    std::vector<LabelRequest> requests_;
 };
 
 }  // namespace poinsot
