@@ -92,8 +92,8 @@ class Measure {
     this.open_scene = open;
     /** @type {Promise<FitModule>|null} */
     this.module = null;
-    this.whole = new OmegaChart(/** @type {HTMLCanvasElement} */ (part('measure-whole')));
-    this.zoom = new OmegaChart(/** @type {HTMLCanvasElement} */ (part('measure-zoom')));
+    this.whole = new OmegaChart(/** @type {HTMLCanvasElement} */ (part('measure-whole')), false);
+    this.zoom = new OmegaChart(/** @type {HTMLCanvasElement} */ (part('measure-zoom')), true);
     /** The table that was read last. @type {{name: string, bytes: Uint8Array, read: MeasuredTable}|null} */
     this.table = null;
     this.picked = 0;

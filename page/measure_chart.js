@@ -14,9 +14,10 @@ function round_step(span, n) {
 }
 
 class OmegaChart {
-  /** @param {HTMLCanvasElement} canvas */
-  constructor(canvas) {
+  /** @param {HTMLCanvasElement} canvas @param {boolean} has_legend above it */
+  constructor(canvas, has_legend) {
     this.canvas = canvas;
+    this.has_legend = has_legend;
     /** @type {OmegaPlot|null} */
     this.plot = null;
     this.frame = 0;
@@ -35,7 +36,7 @@ class OmegaChart {
 
   /** Where the plot lies on the canvas, CSS pixels. */
   get box() {
-    return {left: 40, right: this.canvas.clientWidth - 10, top: 8, bottom: this.canvas.clientHeight - 20};
+    return {left: 40, right: this.canvas.clientWidth - 10, top: this.has_legend ? 24 : 8, bottom: this.canvas.clientHeight - 20};
   }
 
   /** The instant at a place from the left. @param {number} x CSS pixels */
@@ -69,9 +70,11 @@ class OmegaChart {
     const y_of = (/** @type {number} */ w) => (top + bottom) / 2 - (w / most) * ((bottom - top) / 2);
 
     for (const band of plot.bands) {
-      ink.fillStyle = colour(band.picked ? '--picked' : '--band');
-      const x = Math.max(left, x_of(band.begin_s));
-      ink.fillRect(x, top, Math.max(2, Math.min(right, x_of(band.end_s)) - x), bottom - top);
+      const [x0, x1] = [Math.max(left, x_of(band.begin_s)), Math.min(right, x_of(band.end_s))];
+      // Narrow bands need more contrast.
+      const is_narrow = x1 - x0 < 12;
+      ink.fillStyle = colour(`--${band.picked ? 'picked' : 'band'}${is_narrow ? '-narrow' : ''}`);
+      if (x1 > x0) ink.fillRect(x0, top, Math.max(is_narrow ? 3 : 0, x1 - x0), bottom - top);
     }
     this.#axes({x_of, y_of, most, colour, ink});
     ink.save();
@@ -84,7 +87,7 @@ class OmegaChart {
       this.#curve(ink, i, {first, last, x_of, y_of});
     }
     ink.restore();
-    this.#legend(ink, colour);
+    if (this.has_legend) this.#legend(ink, colour);
   }
 
   /** @param {{x_of: (t: number) => number, y_of: (w: number) => number, most: number, colour: (name: string) => string, ink: CanvasRenderingContext2D}} place */
@@ -103,7 +106,7 @@ class OmegaChart {
       ink.lineTo(x1, y1);
       ink.stroke();
     };
-    const y_step = round_step(2 * most, Math.max(2, (bottom - top) / 34));
+    const y_step = round_step(2 * most, Math.max(3, (bottom - top) / 26));
     for (let k = Math.ceil(-most / y_step); k * y_step <= most; ++k) {
       const y = Math.round(y_of(k * y_step)) + 0.5;
       line([left, y, right, y]);
@@ -111,7 +114,7 @@ class OmegaChart {
     }
     ink.textBaseline = 'top';
     ink.textAlign = 'center';
-    const x_step = round_step(to_s - from_s, Math.max(2, (right - left) / 90));
+    const x_step = round_step(to_s - from_s, Math.max(2, (right - left) / 66));
     for (let k = Math.ceil(from_s / x_step); k * x_step <= to_s; ++k) {
       const x = Math.round(x_of(k * x_step)) + 0.5;
       line([x, bottom, x, bottom + 4]);
@@ -160,25 +163,21 @@ class OmegaChart {
   /** @param {CanvasRenderingContext2D} ink @param {(name: string) => string} colour */
   #legend(ink, colour) {
     const {right, top} = this.box;
-    const width = 158;
-    ink.fillStyle = colour('--paper');
-    ink.globalAlpha = 0.85;
-    ink.fillRect(right - width, top, width, 18);
-    ink.globalAlpha = 1;
+    const middle = top - 14;
     ink.textBaseline = 'alphabetic';
     ink.textAlign = 'left';
-    let x = right - width + 6;
+    let x = right - 152;
     ['x', 'y', 'z'].forEach((axis, i) => {
       ink.fillStyle = colour(`--omega-${i + 1}`);
-      ink.fillRect(x, top + 8, 12, 2.5);
+      ink.fillRect(x, middle, 12, 2.5);
       ink.font = 'italic 14px Georgia, "DejaVu Serif", serif';
-      ink.fillText('ω', x + 15, top + 13);
+      ink.fillText('ω', x + 15, middle + 5);
       ink.font = 'italic 11px Georgia, "DejaVu Serif", serif';
-      ink.fillText(axis, x + 25, top + 16);
+      ink.fillText(axis, x + 25, middle + 8);
       x += 37;
     });
     ink.font = '12px system-ui, sans-serif';
     ink.fillStyle = getComputedStyle(this.canvas).color;
-    ink.fillText('rad/s', x + 2, top + 13);
+    ink.fillText('rad/s', x + 2, middle + 5);
   }
 }

@@ -76,7 +76,7 @@ class Recorder {
     const Sensor = /** @type {any} */ (window).Gyroscope;
     if (!Sensor) return true;
     try {
-      this.gyroscope = new Sensor({frequency: 200});
+      this.gyroscope = new Sensor({frequency: 60});
       this.gyroscope.addEventListener('reading', () => {
         const {x, y, z, timestamp} = this.gyroscope;
         this.#take('gyroscope', timestamp, [x, y, z]);

@@ -1,6 +1,6 @@
 // How a module of WebAssembly and the page talk: numbers are arguments and results; texts and lists
-// lie in memory that the module hands out. A function that fails returns 0 and leaves the message in
-// the answer.
+// lie in memory that the module hands out. A function that fails returns 0 and leaves the message
+// in the answer.
 #pragma once
 
 #include <cstdint>

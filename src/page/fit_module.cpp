@@ -32,9 +32,9 @@ void add_row(double time_s, const Eigen::Vector3d& omega) {
 
 using namespace poinsot;  // NOLINT(google-build-using-namespace)
 
-// Reads a table, finds its flights and fits each. The rows are the numbers, four each: the time in s
-// and ω in rad/s. The answer is JSON: "is_recording", "flights" as `poinsot fit --json` lists them,
-// "best", the number of the one that says most about the body, or "refusal".
+// Reads a table, finds its flights and fits each. The rows are the numbers, four each: the time in
+// s and ω in rad/s. The answer is JSON: "is_recording", "flights" as `poinsot fit --json` lists
+// them, "best", the number of the one that says most about the body, or "refusal".
 POINSOT_EXPORT(read_table)
 int read_table(const char* text, std::uint32_t text_size, const char* name,
                std::uint32_t name_size) {
@@ -77,9 +77,8 @@ int flight(double number, const char* scene_table, std::uint32_t scene_table_siz
         JsonObject said;
         said.json("fit", fit.line())
             .json("words", json_list(words))
-            .add("scene",
-                 fitted_scene(*chosen.fit, chosen.measured, chosen.name,
-                              std::string(text_at(scene_table, scene_table_size))));
+            .add("scene", fitted_scene(*chosen.fit, chosen.measured, chosen.name,
+                                       std::string(text_at(scene_table, scene_table_size))));
         if (table.is_recording) said.add("table", table_text(chosen.measured));
         answer() = said.line();
     });

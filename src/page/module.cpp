@@ -189,10 +189,9 @@ POINSOT_EXPORT(film_record)
 int film_record(const char* renderer_name, std::uint32_t renderer_size, const char* maker,
                 std::uint32_t maker_size, double first, double last) {
     return answered([&] {
-        answer() =
-            film().record(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
-                          std::string(text_at(renderer_name, renderer_size)),
-                          std::string(text_at(maker, maker_size)));
+        answer() = film().record(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
+                                 std::string(text_at(renderer_name, renderer_size)),
+                                 std::string(text_at(maker, maker_size)));
     });
 }
 
@@ -201,18 +200,15 @@ POINSOT_EXPORT(at) int at(double time_s) {
 }
 
 POINSOT_EXPORT(state) int state(double time_s, double film_s) {
-    return answered(
-        [&] { answer() = lecture().state_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = lecture().state_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(svg) int svg(double time_s, double film_s) {
-    return answered(
-        [&] { answer() = lecture().svg_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = lecture().svg_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(grips) int grips(double time_s, double film_s) {
-    return answered(
-        [&] { answer() = lecture().grips_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = lecture().grips_at(lecture().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(omega_at)

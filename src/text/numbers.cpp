@@ -3,7 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 #include <string>
+#include <string_view>
+#include <utility>
 
 namespace poinsot {
 
@@ -35,6 +38,16 @@ std::from_chars_result decimal_at_front(std::string_view text, double& number) {
         return std::min(text.find_first_not_of("0123456789", from), text.size()) - from;
     };
     std::size_t end = text.starts_with('-') ? 1 : 0;
+    for (const auto& [name, value] : {std::pair<std::string_view, double>{"infinity", HUGE_VAL},
+                                      {"inf", HUGE_VAL},
+                                      {"nan", std::numeric_limits<double>::quiet_NaN()}}) {
+        const std::string_view given = text.substr(end, name.size());
+        const bool is_named = std::equal(given.begin(), given.end(), name.begin(), name.end(),
+                                         [](char a, char b) { return (a | 0x20) == b; });
+        if (!is_named) continue;
+        number = end > 0 ? -value : value;
+        return {text.data() + end + name.size(), std::errc{}};
+    }
     std::size_t n_digits = n_digits_at(end);
     end += n_digits;
     if (end < text.size() && text[end] == '.') {

@@ -31,8 +31,7 @@ std::string fitted_scene(const FittedMotion& fit, const MeasuredMotion& measured
     if (measured.has_attitude)
         text +=
             fmt::format("attitude = {}\n", toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
-    text += fmt::format("\n[measured]\nfile = {}\n",
-                        toml_text(std::string_view(table)));
+    text += fmt::format("\n[measured]\nfile = {}\n", toml_text(std::string_view(table)));
     // A still shows all points. A film that would be short or long lasts ten seconds.
     const double span_s = measured.rows.back().time_s - fit.first_time_s;
     text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\nstill_s = {}\n",
