@@ -105,7 +105,9 @@ class Measure {
     this.n_recorded = 0;
     this.#name();
     this.#wire();
-    this.#say(Recorder.is_possible ? 'measure_hint' : 'record_needs');
+    // Nobody drops files on a phone.
+    const is_phone = matchMedia('(pointer: coarse)').matches;
+    this.#say(!Recorder.is_possible ? 'record_needs' : is_phone ? 'record_throw' : 'measure_hint');
   }
 
   get is_open() {

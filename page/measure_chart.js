@@ -106,7 +106,7 @@ class OmegaChart {
       ink.lineTo(x1, y1);
       ink.stroke();
     };
-    const y_step = round_step(2 * most, Math.max(3, (bottom - top) / 26));
+    const y_step = round_step(2 * most, Math.max(4.6, (bottom - top) / 26));
     for (let k = Math.ceil(-most / y_step); k * y_step <= most; ++k) {
       const y = Math.round(y_of(k * y_step)) + 0.5;
       line([left, y, right, y]);

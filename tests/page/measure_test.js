@@ -11,7 +11,9 @@ const {is_firefox, opened_file, ready, run_checks, until, violations, wait, writ
 const [make, poinsot, scenes, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-measure-'));
 process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
-const recording = path.join(__dirname, '../measured/recording/round3_093502.csv');
+// The first throws of a real racket.
+const recording = path.join(folder, 'throws.csv');
+fs.writeFileSync(recording, fs.readFileSync(path.join(__dirname, '../measured/recording/round3_093502.csv'), 'utf8').split('\n').slice(0, 6500).join('\n'));
 
 function made_workbench() {
   const existing = process.env['POINSOT_WORKBENCH'];
