@@ -20,7 +20,7 @@
 #include "measured/prediction.h"
 #include "production/fits/fit_flights.h"
 #include "production/fits/fit_words.h"
-#include "production/fits/fitted_scene.h"
+#include "production/jobs/fitted_scene.h"
 #include "production/session/slow_work_notice.h"
 #include "scene/parse_scene.h"
 #include "system/files/atomic_file.h"
@@ -200,12 +200,16 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
         shown = table_of_scene(table, choices.output);
         const std::string name = printable(file.filename().string());
         if (table.is_recording) write_whole(shown, table_text(flight.measured));
-        write_whole(
-            choices.output,
-            fitted_scene(
-                fit, flight.measured,
-                table.is_recording ? fmt::format("{}, flight {}", name, flight.number) : name,
-                seen_from(choices.output, shown).string()));
+        FittedScene scene{
+            .fit = fit,
+            .from = table.is_recording ? fmt::format("{}, flight {}", name, flight.number) : name,
+            .words = words_of(fit, flight.measured),
+            .last_time_s = flight.measured.rows.back().time_s,
+            .attitude = {},
+            .table = seen_from(choices.output, shown).string()};
+        if (flight.measured.has_attitude)
+            scene.attitude = flight.measured.rows.front().space_from_body;
+        write_whole(choices.output, text_of(scene));
     }
     if (choices.json) {
         JsonObject answer;

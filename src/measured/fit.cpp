@@ -203,4 +203,10 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
     return fit;
 }
 
+double excess_of(const FittedMotion& fit) {
+    const double excess = 1.0 - fit.moments[1] - fit.moments[2];
+    constexpr double rounding = 1e-12;  // of a plate's moments
+    return std::abs(excess) < rounding ? 0.0 : excess;
+}
+
 }  // namespace poinsot

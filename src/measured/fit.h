@@ -58,4 +58,7 @@ FittedMotion fit_motion(std::span<const MeasuredRow> rows,
                         const std::optional<Eigen::Vector3d>& moments_kg_m2 = {},
                         const std::optional<DragModel>& drag = {});
 
+// By how much I1 exceeds I2 + I3, in units of I1; no body has more than 0.
+double excess_of(const FittedMotion& fit);
+
 }  // namespace poinsot

@@ -11,7 +11,7 @@
 #include "page/answers.h"
 #include "production/fits/fit_flights.h"
 #include "production/fits/fit_words.h"
-#include "production/fits/fitted_scene.h"
+#include "production/jobs/fitted_scene.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 
@@ -72,14 +72,19 @@ int flight(double number, const char* scene_table, std::uint32_t scene_table_siz
         if (table.is_recording)
             fit.json("flights", json_of_flights(table)).add("flight", chosen.number);
         add_fit(fit, *chosen.fit);
-        std::vector<std::string> words = words_of(*chosen.fit, chosen.measured);
-        for (std::string& line : words) line = json_string(line);
+        const MeasuredMotion& measured = chosen.measured;
+        FittedScene scene{.fit = *chosen.fit,
+                          .from = chosen.name,
+                          .words = words_of(*chosen.fit, measured),
+                          .last_time_s = measured.rows.back().time_s,
+                          .attitude = {},
+                          .table = std::string(text_at(scene_table, scene_table_size))};
+        if (measured.has_attitude) scene.attitude = measured.rows.front().space_from_body;
+        std::vector<std::string> words;
+        for (const std::string& line : scene.words) words.push_back(json_string(line));
         JsonObject said;
-        said.json("fit", fit.line())
-            .json("words", json_list(words))
-            .add("scene", fitted_scene(*chosen.fit, chosen.measured, chosen.name,
-                                       std::string(text_at(scene_table, scene_table_size))));
-        if (table.is_recording) said.add("table", table_text(chosen.measured));
+        said.json("fit", fit.line()).json("words", json_list(words)).add("scene", text_of(scene));
+        if (table.is_recording) said.add("table", table_text(measured));
         answer() = said.line();
     });
 }

@@ -115,7 +115,7 @@ const std::map<std::string, std::set<std::string>> allowed_folders{
      {"error", "text", "system", "image", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing"}},
     {"production/sampling", {"error", "text", "system", "mechanics", "construction"}},
-    {"production/fits", {"error", "text", "mechanics", "measured", "scene"}},
+    {"production/fits", {"error", "text", "mechanics", "measured"}},
     // Components of the library that need Eigen alone.
     {"library/mechanics", {"error", "mechanics"}},
     {"library/construction", {"error", "mechanics", "construction"}},

@@ -38,12 +38,6 @@ std::string with_sd(double value, double sd) {
     return fmt::format("{:.{}f} ± {:.{}f}", value, decimals, sd, decimals);
 }
 
-double excess_of(const FittedMotion& fit) {
-    const double excess = 1.0 - fit.moments[1] - fit.moments[2];
-    constexpr double rounding = 1e-12;  // of a plate's moments
-    return std::abs(excess) < rounding ? 0.0 : excess;
-}
-
 void add_fit(JsonObject& answer, const FittedMotion& fit) {
     const auto list = [](const Eigen::Vector3d& v) { return json_numbers(v[0], v[1], v[2]); };
     const auto axis = [&fit, &list](int k) { return list(fit.instrument_from_principal.col(k)); };

@@ -14,9 +14,6 @@ namespace poinsot {
 // As many decimals as the standard deviation has a say in.
 std::string with_sd(double value, double sd);
 
-// By how much I1 exceeds I2 + I3, in units of I1; no body has more than 0.
-double excess_of(const FittedMotion& fit);
-
 void add_fit(JsonObject& answer, const FittedMotion& fit);
 
 // What was found, a line each: for the console, and as comments of the scene.

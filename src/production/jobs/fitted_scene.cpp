@@ -1,21 +1,22 @@
-#include "production/fits/fitted_scene.h"
+#include "production/jobs/fitted_scene.h"
 
 #include <fmt/format.h>
 
+#include <string_view>
+
 #include "mechanics/free/free_rotation.h"
-#include "production/fits/fit_words.h"
 #include "scene/toml_text.h"
 
 namespace poinsot {
 
-std::string fitted_scene(const FittedMotion& fit, const MeasuredMotion& measured,
-                         std::string_view name, const std::string& table) {
-    std::string text = fmt::format("# Fitted to {}.\n", name);
-    for (const std::string& line : words_of(fit, measured)) text += fmt::format("# {}\n", line);
+std::string text_of(const FittedScene& scene) {
+    const FittedMotion& fit = scene.fit;
+    std::string text = fmt::format("# Fitted to {}.\n", scene.from);
+    for (const std::string& line : scene.words) text += fmt::format("# {}\n", line);
     text += "# The scene leaves the drag out.\n";
     const InertiaTensor inertia = InertiaTensor::from_matrix(fit.tensor(), Physicality::waived);
-    const RotationState first{fit.first_time_s, measured.rows.front().space_from_body,
-                              fit.omega_rad_s};
+    const RotationState first{
+        fit.first_time_s, scene.attitude.value_or(Eigen::Quaterniond::Identity()), fit.omega_rad_s};
     const RotationState start = FreeRotation(inertia, first).at(0.0);
     const Eigen::Vector3d moments = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
     if (moments[0] < moments[1] || moments[1] < moments[2])
@@ -28,15 +29,16 @@ std::string fitted_scene(const FittedMotion& fit, const MeasuredMotion& measured
     if (excess_of(fit) > 0.0) text += "allow_unphysical = true\n";
     text += fmt::format("\n[start]\nomega_rad_s = {}\n", toml_text(start.omega_body));
     const Eigen::Quaterniond& q = start.space_from_body;
-    if (measured.has_attitude)
+    if (scene.attitude)
         text +=
             fmt::format("attitude = {}\n", toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
-    text += fmt::format("\n[measured]\nfile = {}\n", toml_text(std::string_view(table)));
+    if (!scene.table.empty())
+        text += fmt::format("\n[measured]\nfile = {}\n", toml_text(std::string_view(scene.table)));
     // A still shows all points. A film that would be short or long lasts ten seconds.
-    const double span_s = measured.rows.back().time_s - fit.first_time_s;
-    text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\nstill_s = {}\n",
-                        toml_text(fit.first_time_s), toml_text(span_s),
-                        toml_text(measured.rows.back().time_s));
+    const double span_s = scene.last_time_s - fit.first_time_s;
+    text +=
+        fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\nstill_s = {}\n",
+                    toml_text(fit.first_time_s), toml_text(span_s), toml_text(scene.last_time_s));
     constexpr double short_s = 5.0, long_s = 60.0, length_s = 10.0;
     if (span_s < short_s || span_s > long_s)
         text += fmt::format("speed = {}\n", toml_text(span_s / length_s));
