@@ -65,11 +65,11 @@ Eigen::Vector3d moments_in(const std::string& text) {
 
 std::optional<DragModel> drag_named(const std::string& text) {
     if (text.empty()) return std::nullopt;
-    for (const DragModel drag :
-         {DragModel::none, DragModel::linear, DragModel::axes, DragModel::quadratic})
+    for (const DragModel drag : {DragModel::none, DragModel::linear, DragModel::axes,
+                                 DragModel::quadratic, DragModel::growing})
         if (text == name_of(drag)) return drag;
     throw InputError(
-        fmt::format("--drag {}: give none, linear, axes or quadratic", printable(text)));
+        fmt::format("--drag {}: give none, linear, axes, quadratic or growing", printable(text)));
 }
 
 // The path by which a scene names a file.
@@ -98,19 +98,76 @@ void check_name_in_scene(const std::filesystem::path& scene, const std::filesyst
     }
 }
 
-// A scene of the fitted motion, without its drag, with the table beside it. Its times are those
-// of the table: the motion is followed back to t = 0. ω(t) tells moments up to a common factor
-// only: I1 = 1 kg m² unless they were given.
+// The drag of a fit as a scene says it, or why the scene leaves it out.
+struct SceneDrag {
+    std::optional<DragTorque> torque;
+    std::string_view left_out{};
+};
+
+// Whether the drag changes the motion by more than its uncertainty and the rounding of the rows.
+bool is_noticed(const FittedMotion& fit, double span_s) {
+    constexpr double least_sds = 2.0, least_change = 1e-9;
+    const double rate = fit.drag == DragModel::quadratic ? fit.omega_rad_s.norm() : 1.0;
+    const int n = fit.drag == DragModel::growing ? 1 : 3;
+    for (int k = 0; k < n; ++k)
+        if (std::abs(fit.drag_rates[k]) > least_sds * fit.drag_rates_sd[k] &&
+            std::abs(fit.drag_rates[k]) * rate * span_s > least_change)
+            return true;
+    return false;
+}
+
+SceneDrag drag_of(const FittedMotion& fit, double span_s) {
+    if (fit.drag == DragModel::none) return {};
+    if (!is_noticed(fit, span_s)) return {{}, "it does not differ from 0"};
+    DragTorque drag;
+    Eigen::Vector3d& rates =
+        fit.drag == DragModel::quadratic ? drag.quadratic_1_rad : drag.linear_1_s;
+    if (fit.drag == DragModel::growing) {
+        rates.setConstant(fit.drag_rates[0]);
+        drag.growth_1_s = fit.drag_rates[1];
+    } else {
+        // Along the axes of the scene's tensor, which may number them otherwise.
+        const Eigen::Matrix3d along = (InertiaTensor::from_matrix(fit.tensor(), Physicality::waived)
+                                           .body_from_principal()
+                                           .transpose() *
+                                       fit.instrument_from_principal)
+                                          .cwiseAbs();
+        constexpr double same = 1.0 - 1e-9;
+        for (int k = 0; k < 3; ++k) {
+            Eigen::Index own = 0;
+            if (!(along.row(k).maxCoeff(&own) > same) && fit.drag != DragModel::linear)
+                return {{}, "two moments are equal and their axes arbitrary"};
+            rates[k] = fit.drag_rates[own];
+        }
+    }
+    if (rates.minCoeff() < 0.0) return {{}, "a rate is negative, and air only slows"};
+    return {drag, {}};
+}
+
+std::string text_of(const DragTorque& drag) {
+    std::string text = "\n[torque]\nkind = \"drag\"\n";
+    if (!drag.linear_1_s.isZero(0.0))
+        text += fmt::format("linear_1_s = {}\n", toml_text(drag.linear_1_s));
+    if (!drag.quadratic_1_rad.isZero(0.0))
+        text += fmt::format("quadratic_1_rad = {}\n", toml_text(drag.quadratic_1_rad));
+    if (drag.growth_1_s != 0.0)
+        text += fmt::format("growth_1_s = {}\n", toml_text(drag.growth_1_s));
+    return text + "\n[motion]\nmethod = \"dopri5\"\n";
+}
+
+// A scene of the fitted motion, with the table beside it. Its times are those of the table: without
+// drag the motion is followed back to t = 0, with drag the table begins there. ω(t) tells moments
+// up to a common factor only: I1 = 1 kg m² unless they were given.
 std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene,
                      const std::filesystem::path& file, const std::string& name,
-                     const MeasuredMotion& measured) {
+                     const MeasuredMotion& measured, const SceneDrag& drag) {
     std::string text = fmt::format("# Fitted to {}.\n", name);
     for (const std::string& line : words_of(fit, measured)) text += fmt::format("# {}\n", line);
-    text += "# The scene leaves the drag out.\n";
     const InertiaTensor inertia = InertiaTensor::from_matrix(fit.tensor(), Physicality::waived);
-    const RotationState first{fit.first_time_s, measured.rows.front().space_from_body,
-                              fit.omega_rad_s};
-    const RotationState start = FreeRotation(inertia, first).at(0.0);
+    if (!drag.left_out.empty())
+        text += fmt::format("# The scene leaves the drag out: {}.\n", drag.left_out);
+    RotationState start{fit.first_time_s, measured.rows.front().space_from_body, fit.omega_rad_s};
+    if (start.time_s != 0.0) start = FreeRotation(inertia, start).at(0.0);
     const Eigen::Vector3d moments = inertia.moments_kg_m2() / inertia.moments_kg_m2().maxCoeff();
     if (moments[0] < moments[1] || moments[1] < moments[2])
         text += fmt::format(
@@ -125,6 +182,7 @@ std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene
     if (measured.has_attitude)
         text +=
             fmt::format("attitude = {}\n", toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
+    if (drag.torque) text += text_of(*drag.torque);
     text += fmt::format("\n[measured]\nfile = {}\n",
                         toml_text(std::string_view(seen_from(scene, file).string())));
     // A still shows all points. A film that would be short or long lasts ten seconds.
@@ -136,6 +194,13 @@ std::string scene_of(const FittedMotion& fit, const std::filesystem::path& scene
     if (span_s < short_s || span_s > long_s)
         text += fmt::format("speed = {}\n", toml_text(span_s / length_s));
     return text;
+}
+
+// The motion and its fit with times from the first row on, where a scene begins that has drag: a
+// motion under drag cannot be followed far back.
+void begin_at_zero(MeasuredMotion& measured, FittedMotion& fit) {
+    for (MeasuredRow& row : measured.rows) row.time_s -= fit.first_time_s;
+    fit.first_time_s = 0.0;
 }
 
 // The flight that --flight names, or the best one.
@@ -153,15 +218,16 @@ const TableFlight& chosen_flight(const FitTable& table, const std::string& wante
     return flight;
 }
 
-// The table that the scene shows: the given one, or the rows of one flight beside the scene.
-std::filesystem::path table_of_scene(const FitTable& table, const std::filesystem::path& scene) {
-    if (!table.is_recording) return table.file;
+// The table that the scene shows: the given one, or rows that are written beside the scene.
+std::filesystem::path table_of_scene(const FitTable& table, const std::filesystem::path& scene,
+                                     bool is_written) {
+    if (!is_written) return table.file;
     std::filesystem::path file = scene;
     file.replace_extension(".csv");
     std::error_code ignored;
     if (std::filesystem::equivalent(file, table.file, ignored))
         throw InputError(fmt::format(
-            "-o {}: the rows of the flight would overwrite {}; give the scene another name",
+            "-o {}: the rows of the scene would overwrite {}; give the scene another name",
             printable(scene.string()), printable(table.file.string())));
     return file;
 }
@@ -236,15 +302,22 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
                 fmt::format("--predict {}: {}: {}", *choices.predict, flight.name, error.what()));
         }
     std::filesystem::path shown;
+    bool is_written = false;
     if (!choices.output.empty()) {
-        shown = table_of_scene(table, choices.output);
-        const std::string name = printable(file.filename().string());
-        if (table.is_recording) write_whole(shown, table_text(flight.measured));
-        write_whole(
-            choices.output,
-            scene_of(fit, choices.output, shown,
-                     table.is_recording ? fmt::format("{}, flight {}", name, flight.number) : name,
-                     flight.measured));
+        MeasuredMotion measured = flight.measured;
+        FittedMotion shifted = fit;
+        const SceneDrag drag = drag_of(fit, measured.rows.back().time_s - fit.first_time_s);
+        const bool is_shifted = drag.torque && fit.first_time_s != 0.0;
+        if (is_shifted) begin_at_zero(measured, shifted);
+        is_written = table.is_recording || is_shifted;
+        shown = table_of_scene(table, choices.output, is_written);
+        std::string name = printable(file.filename().string());
+        if (table.is_recording) name += fmt::format(", flight {}", flight.number);
+        if (is_shifted)
+            name += fmt::format(", whose {} s are the 0 s of the scene", fit.first_time_s);
+        const std::string text = scene_of(shifted, choices.output, shown, name, measured, drag);
+        if (is_written) write_whole(shown, table_text(measured));
+        write_whole(choices.output, text);
     }
     if (choices.json) {
         JsonObject answer;
@@ -268,7 +341,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
     if (prediction) fmt::print("{}\n", words_of(*prediction));
     if (choices.output.empty()) return 0;
     fmt::print("{}\n", printable(choices.output));
-    if (table.is_recording) fmt::print("{}\n", printable(shown.string()));
+    if (is_written) fmt::print("{}\n", printable(shown.string()));
     if (std::filesystem::file_size(shown) > most_table_bytes)
         fmt::print("note: a scene shows tables of at most {} MiB; cut this one for it\n",
                    most_table_bytes >> 20);
@@ -305,32 +378,33 @@ int run(const FitChoices& choices) {
 
 CommandLine fit_line(std::any& storage) {
     auto& c = storage.emplace<FitChoices>();
-    return {&c.files,
-            {output_option(c.output,
-                           "FILE.toml: write a scene of the fitted body and motion, with "
-                           "the measured points"),
-             {"--moments",
-              "I,I,I: the principal moments in kg m², if they are known; then only the axes, the "
-              "start and the drag are fitted",
-              &c.moments},
-             {"--drag",
-              "MODEL: none, linear, axes or quadratic, the torque of the air, −γL, −γ_i I_i ω_i or "
-              "−γ_i I_i |ω_i| ω_i along the principal axes; default: linear where this describes "
-              "the rows to their noise, else axes or quadratic",
-              &c.drag},
-             {"--flight",
-              "N: of a recording with several free flights, fit this one, or `all` of them as "
-              "flights of one body; default: the one that says most about the body",
-              &c.flight},
-             {"--share-drag",
-              "all flights have the same drag coefficients; default: each flight its own",
-              &c.share_drag},
-             {"--predict",
-              "N: fit the first N rows of a flight and say how far the other rows depart; with "
-              "several flights, by the body of the others",
-              &c.predict, "rows"},
-             json_option(c.json)},
-            [&c] { return run(c); }};
+    return {
+        &c.files,
+        {output_option(c.output,
+                       "FILE.toml: write a scene of the fitted body and motion, with "
+                       "the measured points"),
+         {"--moments",
+          "I,I,I: the principal moments in kg m², if they are known; then only the axes, the "
+          "start and the drag are fitted",
+          &c.moments},
+         {"--drag",
+          "MODEL: none, linear, axes, quadratic or growing, the torque of the air, −γL, −γ_i I_i "
+          "ω_i or −γ_i I_i |ω_i| ω_i along the principal axes, or −γ e^(κt) L; default: linear "
+          "where this describes the rows to their noise, else the best of the three others",
+          &c.drag},
+         {"--flight",
+          "N: of a recording with several free flights, fit this one, or `all` of them as "
+          "flights of one body; default: the one that says most about the body",
+          &c.flight},
+         {"--share-drag",
+          "all flights have the same drag coefficients; default: each flight its own",
+          &c.share_drag},
+         {"--predict",
+          "N: fit the first N rows of a flight and say how far the other rows depart; with "
+          "several flights, by the body of the others",
+          &c.predict, "rows"},
+         json_option(c.json)},
+        [&c] { return run(c); }};
 }
 
 }  // namespace

@@ -111,6 +111,8 @@ std::string_view name_of(DragModel drag) {
             return "axes";
         case DragModel::quadratic:
             return "quadratic";
+        case DragModel::growing:
+            return "growing";
         default:
             return "linear";
     }
@@ -142,7 +144,7 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
     if (wanted)
         best = with_drag(rows, linear, *wanted, moments);
     else if (left_by(linear) > std::max(like_noise * noise, rounding_of_rows))
-        for (const DragModel drag : {DragModel::axes, DragModel::quadratic}) {
+        for (const DragModel drag : {DragModel::axes, DragModel::quadratic, DragModel::growing}) {
             const FoundFlight richer = with_drag(rows, linear, drag, moments);
             if (left_by(richer) < left_by(best)) best = richer;
         }

@@ -160,7 +160,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"cli/extremes", "extreme scenes in several commands"},
     {"cli/suffixes", "all commands ignore the case of suffixes"},
     {"cli/unfinished", "what lies in the place of the unfinished work of every command"},
-    {"drawing/dissipation", "friction in all panels"},
+    {"drawing/dissipation", "friction and drag in all panels"},
     {"drawing/level_scale", "the scale of distances beside the body"},
     {"drawing/kept_curves", "the bound of every curve of every panel"},
     {"production/page_labels", "labels over the whole page, in all scenes"},
