@@ -55,10 +55,10 @@ struct FittedMotion {
 // turn about one axis, which says nothing about the other moments, and motions that no rigid body
 // makes. `moments_kg_m2`: the body's principal moments in any order, if they are known; then only
 // axes, start and drag are fitted. Without `drag` it is linear where this describes the rows to
-// their noise, else the one of `axes`,
-// `quadratic` and `growing` that describes them best.
+// their noise, else the one of `axes`, `quadratic` and `growing` that describes them best;
+// `growing` is left out where the motion goes on beyond the rows, since growth cannot be continued.
 FittedMotion fit_motion(std::span<const MeasuredRow> rows,
                         const std::optional<Eigen::Vector3d>& moments_kg_m2 = {},
-                        const std::optional<DragModel>& drag = {});
+                        const std::optional<DragModel>& drag = {}, bool goes_on = false);
 
 }  // namespace poinsot

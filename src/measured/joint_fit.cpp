@@ -291,7 +291,7 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
     for (const auto& rows : all) {
         JointFlight flight;
         try {
-            flight.own = fit_motion(rows, moments_kg_m2, wanted);
+            flight.own = fit_motion(rows, moments_kg_m2, wanted, true);
         } catch (const InputError& error) {
             last_refusal = error.what();
         }
