@@ -4,7 +4,7 @@
  * @typedef {{number: number, begin_s: number, end_s: number, rate_rad_s: number, residual_rad_s?: number, refusal?: string}} TableFlight
  * @typedef {{is_recording: boolean, flights: TableFlight[], best?: number, refusal?: string, rows: ArrayLike<number>}} MeasuredTable
  * @typedef {{fit: Record<string, any>, words: string[], scene: string, table?: string}} FittedFlight
- *   `fit`: as `poinsot fit --json` prints it; `table`: the rows of one flight of a recording.
+ *   `fit`: as `poinsot fit --json` prints it; `table`: the rows of the scene, if they are others than those of the table.
  */
 
 /** @type {Record<string, string[]>} */

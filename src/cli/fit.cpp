@@ -68,11 +68,11 @@ Eigen::Vector3d moments_in(const std::string& text) {
 
 std::optional<DragModel> drag_named(const std::string& text) {
     if (text.empty()) return std::nullopt;
-    for (const DragModel drag :
-         {DragModel::none, DragModel::linear, DragModel::axes, DragModel::quadratic})
+    for (const DragModel drag : {DragModel::none, DragModel::linear, DragModel::axes,
+                                 DragModel::quadratic, DragModel::growing})
         if (text == name_of(drag)) return drag;
     throw InputError(
-        fmt::format("--drag {}: give none, linear, axes or quadratic", printable(text)));
+        fmt::format("--drag {}: give none, linear, axes, quadratic or growing", printable(text)));
 }
 
 // The path by which a scene names a file.
@@ -116,15 +116,16 @@ const TableFlight& chosen_flight(const FitTable& table, const std::string& wante
     return flight;
 }
 
-// The table that the scene shows: the given one, or the rows of one flight beside the scene.
-std::filesystem::path table_of_scene(const FitTable& table, const std::filesystem::path& scene) {
-    if (!table.is_recording) return table.file;
+// The table that the scene shows: the given one, or rows that are written beside the scene.
+std::filesystem::path table_of_scene(const FitTable& table, const std::filesystem::path& scene,
+                                     bool is_written) {
+    if (!is_written) return table.file;
     std::filesystem::path file = scene;
     file.replace_extension(".csv");
     std::error_code ignored;
     if (std::filesystem::equivalent(file, table.file, ignored))
         throw InputError(fmt::format(
-            "-o {}: the rows of the flight would overwrite {}; give the scene another name",
+            "-o {}: the rows of the scene would overwrite {}; give the scene another name",
             printable(scene.string()), printable(table.file.string())));
     return file;
 }
@@ -257,20 +258,23 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
                 fmt::format("--predict {}: {}: {}", *choices.predict, flight.name, error.what()));
         }
     std::filesystem::path shown;
+    bool is_written = false;
     if (!choices.output.empty()) {
-        shown = table_of_scene(table, choices.output);
-        const std::string name = printable(file.filename().string());
-        if (table.is_recording) write_whole(shown, table_text(flight.measured));
-        FittedScene scene{
-            .fit = fit,
-            .from = table.is_recording ? fmt::format("{}, flight {}", name, flight.number) : name,
-            .words = words_of(fit, flight.measured),
-            .last_time_s = flight.measured.rows.back().time_s,
-            .attitude = {},
-            .table = seen_from(choices.output, shown).string()};
+        FittedScene scene{.fit = fit,
+                          .from = printable(file.filename().string()),
+                          .words = words_of(fit, flight.measured),
+                          .last_time_s = flight.measured.rows.back().time_s,
+                          .attitude = {}};
+        if (table.is_recording) scene.from += fmt::format(", flight {}", flight.number);
         if (flight.measured.has_attitude)
             scene.attitude = flight.measured.rows.front().space_from_body;
-        write_whole(choices.output, text_of(scene));
+        const double zero_s = zero_of(scene);
+        is_written = table.is_recording || zero_s != 0.0;
+        shown = table_of_scene(table, choices.output, is_written);
+        scene.table = seen_from(choices.output, shown).string();
+        const std::string text = text_of(scene);
+        if (is_written) write_whole(shown, table_text(counted_from(flight.measured, zero_s)));
+        write_whole(choices.output, text);
     }
     if (!choices.chart.empty()) write_chart_of(choices, table, flight);
     if (choices.json) {
@@ -296,7 +300,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
     if (!choices.chart.empty()) fmt::print("{}\n", printable(choices.chart));
     if (choices.output.empty()) return 0;
     fmt::print("{}\n", printable(choices.output));
-    if (table.is_recording) fmt::print("{}\n", printable(shown.string()));
+    if (is_written) fmt::print("{}\n", printable(shown.string()));
     if (std::filesystem::file_size(shown) > most_table_bytes)
         fmt::print("note: a scene shows tables of at most {} MiB; cut this one for it\n",
                    most_table_bytes >> 20);
@@ -342,9 +346,10 @@ CommandLine fit_line(std::any& storage) {
               "start and the drag are fitted",
               &c.moments},
              {"--drag",
-              "MODEL: none, linear, axes or quadratic, the torque of the air, −γL, −γ_i I_i ω_i or "
-              "−γ_i I_i |ω_i| ω_i along the principal axes; default: linear where this describes "
-              "the rows to their noise, else axes or quadratic",
+              "MODEL: none, linear, axes, quadratic or growing, the torque of the air, −γL, −γ_i "
+              "I_i ω_i or −γ_i I_i |ω_i| ω_i along the principal axes, or −γ e^(κt) L; default: "
+              "linear where this describes the rows to their noise, else the best of the three "
+              "others",
               &c.drag},
              {"--flight",
               "N: of a recording with several free flights, fit this one, or `all` of them as "

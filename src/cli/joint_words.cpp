@@ -137,6 +137,9 @@ std::vector<std::string> words_of(const JointFit& joint,
         lines.push_back(
             joint.drag == DragModel::linear
                 ? fmt::format("drag linear, shared: γ = {} {}", with_sd(rates[0], sd[0]), unit)
+            : joint.drag == DragModel::growing
+                ? fmt::format("drag growing, shared: γ = {}, κ = {} 1/s", with_sd(rates[0], sd[0]),
+                              with_sd(rates[1], sd[1]))
                 : fmt::format("drag {}, shared: γ = {}, {}, {} {}", name_of(joint.drag),
                               with_sd(rates[0], sd[0]), with_sd(rates[1], sd[1]),
                               with_sd(rates[2], sd[2]), unit));

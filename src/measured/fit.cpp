@@ -111,6 +111,8 @@ std::string_view name_of(DragModel drag) {
             return "axes";
         case DragModel::quadratic:
             return "quadratic";
+        case DragModel::growing:
+            return "growing";
         default:
             return "linear";
     }
@@ -118,7 +120,7 @@ std::string_view name_of(DragModel drag) {
 
 FittedMotion fit_motion(std::span<const MeasuredRow> all,
                         const std::optional<Eigen::Vector3d>& moments_kg_m2,
-                        const std::optional<DragModel>& wanted) {
+                        const std::optional<DragModel>& wanted, bool goes_on) {
     std::optional<Eigen::Vector3d> moments = moments_kg_m2;
     if (moments) std::sort(moments->begin(), moments->end(), std::greater<>());
     if (moments && (*moments)[0] == (*moments)[2])
@@ -142,7 +144,8 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
     if (wanted)
         best = with_drag(rows, linear, *wanted, moments);
     else if (left_by(linear) > std::max(like_noise * noise, rounding_of_rows))
-        for (const DragModel drag : {DragModel::axes, DragModel::quadratic}) {
+        for (const DragModel drag : {DragModel::axes, DragModel::quadratic, DragModel::growing}) {
+            if (goes_on && drag == DragModel::growing) continue;
             const FoundFlight richer = with_drag(rows, linear, drag, moments);
             if (left_by(richer) < left_by(best)) best = richer;
         }

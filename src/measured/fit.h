@@ -13,8 +13,9 @@
 namespace poinsot {
 
 // The torque of the air, along the body's principal axes, for moments of inertia I_i:
-//   linear: −γ L, which keeps the polhode; axes: −γ_i I_i ω_i; quadratic: −γ_i I_i |ω_i| ω_i.
-enum class DragModel { none, linear, axes, quadratic };
+//   linear: −γ L, which keeps the polhode; axes: −γ_i I_i ω_i; quadratic: −γ_i I_i |ω_i| ω_i;
+//   growing: −γ e^(κt) L, as of a body that falls faster and faster, t from the first row on.
+enum class DragModel { none, linear, axes, quadratic, growing };
 std::string_view name_of(DragModel drag);
 
 // A motion that is free but for the air. Uncertainties are standard deviations that the residuals
@@ -29,7 +30,8 @@ struct FittedMotion {
     Eigen::Matrix3d instrument_from_principal;  // a proper rotation, columns e1, e2, e3
     Eigen::Vector3d axes_sd_rad;                // of turns about e1, e2, e3
     DragModel drag = DragModel::linear;
-    // γ_i in 1/s, for the quadratic drag in 1/rad; three times the same for the linear one.
+    // γ_i in 1/s, for the quadratic drag in 1/rad; three times the same for the linear one; γ, κ
+    // and 0 for the growing one.
     Eigen::Vector3d drag_rates, drag_rates_sd;
     double linear_residual_rad_s = 0.0;  // what linear drag leaves
     double correlation = 0.0;            // of the residuals from one row to the next
@@ -53,11 +55,12 @@ struct FittedMotion {
 // turn about one axis, which says nothing about the other moments, and motions that no rigid body
 // makes. `moments_kg_m2`: the body's principal moments in any order, if they are known; then only
 // axes, start and drag are fitted. Without `drag` it is linear where this describes the rows to
-// their noise, else the one of `axes` and `quadratic` that describes them better.
+// their noise, else the one of `axes`, `quadratic` and `growing` that describes them best;
+// `growing` is left out where the motion goes on beyond the rows, since growth cannot be continued.
 // Throws EnvironmentError if it is interrupted.
 FittedMotion fit_motion(std::span<const MeasuredRow> rows,
                         const std::optional<Eigen::Vector3d>& moments_kg_m2 = {},
-                        const std::optional<DragModel>& drag = {});
+                        const std::optional<DragModel>& drag = {}, bool goes_on = false);
 
 // By how much I1 exceeds I2 + I3, in units of I1; no body has more than 0.
 double excess_of(const FittedMotion& fit);

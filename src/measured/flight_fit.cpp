@@ -186,13 +186,19 @@ FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
     return best;
 }
 
-// The three axes share the damping at first.
+// The three axes share the damping at first, which does not grow.
+Eigen::Vector3d first_rates(DragModel drag, double damping) {
+    if (drag == DragModel::none) return Eigen::Vector3d::Zero();
+    if (drag == DragModel::growing) return {damping, 0.0, 0.0};
+    return Eigen::Vector3d::Constant(damping);
+}
+
 FoundFlight with_drag(std::span<const MeasuredRow> rows, const FoundFlight& linear, DragModel drag,
                       const std::optional<Eigen::Vector3d>& moments) {
     if (drag == DragModel::linear) return linear;
     Flight start = linear.flight;
     start.drag = drag;
-    start.drag_rates.setConstant(drag == DragModel::none ? 0.0 : linear.flight.drag_rates[0]);
+    start.drag_rates = first_rates(drag, linear.flight.drag_rates[0]);
     return minimised(rows, start, fitted_changes(moments, drag));
 }
 
@@ -205,7 +211,8 @@ Flight in_order(const Flight& flight) {
         const int from = order[static_cast<std::size_t>(k)];
         made.moments[k] = flight.moments[from] / flight.moments[order[0]];
         made.axes.col(k) = flight.axes.col(from);
-        if (flight.drag != DragModel::linear) made.drag_rates[k] = flight.drag_rates[from];
+        if (flight.drag == DragModel::axes || flight.drag == DragModel::quadratic)
+            made.drag_rates[k] = flight.drag_rates[from];
     }
     point_axes(made.axes);
     return made;

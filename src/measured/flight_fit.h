@@ -52,6 +52,8 @@ FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
 // With linear drag, from the starts that Euler's equations give.
 FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
                      const std::optional<Eigen::Vector3d>& moments);
+// The rates of this drag that a fit begins with, after a linear fit.
+Eigen::Vector3d first_rates(DragModel drag, double damping);
 // With this drag, from the linear fit on.
 FoundFlight with_drag(std::span<const MeasuredRow> rows, const FoundFlight& linear, DragModel drag,
                       const std::optional<Eigen::Vector3d>& moments);

@@ -19,6 +19,7 @@ constexpr int n_stepped = 8;
 struct SteppedState {
     std::array<double, 3> omega{};
     std::array<std::array<double, n_stepped>, 3> change{};
+    double time = 0.0;
 };
 
 // Euler's equations with drag, and the linear equations of small changes.
@@ -36,38 +37,44 @@ class StepEquations {
             by_moment_[i][j] = J / I;
             by_moment_[i][k] = -K / I;
             rate_[i] = flight.drag == DragModel::none ? 0.0
-                       : flight.drag == DragModel::linear
+                       : flight.drag == DragModel::linear || flight.drag == DragModel::growing
                            ? flight.drag_rates[0]
                            : flight.drag_rates[static_cast<Eigen::Index>(i)];
         }
+        growth_ = flight.drag == DragModel::growing ? flight.drag_rates[1] : 0.0;
         n_ = first_of_drag_ + n_changes(flight.drag) - first_of_drag;
     }
 
     void slope(const SteppedState& at, SteppedState& out) const {
         const auto& w = at.omega;
         const bool is_quadratic = drag_ == DragModel::quadratic;
+        const double grown = growth_ == 0.0 ? 1.0 : std::exp(growth_ * at.time);
         for (std::size_t i = 0; i < 3; ++i) {
             const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-            const double braking = is_quadratic ? std::abs(w[i]) * w[i] : w[i];
+            const double braking = is_quadratic ? std::abs(w[i]) * w[i] : grown * w[i];
             const double product = w[j] * w[k];
             out.omega[i] = factor_[i] * product - rate_[i] * braking;
-            const double own = is_quadratic ? 2.0 * rate_[i] * std::abs(w[i]) : rate_[i];
+            const double own = is_quadratic ? 2.0 * rate_[i] * std::abs(w[i]) : grown * rate_[i];
             const double of_j = factor_[i] * w[k], of_k = factor_[i] * w[j];
             for (std::size_t c = 0; c < static_cast<std::size_t>(n_); ++c)
                 out.change[i][c] =
                     of_j * at.change[j][c] + of_k * at.change[k][c] - own * at.change[i][c];
             out.change[i][3] += by_moment_[i][1] * product;
             out.change[i][4] += by_moment_[i][2] * product;
-            if (drag_ == DragModel::linear)
-                out.change[i][first_of_drag_] -= braking;
-            else if (drag_ != DragModel::none)
+            if (drag_ == DragModel::axes || is_quadratic) {
                 out.change[i][first_of_drag_ + i] -= braking;
+            } else if (drag_ != DragModel::none) {
+                out.change[i][first_of_drag_] -= braking;
+                if (drag_ == DragModel::growing)
+                    out.change[i][first_of_drag_ + 1] -= rate_[i] * at.time * braking;
+            }
         }
     }
 
     void step(SteppedState& state, double by) const {
         SteppedState a, b, c, d, between;
         const auto moved = [&](const SteppedState& slope, double h) {
+            between.time = state.time + h;
             for (std::size_t i = 0; i < 3; ++i) {
                 between.omega[i] = state.omega[i] + h * slope.omega[i];
                 for (std::size_t k = 0; k < static_cast<std::size_t>(n_); ++k)
@@ -81,6 +88,7 @@ class StepEquations {
         slope(between, c);
         moved(c, by);
         slope(between, d);
+        state.time += by;
         const double sixth = by / 6.0;
         for (std::size_t i = 0; i < 3; ++i) {
             state.omega[i] += sixth * (a.omega[i] + 2.0 * (b.omega[i] + c.omega[i]) + d.omega[i]);
@@ -107,6 +115,7 @@ class StepEquations {
  private:
     static constexpr std::size_t first_of_drag_ = 5;
     DragModel drag_;
+    double growth_ = 0.0;  // κ
     std::array<double, 3> factor_{}, rate_{};
     std::array<std::array<double, 3>, 3> by_moment_{};
     int n_ = 0;
@@ -179,7 +188,16 @@ bool step_through(const Flight& flight, std::size_t n,
 }  // namespace
 
 int n_changes(DragModel drag) {
-    return first_of_drag + (drag == DragModel::none ? 0 : drag == DragModel::linear ? 1 : 3);
+    switch (drag) {
+        case DragModel::none:
+            return first_of_drag;
+        case DragModel::linear:
+            return first_of_drag + 1;
+        case DragModel::growing:
+            return first_of_drag + 2;
+        default:
+            return first_of_drag + 3;
+    }
 }
 
 Flight changed(const Flight& flight, const FlightChange& by) {

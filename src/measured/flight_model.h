@@ -17,11 +17,12 @@ struct Flight {
     Eigen::Matrix3d axes = Eigen::Matrix3d::Identity();  // instrument from principal
     Eigen::Vector3d omega = Eigen::Vector3d::Zero();     // at the first row, instrument axes
     DragModel drag = DragModel::linear;
-    Eigen::Vector3d drag_rates = Eigen::Vector3d::Zero();  // γ_i, see DragModel
+    Eigen::Vector3d drag_rates = Eigen::Vector3d::Zero();  // γ_i, or γ and κ: see DragModel
 };
 
 // Small changes of a flight, in this order: ln I2 and ln I3, turns about e1, e2, e3, the three
-// components of ω at the first row, and the rates of the drag (one for `linear`).
+// components of ω at the first row, and the rates of the drag (one for `linear`, two
+// for `growing`).
 constexpr int n_of_body = 5, first_of_omega = 5, first_of_drag = 8, most_flight_changes = 11;
 int n_changes(DragModel drag);
 using FlightChange = Eigen::Matrix<double, most_flight_changes, 1>;

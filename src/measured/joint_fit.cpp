@@ -254,7 +254,7 @@ FoundFlight fitted_start_of(const JointPart& part, const Flight& body, DragModel
     if (drag == DragModel::linear) return found;
     start = found.flight;
     start.drag = drag;
-    start.drag_rates.setConstant(drag == DragModel::none ? 0.0 : found.flight.drag_rates[0]);
+    start.drag_rates = first_rates(drag, found.flight.drag_rates[0]);
     return minimised(part.rows, start, fitted_start(drag));
 }
 
@@ -291,7 +291,7 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
     for (const auto& rows : all) {
         JointFlight flight;
         try {
-            flight.own = fit_motion(rows, moments_kg_m2, wanted);
+            flight.own = fit_motion(rows, moments_kg_m2, wanted, true);
         } catch (const InputError& error) {
             last_refusal = error.what();
         }

@@ -156,7 +156,7 @@ Prediction predicted_alone(std::span<const MeasuredRow> rows, std::size_t n_fitt
                            const std::optional<DragModel>& drag) {
     check_rest(rows, n_fitted);
     const auto first = rows.first(n_fitted);
-    const FittedMotion fit = fit_motion(first, moments_kg_m2, drag);
+    const FittedMotion fit = fit_motion(first, moments_kg_m2, drag, true);
     UncertainFlight from;
     from.rate = rate_of(first);
     from.flight = flight_of(fit, from.rate);

@@ -16,6 +16,7 @@ Eigen::Vector3d angular_acceleration(const MotionProblem& problem, const Rotatio
     StepState step;
     step.momentum =
         dynamics.moments_kg_m2().cwiseProduct(body_from_principal.transpose() * state.omega_body);
+    step.time_s = state.time_s;
     step.space_from_principal = state.space_from_body * Eigen::Quaterniond(body_from_principal);
     return body_from_principal *
            dynamics.rates(step).momentum_rate.cwiseQuotient(dynamics.moments_kg_m2());

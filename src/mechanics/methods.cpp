@@ -52,8 +52,8 @@ constexpr unsigned bit = bit_in<Wanted>(static_cast<const Torque*>(nullptr));
 
 constexpr unsigned torque_free = bit<NoTorque>;
 constexpr unsigned potential = torque_free | bit<GravityTorque>;
-constexpr unsigned any_torque =
-    potential | bit<ConstantBodyTorque> | bit<ConstantSpaceTorque> | bit<DissipationTorque>;
+constexpr unsigned any_torque = potential | bit<ConstantBodyTorque> | bit<ConstantSpaceTorque> |
+                                bit<DissipationTorque> | bit<DragTorque>;
 
 constexpr std::array order_1{1};
 constexpr std::array order_2{2};

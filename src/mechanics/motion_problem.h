@@ -27,8 +27,14 @@ struct ConstantSpaceTorque {
 struct DissipationTorque {  // internal friction: L is kept, T decays (major-axis rule); rate in 1/s
     double rate_1_s = 0.0;
 };
+// Of the air: −(linear_i + quadratic_i |ω_i|) e^(growth·t) I_i ω_i along the principal axes.
+struct DragTorque {
+    Eigen::Vector3d linear_1_s = Eigen::Vector3d::Zero();
+    Eigen::Vector3d quadratic_1_rad = Eigen::Vector3d::Zero();
+    double growth_1_s = 0.0;
+};
 using Torque = std::variant<NoTorque, GravityTorque, ConstantBodyTorque, ConstantSpaceTorque,
-                            DissipationTorque>;
+                            DissipationTorque, DragTorque>;
 
 // How the motion is computed.
 struct MethodChoice {

@@ -90,9 +90,12 @@ MethodChoice coarsest_choice(const MotionProblem& problem) {
     MethodChoice coarsest = problem.method;
     if (find_method(problem.method.name).takes_step) {
         const RotationDynamics dynamics(problem.inertia, problem.torque);
+        const Eigen::Vector3d momentum = dynamics.moments_kg_m2().cwiseProduct(
+            problem.inertia.body_from_principal().transpose() * problem.start.omega_body);
         const double turn_s =
             2.0 * std::numbers::pi /
-            (problem.start.omega_body.stableNorm() + dynamics.greatest_friction_turning_rad_s());
+            (problem.start.omega_body.stableNorm() + dynamics.greatest_friction_turning_rad_s() +
+             dynamics.greatest_drag_rate_1_s(momentum, problem.first_time_s, problem.last_time_s));
         coarsest.step_s = std::min(span_of(problem), turn_s / 16.0);
     } else {
         coarsest.tolerance = 1e-4;

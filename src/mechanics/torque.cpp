@@ -13,7 +13,7 @@ namespace poinsot {
 namespace {
 
 constexpr std::array<std::string_view, std::variant_size_v<Torque>> torque_names{
-    "none", "gravity", "constant in the body", "constant in space", "internal dissipation"};
+    "none", "gravity", "constant in the body", "constant in space", "internal dissipation", "drag"};
 
 void require_finite(bool finite, const char* what) {
     if (!finite) throw InputError(fmt::format("{} of the torque must be finite", what));
@@ -42,6 +42,15 @@ Torque in_principal_axes(const Torque& torque, const InertiaTensor& inertia) {
             throw InputError(fmt::format(
                 "the rate of dissipation is {} 1/s; friction takes energy: give a rate ≥ 0",
                 friction->rate_1_s));
+        }
+    } else if (auto* drag = std::get_if<DragTorque>(&turned)) {
+        require_finite(std::isfinite(drag->growth_1_s), "the growth of the drag");
+        for (const Eigen::Vector3d& rates : {drag->linear_1_s, drag->quadratic_1_rad}) {
+            require_finite(rates.allFinite(), "a rate of the drag");
+            if (rates.minCoeff() < 0.0)
+                throw InputError(
+                    fmt::format("a rate of the drag is {}; the air slows a body: give rates ≥ 0",
+                                rates.minCoeff()));
         }
     }
     return turned;
@@ -72,6 +81,13 @@ Eigen::Vector3d RotationDynamics::torque_on(const StepState& state) const {
     }
     if (const auto* space = std::get_if<ConstantSpaceTorque>(&torque_)) {
         return state.space_from_principal.conjugate() * space->torque_space_N_m;
+    }
+    if (const auto* drag = std::get_if<DragTorque>(&torque_)) {
+        const Eigen::Vector3d speed = omega(state.momentum).cwiseAbs();
+        const double grown =
+            drag->growth_1_s == 0.0 ? 1.0 : std::exp(drag->growth_1_s * state.time_s);
+        return -grown * (drag->linear_1_s + drag->quadratic_1_rad.cwiseProduct(speed))
+                            .cwiseProduct(state.momentum);
     }
     return Eigen::Vector3d::Zero();
 }
@@ -129,6 +145,19 @@ double RotationDynamics::greatest_free_omega(const Eigen::Vector3d& momentum) co
 
 double RotationDynamics::greatest_friction_turning_rad_s() const {
     return 0.5 * dissipation_1_s_ * (1.0 - least_over_moments_.minCoeff());
+}
+
+double RotationDynamics::greatest_drag_rate_1_s(const Eigen::Vector3d& momentum,
+                                                double first_time_s, double last_time_s) const {
+    const auto* drag = std::get_if<DragTorque>(&torque_);
+    if (drag == nullptr) return 0.0;
+    // T never grows: |ω_i| ≤ √(2T/I_i). In units of the least moment, so that T is a double.
+    const Eigen::Vector3d weights = least_over_moments_.cwiseSqrt();
+    const double root = omega(momentum).cwiseQuotient(weights).stableNorm();
+    const Eigen::Vector3d speed = root * weights;
+    const double grown =
+        std::exp(std::max(drag->growth_1_s * first_time_s, drag->growth_1_s * last_time_s));
+    return grown * (drag->linear_1_s + drag->quadratic_1_rad.cwiseProduct(speed)).maxCoeff();
 }
 
 double RotationDynamics::greatest_torque_N_m() const {

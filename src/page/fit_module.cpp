@@ -60,7 +60,8 @@ int read_table(const char* text, std::uint32_t text_size, const char* name,
 
 // A flight of the table that was read last. `scene_table`: the name that the scene gives its rows.
 // The answer is JSON: "fit" as `poinsot fit --json` prints it, "words", the "scene" that `poinsot
-// fit -o` writes and, of a recording, the "table" of the flight's rows.
+// fit -o` writes and the "table" of the flight's rows, if they are not those that were read: of a
+// recording, or with other times.
 POINSOT_EXPORT(flight)
 int flight(double number, const char* scene_table, std::uint32_t scene_table_size) {
     return answered([&] {
@@ -84,7 +85,9 @@ int flight(double number, const char* scene_table, std::uint32_t scene_table_siz
         for (const std::string& line : scene.words) words.push_back(json_string(line));
         JsonObject said;
         said.json("fit", fit.line()).json("words", json_list(words)).add("scene", text_of(scene));
-        if (table.is_recording) said.add("table", table_text(measured));
+        const double zero_s = zero_of(scene);
+        if (table.is_recording || zero_s != 0.0)
+            said.add("table", table_text(counted_from(measured, zero_s)));
         answer() = said.line();
     });
 }

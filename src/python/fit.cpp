@@ -282,8 +282,11 @@ py::array fitted_omega(const py::dict& fit, const Doubles& times) {
     return triples(omegas);
 }
 
-std::string fitted_scene(const py::dict& fit, const std::vector<std::string>& words,
-                         double last_time_s, const Maybe& attitude, const std::string& table) {
+// The text of the scene, and the instant of the rows at which its times begin.
+std::pair<std::string, double> fitted_scene(const py::dict& fit,
+                                            const std::vector<std::string>& words,
+                                            double last_time_s, const Maybe& attitude,
+                                            const std::string& table) {
     FittedScene scene{.fit = fit_of(fit),
                       .from = "measured rows",
                       .words = words,
@@ -291,7 +294,7 @@ std::string fitted_scene(const py::dict& fit, const std::vector<std::string>& wo
                       .attitude = {},
                       .table = table};
     if (attitude) scene.attitude = rotation_of(attitude->data(), 0);
-    return text_of(scene);
+    return {text_of(scene), zero_of(scene)};
 }
 
 // `flights`: the fit, times, omega, whether it is left out and, in `own`, its fit alone or None.

@@ -2,6 +2,7 @@
 // place of the key that caused them.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <string_view>
@@ -22,8 +23,9 @@ namespace {
 
 struct TorqueKind {
     std::string_view name;
-    std::string needed;                 // the key without which the kind has no meaning
-    std::vector<std::string> its_keys;  // all keys of the kind, with `needed`
+    std::string needed;                 // what the kind has no meaning without, in words
+    std::vector<std::string> enough;    // the keys of which it needs one
+    std::vector<std::string> its_keys;  // all keys of the kind
 };
 
 // The friction for a half-life, which depends on the start.
@@ -44,18 +46,25 @@ void complete_half_life(SceneDraft& draft) {
 }
 
 void complete_torque(SceneDraft& draft) {
-    static const std::array<TorqueKind, 5> kinds{{
-        {"none", "", {}},
-        {"gravity", "torque.mgl_N_m", {"torque.mgl_N_m", "torque.arm_body"}},
-        {"constant_body", "torque.torque_body_N_m", {"torque.torque_body_N_m"}},
-        {"constant_space", "torque.torque_space_N_m", {"torque.torque_space_N_m"}},
-        {"dissipation", "torque.half_life_s", {"torque.half_life_s", "torque.rate_1_s"}},
+    static const std::string mgl = "torque.mgl_N_m", in_body = "torque.torque_body_N_m",
+                             in_space = "torque.torque_space_N_m", half_life = "torque.half_life_s",
+                             rate = "torque.rate_1_s", linear = "torque.linear_1_s",
+                             quadratic = "torque.quadratic_1_rad", growth = "torque.growth_1_s";
+    static const std::array<TorqueKind, 6> kinds{{
+        {"none", "", {}, {}},
+        {"gravity", mgl, {mgl}, {mgl, "torque.arm_body"}},
+        {"constant_body", in_body, {in_body}, {in_body}},
+        {"constant_space", in_space, {in_space}, {in_space}},
+        {"dissipation", half_life, {half_life, rate}, {half_life, rate}},
+        {"drag", linear + " or " + quadratic, {linear, quadratic}, {linear, quadratic, growth}},
     }};
     Scene& scene = draft.scene;
     for (const TorqueKind& kind : kinds) {
         if (kind.name == draft.torque_kind) {
-            const bool other_way = kind.name == "dissipation" && draft.has("torque.rate_1_s");
-            if (kind.needed.empty() || draft.has(kind.needed) || other_way) continue;
+            const bool is_given =
+                std::any_of(kind.enough.begin(), kind.enough.end(),
+                            [&draft](const std::string& key) { return draft.has(key); });
+            if (kind.enough.empty() || is_given) continue;
             refuse(scene, "torque.kind",
                    fmt::format("{} is missing; a torque of kind \"{}\" needs it", kind.needed,
                                kind.name));
@@ -81,6 +90,8 @@ void complete_torque(SceneDraft& draft) {
     } else if (draft.torque_kind == "dissipation") {
         complete_half_life(draft);
         scene.torque = draft.dissipation;
+    } else if (draft.torque_kind == "drag") {
+        scene.torque = draft.drag;
     }
 }
 

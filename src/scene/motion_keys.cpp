@@ -10,8 +10,9 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::array<std::string_view, 5> torque_kinds{"none", "gravity", "constant_body",
-                                                       "constant_space", "dissipation"};
+constexpr std::array<std::string_view, 6> torque_kinds{
+    "none", "gravity", "constant_body", "constant_space", "dissipation", "drag"};
+constexpr Bounds not_negative{0.0, std::nullopt};
 using std::numbers::pi;
 
 constexpr auto top(double TopStart::*member) { return in(&SceneDraft::top, member); }
@@ -151,6 +152,26 @@ std::span<const SceneKey> motion_keys() {
             .without_default()
             .written_by(torque_text(&DissipationTorque::rate_1_s))
             .written_if([](const Scene& scene) { return !scene.half_life_s; }),
+        numbers("torque.linear_1_s", in(&SceneDraft::drag, &DragTorque::linear_1_s), not_negative,
+                "1/s", "[0.2, 0.1, 0.1]",
+                "drag of the air: rates a_i of the torque −(a_i + b_i|ω_i|) I_i ω_i along the "
+                "principal axes e1, e2, e3")
+            .default_is("0 if quadratic_1_rad is given")
+            .written_by(torque_text(&DragTorque::linear_1_s)),
+        numbers("torque.quadratic_1_rad", in(&SceneDraft::drag, &DragTorque::quadratic_1_rad),
+                not_negative, "1/rad", "[0.02, 0.01, 0.01]", "drag of the air: its b_i")
+            .default_is("0 if linear_1_s is given")
+            .written_by(torque_text(&DragTorque::quadratic_1_rad)),
+        number("torque.growth_1_s", in(&SceneDraft::drag, &DragTorque::growth_1_s), no_bounds,
+               "1/s", "1.5",
+               "drag of the air: its torque grows as e^(growth·t), as that of a body that falls "
+               "faster and faster; below 0 it falls")
+            .default_is("0")
+            .written_by(torque_text(&DragTorque::growth_1_s))
+            .written_if([](const Scene& scene) {
+                const auto* drag = std::get_if<DragTorque>(&scene.torque);
+                return drag != nullptr && drag->growth_1_s != 0.0;
+            }),
 
         // How the motion is computed.
         text("motion.method", method(&MethodChoice::name), R"("exact")",

@@ -36,6 +36,7 @@ struct SceneDraft {
     ConstantBodyTorque constant_body;
     ConstantSpaceTorque constant_space;
     DissipationTorque dissipation;
+    DragTorque drag;
 
     bool has(const std::string& key) const { return scene.locations.contains(key); }
 };

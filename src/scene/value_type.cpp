@@ -81,7 +81,9 @@ std::string bound_text(double bound) {
 
 std::string Bounds::words() const {
     if (least && most) return fmt::format(" from {} to {}", bound_text(*least), bound_text(*most));
-    return least ? fmt::format(" greater than {}", bound_text(*least)) : "";
+    if (!least) return "";
+    return fmt::format(" {} {}", without_least ? "greater than" : "of at least",
+                       bound_text(*least));
 }
 
 std::string ValueType::words() const {

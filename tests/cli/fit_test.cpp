@@ -11,12 +11,14 @@
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <thread>
 #include <utility>
 
 #include "cli/program_run.h"
+#include "places.h"
 
 namespace poinsot::testing {
 namespace {
@@ -42,6 +44,40 @@ TEST(FitCommand, WritesASceneOfTheSameMotion) {
         run_program_in(folder, "check fitted.toml --against gyro.csv --tolerance 1e-5rad --json");
     EXPECT_EQ(check.code, 0) << check.out << check.err;
     EXPECT_EQ(nlohmann::json::parse(check.out).at("rows"), 401);
+}
+
+// What the scene that `fit` writes leaves of its table is what the fit says, for every drag: the
+// stepped motion of the scene is that of the fit. One table begins at 0, the other does not.
+TEST(FitCommand, WritesTheDragIntoTheScene) {
+    const ScratchFolder folder;
+    std::filesystem::copy_file(source_folder() / "scenes" / "measured_racket.csv",
+                               folder.path() / "at_zero.csv");
+    std::filesystem::copy_file(
+        source_folder() / "tests" / "measured" / "racket" / "round3_093502_11.csv",
+        folder.path() / "later.csv");
+    const std::map<std::string, int> n_rates{
+        {"none", 0}, {"linear", 1}, {"growing", 2}, {"axes", 3}, {"quadratic", 3}};
+    for (const std::string table : {"at_zero", "later"})
+        for (const auto& [drag, n] : n_rates) {
+            const ProgramRun fit = run_program_in(
+                folder, fmt::format("fit {}.csv --drag {} -o {}.toml --json", table, drag, drag));
+            ASSERT_EQ(fit.code, 0) << fit.err;
+            const auto found = nlohmann::json::parse(fit.out);
+            const std::string scene = text_of(folder.path() / (drag + ".toml"));
+            const bool has_drag = scene.find("kind = \"drag\"") != std::string::npos;
+            EXPECT_EQ(has_drag, drag != "none") << scene;
+            const bool is_written = std::filesystem::exists(folder.path() / (drag + ".csv"));
+            EXPECT_EQ(is_written, has_drag && table == "later");
+            const ProgramRun check = run_program_in(
+                folder, fmt::format("check {}.toml --json{}", drag,
+                                    has_drag ? " --set motion.tolerance=1e-11" : ""));
+            ASSERT_EQ(check.code, 0) << check.err;
+            const double left = nlohmann::json::parse(check.out).at("measured_rms_rad_s");
+            const double n_values = 3.0 * found.at("rows").get<double>();
+            const double said = found.at("residual_rad_s");
+            EXPECT_NEAR(left * std::sqrt(n_values / (n_values - 8 - n)), said, 1e-5 * said)
+                << table << drag;
+        }
 }
 
 // The first line of a scene is a comment with the table's name.

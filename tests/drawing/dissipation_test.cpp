@@ -1,5 +1,6 @@
 // Poinsot's construction of a body with internal friction: L is conserved, the plane approaches,
-// the polhode is a spiral.
+// the polhode is a spiral. And of a body that the air slows: L falls and turns, the picture with
+// it.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -133,6 +134,104 @@ TEST(Dissipation, IsShownByPanelsThatAllowIt) {
     scene.panels.clear();
     const StagedScene staged(scene, 5.0);
     EXPECT_EQ(staged.stage.at(1.0).views[0].planes.size(), 1u);  // the space panel by default
+}
+
+// A body that the air slows most about its longest axis.
+Scene slowed(const std::string& panel) {
+    Scene scene = free_scene(moments, Eigen::Vector3d(0.6, 1.5, 2.0), panel);
+    scene.torque = DragTorque{{0.02, 0.05, 0.1}, {0.0, 0.0, 0.02}, 0.03};
+    scene.method = {.name = "dopri5", .step_s = {}, .tolerance = stepping_tolerance, .order = {}};
+    scene.film.duration_s = 20.0;
+    scene.trail.polhode = "history";
+    return scene;
+}
+
+// √(2T)/L from the motion itself.
+double distance_at(const StagedScene& staged, double time_s) {
+    const Eigen::Vector3d w = staged.motion.at(time_s).omega_body;
+    return std::sqrt(w.dot(moments.cwiseProduct(w))) / momentum(w);
+}
+
+// The plane stays level, while L turns in space: the picture turns with L.
+TEST(Drag, ThePlaneFollowsTheMomentum) {
+    const StagedScene staged(slowed("space"), 20.0);
+    const auto direction = [&staged](double time_s) -> Eigen::Vector3d {
+        const RotationState state = staged.motion.at(time_s);
+        return (state.space_from_body * moments.cwiseProduct(state.omega_body)).normalized();
+    };
+    EXPECT_GT(direction(0.0).cross(direction(20.0)).norm(), 1e-3);
+    const double start = staged.stage.at(0.0).views[0].planes[0].centre.norm();
+    for (int k = 0; k <= 10; ++k) {
+        const double time_s = 2.0 * k;
+        const Drawing drawing = staged.stage.at(time_s);
+        const View& view = drawing.views[0];
+        const Plane& plane = view.planes[0];
+        const double distance = distance_at(staged, time_s) / distance_at(staged, 0.0);
+        EXPECT_NEAR(plane.centre.norm(), start * distance, 1e-12) << time_s;
+        EXPECT_NEAR(std::abs(plane.centre.z()), plane.centre.norm(), 1e-15);
+        // The plane, which is normal to z, touches the ellipsoid.
+        const Eigen::Matrix3d axes = view.ellipsoids[0].half_axes;
+        EXPECT_NEAR((axes.transpose() * Eigen::Vector3d::UnitZ()).norm(), plane.centre.norm(), 1e-9)
+            << time_s;
+        bool has_contact = false;
+        for (const Dot& dot : view.dots) {
+            const bool on_plane = std::abs(dot.at.z() - plane.centre.z()) < 1e-9;
+            const bool on_ellipsoid = std::abs((axes.inverse() * dot.at).norm() - 1.0) < 1e-9;
+            has_contact = has_contact || (on_plane && on_ellipsoid);
+        }
+        EXPECT_TRUE(has_contact) << time_s;
+    }
+}
+
+TEST(Drag, TheHerpolhodeEndsAtTheContactPoint) {
+    const StagedScene staged(slowed("space"), 20.0);
+    for (const double time_s : {5.0, 12.3, 20.0}) {
+        const Drawing drawing = staged.stage.at(time_s);
+        const View& view = drawing.views[0];
+        double nearest = 1.0;
+        for (const Curve& curve : view.curves) {
+            if (curve.name.element != "herpolhode") continue;
+            const auto& points = curve.geometry->points;
+            const double place = std::min(curve.last, static_cast<double>(points.size() - 1));
+            const auto i = static_cast<std::size_t>(place);
+            const std::size_t next = std::min(i + 1, points.size() - 1);
+            const Eigen::Vector3d tip =
+                curve.placement * Eigen::Vector3d(points[i] + (place - std::floor(place)) *
+                                                                  (points[next] - points[i]));
+            const Eigen::Matrix3d inverse = view.ellipsoids[0].half_axes.inverse();
+            nearest = std::min(nearest, std::abs((inverse * tip).norm() - 1.0));
+        }
+        EXPECT_LT(nearest, 1e-3) << time_s;
+    }
+}
+
+TEST(Drag, EnergyEllipsoidAndSphereMeetAtTheMomentum) {
+    const StagedScene staged(slowed("momentum"), 20.0);
+    const double before = staged.stage.at(0.0).views[0].ellipsoids[1].half_axes(0, 0);
+    for (const double time_s : {0.0, 7.0, 20.0}) {
+        const Drawing drawing = staged.stage.at(time_s);
+        const View& view = drawing.views[0];
+        EXPECT_NEAR(view.ellipsoids[1].half_axes(0, 0) / before,
+                    distance_at(staged, time_s) / distance_at(staged, 0.0), 1e-12);
+        const Eigen::Vector3d tip = view.arrows.back().tip;
+        EXPECT_NEAR(tip.norm(), 1.0, 1e-14);
+        EXPECT_NEAR((view.ellipsoids[1].half_axes.inverse() * tip).norm(), 1.0, 1e-12);
+    }
+}
+
+TEST(Drag, IsShownByPanelsThatAllowIt) {
+    Scene scene = slowed("space");
+    for (const char* kind : {"space", "body", "momentum", "object", "plot"}) {
+        scene.panels[0].kind = kind;
+        EXPECT_NO_THROW(StagedScene(scene, 5.0).stage.at(5.0)) << kind;
+    }
+    scene.panels[0].kind = "plan";
+    EXPECT_THROW(StagedScene(scene, 5.0), InputError);
+    scene.panels.clear();
+    EXPECT_EQ(StagedScene(scene, 5.0).stage.at(1.0).views[0].planes.size(), 1u);
+    // Nothing is left of ω that a construction could be drawn from.
+    scene.torque = DragTorque{{20.0, 30.0, 40.0}};
+    EXPECT_THROW(StagedScene(scene, 20.0), InputError);
 }
 
 }  // namespace

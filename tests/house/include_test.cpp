@@ -49,7 +49,7 @@ const std::map<std::string, std::set<std::string>> allowed{
       "typeset", "shapes", "drawing", "render", "vector", "image", "output", "production"}},
     // The module of a page in a browser.
     {"page",
-     {"error", "text", "mechanics", "measured", "image", "typeset", "scene", "construction",
+     {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene", "construction",
       "shapes", "drawing", "render", "vector", "output", "production"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
@@ -163,7 +163,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"cli/extremes", "extreme scenes in several commands"},
     {"cli/suffixes", "all commands ignore the case of suffixes"},
     {"cli/unfinished", "what lies in the place of the unfinished work of every command"},
-    {"drawing/dissipation", "friction in all panels"},
+    {"drawing/dissipation", "friction and drag in all panels"},
     {"drawing/level_scale", "the scale of distances beside the body"},
     {"drawing/kept_curves", "the bound of every curve of every panel"},
     {"production/page_labels", "labels over the whole page, in all scenes"},

@@ -143,6 +143,8 @@ TEST(LibraryMotion, StepsUnderTorques) {
     const Vector3d end = Motion(moments, omega, options).at(4.0).omega_body;
     EXPECT_LT(end.dot(moments.cwiseProduct(end)), omega.dot(moments.cwiseProduct(omega)));
     EXPECT_NEAR(moments.cwiseProduct(end).norm(), moments.cwiseProduct(omega).norm(), 1e-9);
+    options.torque = Drag{.linear_1_s = {0.0, 0.0, 0.5}};
+    EXPECT_NEAR(Motion(moments, spin, options).at(4.0).omega_body[2], std::exp(-2.0), 1e-10);
     // A physical pendulum that turns about e1, from the horizontal to the lowest point: the
     // potential energy Mgl has become ½ I1 ω².
     options.torque = Gravity{.mgl_N_m = 2.0, .arm_body = {0.0, 3.0, 0.0}};

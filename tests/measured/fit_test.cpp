@@ -24,17 +24,19 @@ struct Truth {
     Eigen::Matrix3d axes;     // instrument from principal
     Eigen::Vector3d omega;    // at t = 0, instrument axes
     double damping_1_s = 0.0;
+    double growth_1_s = 0.0;  // of the damping
 };
 
-// ω at t of the damped motion, by stepping Euler's equations with the torque −γL in small steps:
-// not the closed form that the fit uses.
+// ω at t of the damped motion, by stepping Euler's equations with the torque −γ e^(κt) L in small
+// steps: for constant damping not the closed form that the fit uses.
 std::vector<MeasuredRow> measured(const Truth& truth, double span_s, int n, double noise,
                                   std::mt19937& random) {
     std::normal_distribution<double> scatter(0.0, noise);
     const Eigen::Matrix3d tensor = truth.axes * truth.moments.asDiagonal() * truth.axes.transpose();
     const Eigen::Matrix3d inverse = tensor.inverse();
-    const auto rate = [&](const Eigen::Vector3d& momentum) -> Eigen::Vector3d {
-        return momentum.cross(inverse * momentum) - truth.damping_1_s * momentum;
+    const auto rate = [&](const Eigen::Vector3d& momentum, double t) -> Eigen::Vector3d {
+        return momentum.cross(inverse * momentum) -
+               truth.damping_1_s * std::exp(truth.growth_1_s * t) * momentum;
     };
     Eigen::Vector3d momentum = tensor * truth.omega;
     std::vector<MeasuredRow> rows;
@@ -47,9 +49,11 @@ std::vector<MeasuredRow> measured(const Truth& truth, double span_s, int n, doub
         for (int k = 0; k < 3; ++k) row.omega_body[k] += noise > 0.0 ? scatter(random) : 0.0;
         rows.push_back(row);
         for (int k = 0; k < n_steps; ++k) {
-            const Eigen::Vector3d a = rate(momentum), b = rate(momentum + 0.5 * step * a),
-                                  c = rate(momentum + 0.5 * step * b),
-                                  d = rate(momentum + step * c);
+            const double t = (i * n_steps + k) * step;
+            const Eigen::Vector3d a = rate(momentum, t),
+                                  b = rate(momentum + 0.5 * step * a, t + 0.5 * step),
+                                  c = rate(momentum + 0.5 * step * b, t + 0.5 * step),
+                                  d = rate(momentum + step * c, t + step);
             momentum += step / 6.0 * (a + 2.0 * b + 2.0 * c + d);
         }
     }
@@ -136,6 +140,36 @@ TEST(Fit, TruthLiesWithinTheStatedUncertainty) { expect_covered(60, 2); }
 // Some minutes: run by the slow tests.
 TEST(Fit, DISABLED_TruthOfAThousandBodiesLiesWithinTheStatedUncertainty) {
     expect_covered(1000, 3);
+}
+
+// Damping that grows in time: both of its numbers lie within what is said, and the body as before.
+TEST(Fit, FindsTheGrowthOfTheDrag) {
+    std::mt19937 random(12);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    constexpr int n_bodies = 40;
+    int covered = 0, n = 0;
+    for (int i = 0; i < n_bodies; ++i) {
+        Truth truth = random_truth(random);
+        truth.damping_1_s = 0.02 + 0.05 * unit(random);
+        truth.growth_1_s = 0.6 * (unit(random) - 0.3);
+        const FittedMotion exact =
+            fit_motion(measured(truth, 8.0, 400, 0.0, random), {}, DragModel::growing);
+        EXPECT_NEAR(exact.drag_rates[0], truth.damping_1_s, 1e-6) << i;
+        EXPECT_NEAR(exact.drag_rates[1], truth.growth_1_s, 1e-5) << i;
+        EXPECT_LT((exact.moments - truth.moments).norm(), 1e-6) << i;
+        const double noise = 0.003 * truth.omega.norm();
+        const FittedMotion fit =
+            fit_motion(measured(truth, 8.0, 400, noise, random), {}, DragModel::growing);
+        for (const auto& [error, sd] :
+             {std::pair(fit.drag_rates[0] - truth.damping_1_s, fit.drag_rates_sd[0]),
+              std::pair(fit.drag_rates[1] - truth.growth_1_s, fit.drag_rates_sd[1]),
+              std::pair(fit.moments[1] - truth.moments[1], fit.moments_sd[1]),
+              std::pair(fit.moments[2] - truth.moments[2], fit.moments_sd[2])}) {
+            covered += std::abs(error) <= 1.96 * sd;
+            ++n;
+        }
+    }
+    EXPECT_NEAR(1.0 * covered / n, 0.95, 4.0 * std::sqrt(0.95 * 0.05 / n));
 }
 
 // Moments and start of a table with this noise, or the message that it is refused with.

@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,14 +23,14 @@ double median_of(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
-std::vector<FittedMotion> fitted_throws() {
+std::vector<FittedMotion> fitted_throws(const std::optional<DragModel>& drag = {}) {
     std::vector<FittedMotion> fits;
     const auto folder = source_folder() / "tests" / "measured" / "racket";
     for (const auto& entry : std::filesystem::directory_iterator(folder)) {
         if (entry.path().extension() != ".csv") continue;
         std::ifstream file(entry.path(), std::ios::binary);
         const std::string text{std::istreambuf_iterator<char>(file), {}};
-        fits.push_back(fit_motion(read_measured(text, entry.path().string()).rows));
+        fits.push_back(fit_motion(read_measured(text, entry.path().string()).rows, {}, drag));
     }
     return fits;
 }
@@ -57,6 +58,21 @@ TEST(Racket, SingleThrowsAgreeWithinTheirStatedDeviations) {
     for (const FittedMotion& fit : fits) {
         EXPECT_GT(std::abs(fit.instrument_from_principal(2, 0)), 0.97);
         EXPECT_GT(std::abs(fit.instrument_from_principal(1, 2)), 0.97);
+    }
+}
+
+// What the fit leaves is the air and the instrument: the noise of the rows is 0.0026 rad/s.
+TEST(Racket, MedianResidualIsBelow35Millirad) {
+    std::vector<double> residuals;
+    for (const FittedMotion& fit : fitted_throws()) residuals.push_back(fit.residual_rad_s);
+    EXPECT_LT(median_of(residuals), 0.035);
+}
+
+// A racket that falls faster and faster is slowed more and more: in each of the throws.
+TEST(Racket, AirSlowsItMoreAsItFalls) {
+    for (const FittedMotion& fit : fitted_throws(DragModel::growing)) {
+        EXPECT_GT(fit.drag_rates[0], 0.0);
+        EXPECT_GT(fit.drag_rates[1], 0.0);
     }
 }
 

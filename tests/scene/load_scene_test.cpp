@@ -244,6 +244,24 @@ TEST(BadScene, TorqueKeysBelongToTheirKind) {
     EXPECT_EQ(refusal(a_scene + "[torque]\nkind = \"gravity\"\nmgl_N_m = 1\narm_body = [0, 0, "
                                 "0]\n"),
               "scenes/a.toml:9:1: torque.arm_body is zero; give one that has a direction");
+    EXPECT_EQ(refusal(a_scene + "[torque]\nkind = \"drag\"\ngrowth_1_s = 1\n"),
+              "scenes/a.toml:7:1: torque.linear_1_s or torque.quadratic_1_rad is missing; a torque "
+              "of kind \"drag\" needs it");
+    EXPECT_EQ(refusal(a_scene + "[torque]\nkind = \"drag\"\nlinear_1_s = [1, 2]\n"),
+              "scenes/a.toml:8:14: torque.linear_1_s has 2 entries; it must be three numbers of at "
+              "least 0 in 1/s, as in linear_1_s = [0.2, 0.1, 0.1]");
+    EXPECT_EQ(refusal(a_scene + "[torque]\nkind = \"drag\"\nlinear_1_s = [1, -2, 1]\n"),
+              "scenes/a.toml:8:18: torque.linear_1_s[1] is -2; give a number of at least 0");
+    EXPECT_EQ(refusal(a_scene + "[torque]\nkind = \"drag\"\nquadratic_1_rad = [1, 1, -1e-300]\n")
+                  .substr(0, 19),
+              "scenes/a.toml:8:26:");
+    EXPECT_EQ(
+        refusal(a_scene + "[torque]\nkind = \"drag\"\nlinear_1_s = [1, 1, 1]\nrate_1_s = 1\n"),
+        "scenes/a.toml:9:1: torque.rate_1_s belongs to kind = \"dissipation\", but "
+        "torque.kind is \"drag\"; remove one of them");
+    EXPECT_EQ(refusal(a_scene + "[torque]\nkind = \"drag\"\nlinear_1_s = [1, 1, 1]\n"),
+              "scenes/a.toml:7:1: a torque of kind \"drag\" has no exact solution; set "
+              "motion.method to one of euler, rk4, dopri5, rkmk4");
 }
 
 TEST(BadScene, UnknownMethodGetsTheNearest) {

@@ -326,6 +326,15 @@ inline void write_motion(Dice& dice, Text& text) {
             text.set_number("torque.rate_1_s", dice.magnitude(-40, 40));
         else
             text.set_number("torque.half_life_s", dice.between(0.1, 100.0));
+    } else if (kind == "drag") {
+        const auto rates = [&dice] {
+            const double x = dice.magnitude(-40, 40), y = dice.between(0.0, 1.0);
+            return vector_text(x, y, 0.0);
+        };
+        const bool both = dice.one_in(3), is_linear = dice.one_in(2);
+        if (both || is_linear) text.set("torque.linear_1_s", rates());
+        if (both || !is_linear) text.set("torque.quadratic_1_rad", rates());
+        if (dice.one_in(2)) text.set_number("torque.growth_1_s", dice.any());
     }
     for (const std::string table : {"motion", "beside"}) {
         const Method& method = dice.one_of(methods());

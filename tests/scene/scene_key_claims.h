@@ -215,6 +215,25 @@ inline const Claims claims_of_rows{
     {"torque.rate_1_s",
      {with("torque", "kind = \"dissipation\"\nrate_1_s = 0.5\n[motion]\nmethod = \"rk4\""),
       [](const Scene& s) { return std::get<DissipationTorque>(torque(s)).rate_1_s == 0.5; }}},
+    {"torque.linear_1_s",
+     {with("torque", "kind = \"drag\"\nlinear_1_s = [1, 2, 3]\n[motion]\nmethod = \"rk4\""),
+      [](const Scene& s) {
+          const auto& drag = std::get<DragTorque>(torque(s));
+          return drag.linear_1_s == Eigen::Vector3d(1.0, 2.0, 3.0) &&
+                 drag.quadratic_1_rad.isZero(0.0);
+      }}},
+    {"torque.quadratic_1_rad",
+     {with("torque", "kind = \"drag\"\nquadratic_1_rad = [1, 2, 3]\n[motion]\nmethod = \"rk4\""),
+      [](const Scene& s) {
+          const auto& drag = std::get<DragTorque>(torque(s));
+          return drag.quadratic_1_rad == Eigen::Vector3d(1.0, 2.0, 3.0) &&
+                 drag.linear_1_s.isZero(0.0) && drag.growth_1_s == 0.0;
+      }}},
+    {"torque.growth_1_s",
+     {with("torque",
+           "kind = \"drag\"\nlinear_1_s = [1, 2, 3]\ngrowth_1_s = -0.5\n[motion]\nmethod = "
+           "\"rk4\""),
+      [](const Scene& s) { return std::get<DragTorque>(torque(s)).growth_1_s == -0.5; }}},
     {"measured.file",
      {with("measured", "file = \"gyro.csv\""),
       [](const Scene& s) {

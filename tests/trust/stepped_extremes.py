@@ -19,7 +19,7 @@ import time
 
 ANY = ["euler", "rk4", "dopri5", "rkmk4"]
 TORQUES = {"none": ANY + ["midpoint", "splitting", "dmv"], "gravity": ANY + ["splitting"], "constant_body": ANY, "constant_space": ANY,
-           "dissipation": ANY, "half_life": ANY}
+           "dissipation": ANY, "half_life": ANY, "drag": ANY}
 MOST_S = 1e5  # a film has 10,000,000 frames at most
 SILENT_S = 3.0
 DEADLINE_S = 120.0  # of wall-clock time, for a machine that does nothing but others' work
@@ -44,6 +44,10 @@ KNOWN = [
     scene([3.0, 2.0, 1.5], [0.1, 2.0, 0.1], friction("rate_1_s", 1e300), "dopri5"),
     scene([3.0, 2.0, 1.5], [0.1, 2.0, 0.1], friction("rate_1_s", 1e6), "rkmk4"),
     scene([3.0, 2.0, 1.5], [1.0, 200.0, 1.0], 'kind = "none"', "dmv", 7200.0),
+    scene([3.0, 2.0, 1.5], [1.0, 2.0, 1.0], 'kind = "drag"\nlinear_1_s = [100.0, 90.0, 80.0]', "dopri5", 100.0),
+    scene([3.0, 2.0, 1.5], [1.0, 2.0, 1.0], 'kind = "drag"\nlinear_1_s = [1e300, 1.0, 0.0]', "dopri5"),
+    scene([3.0, 2.0, 1.5], [1.0, 2.0, 1.0], 'kind = "drag"\nquadratic_1_rad = [1.0, 1.0, 0.0]', "dopri5", 20.0, -30.0),
+    scene([3.0, 2.0, 1.5], [1.0, 2.0, 1.0], 'kind = "drag"\nlinear_1_s = [1.0, 1.0, 0.0]\ngrowth_1_s = 700.0', "rk4", 1.0),
 ]
 
 
@@ -76,7 +80,9 @@ def random_scene(chance):
               "constant_body": f'kind = "constant_body"\ntorque_body_N_m = {vector}',
               "constant_space": f'kind = "constant_space"\ntorque_space_N_m = {vector}',
               "dissipation": friction("rate_1_s", size),
-              "half_life": friction("half_life_s", size)}[kind]
+              "half_life": friction("half_life_s", size),
+              "drag": f'kind = "drag"\nlinear_1_s = {[abs(x) for x in vector]}\nquadratic_1_rad = {[size, 0.0, abs(vector[0])]}\n'
+                      f'growth_1_s = {vector[2]!r}'}[kind]
     method = chance.choice(TORQUES[kind])
     extra = ""
     if chance.random() < 0.2:

@@ -39,7 +39,15 @@ Eigen::Vector3d ConstructionPicture::contact(const FrameInput& instant) const {
 }
 
 Eigen::Vector3d ConstructionPicture::foot(const FrameInput& instant) const {
-    return dissipates ? Eigen::Vector3d(foot() / rho_growth(instant.state.omega_body)) : foot();
+    return dissipates ? Eigen::Vector3d(foot() * plane_approach(instant.state.omega_body)) : foot();
+}
+
+double ConstructionPicture::plane_approach(const Eigen::Vector3d& omega_body) const {
+    if (!dissipates) return 1.0;
+    if (!is_slowed) return 1.0 / rho_growth(omega_body);
+    // |Jρ| = L/√(2T).
+    const double slope = (construction.inertia().matrix_body() * contact_body(omega_body)).norm();
+    return 1.0 / (slope * construction.plane_distance());
 }
 
 double ConstructionPicture::rho_growth(const Eigen::Vector3d& omega_body) const {

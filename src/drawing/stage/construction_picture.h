@@ -27,10 +27,12 @@ struct ConstructionPicture {
     Eigen::Vector3d normal = -Eigen::Vector3d::UnitZ();  // n = L/|L|, from the centre to the plane
     double plane_distance = 1.0;
     double herpolhode_radius = 0.0;  // outer radius of the annulus
-    // Whether internal friction reduces T: then the plane's distance at an instant is that
-    // instant's √(2T)/L, and ρ is computed with the instant's T. The values above are those at the
-    // start.
+    // Whether friction or drag reduces T: then the plane's distance at an instant is that instant's
+    // √(2T)/L, and ρ is computed with the instant's T. The values above are those at the start.
     bool dissipates = false;
+    // Whether drag also changes L: then the space axes of the picture turn with L, so that the
+    // plane stays normal to z.
+    bool is_slowed = false;
 
     // `plane`: "below" or "above", as [construction] says.
     ConstructionPicture(const MotionProblem& problem, std::string_view plane);
@@ -40,6 +42,8 @@ struct ConstructionPicture {
     Eigen::Vector3d foot(const FrameInput& instant) const;
     // √(T(0)/T) for this ω: 1 if T is conserved.
     double rho_growth(const Eigen::Vector3d& omega_body) const;
+    // √(2T)/L for this ω over its value at the start: 1 if T and L are conserved.
+    double plane_approach(const Eigen::Vector3d& omega_body) const;
     // ρ = ω/√(2T) in body axes, in the ellipsoid's lengths.
     Eigen::Vector3d contact_body(const Eigen::Vector3d& omega_body) const;
 

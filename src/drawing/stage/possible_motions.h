@@ -13,6 +13,7 @@ namespace poinsot {
 inline bool any_motion(const StageContext&) { return true; }
 // Whether the scene names a measured motion.
 inline bool has_measured(const StageContext& stage) { return stage.scene.measured.given(); }
+// Whether no torque but that of the air changes L.
 inline bool keeps_momentum(const StageContext& stage) { return stage.rolling.has_value(); }
 inline bool rolls(const StageContext& stage) {
     return stage.rolling.has_value() && !stage.rolling->dissipates;
@@ -33,6 +34,6 @@ inline constexpr std::string_view needs_measured = "a measured motion, in [measu
 inline constexpr std::string_view needs_heavy_top = "a heavy symmetric top";
 inline constexpr std::string_view needs_free_turning = "a torque-free body that turns";
 inline constexpr std::string_view needs_turning =
-    "a body that turns without torque; friction inside is allowed";
+    "a body that turns without torque; friction inside is allowed, and drag without [beside]";
 
 }  // namespace poinsot

@@ -1,10 +1,14 @@
 #include "drawing/stage/stage_context.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "drawing/stage/accuracy.h"
+#include "error/error.h"
+#include "numerics/least_turn.h"
 
 namespace poinsot {
 
@@ -25,14 +29,21 @@ StageContext::StageContext(const Scene& scene_, const Theme& theme_, const Motio
 
 void StageContext::make_construction() {
     const MotionProblem& problem = motion.motion().problem();
-    const bool dissipates = std::holds_alternative<DissipationTorque>(problem.torque);
+    const bool is_slowed = std::holds_alternative<DragTorque>(problem.torque);
+    const bool dissipates = is_slowed || std::holds_alternative<DissipationTorque>(problem.torque);
     if (!(dissipates || std::holds_alternative<NoTorque>(problem.torque)) ||
         problem.start.omega_body.isZero(0.0)) {
+        return;
+    }
+    // A second motion would have an L of its own, and no plane in axes that turn with the first.
+    if (is_slowed && comparison) {
         return;
     }
     rolling.emplace(problem, scene.construction.plane);
     if (dissipates) {
         rolling->dissipates = true;
+        rolling->is_slowed = is_slowed;
+        if (is_slowed) check_turning();
         rolling->cones.reset();  // their angles change
         widen_herpolhode();
         return;
@@ -47,6 +58,20 @@ RotationState StageContext::measured_state(const MeasuredRow& row) const {
         return {row.time_s, row.space_from_body, row.omega_body};
     return {row.time_s, motion.sample(row.time_s, attitude_too).state.space_from_body,
             row.omega_body};
+}
+
+// The construction needs a direction of ω: the air must not have stopped the body.
+void StageContext::check_turning() const {
+    constexpr double slowest = 1e-100;  // as a share of the start: squares are doubles
+    const double start = motion.motion().problem().start.omega_body.stableNorm();
+    for (const double time_s : {options.first_time_s, options.last_time_s}) {
+        const double left = motion.motion().at(time_s).omega_body.stableNorm() / start;
+        if (left > slowest && left < 1.0 / slowest) continue;
+        throw InputError(fmt::format(
+            "at {} s the drag has left {:.3g} of ω, from which no construction can be drawn; end "
+            "the film before, or give smaller rates",
+            time_s, left));
+    }
 }
 
 // Enlarges the herpolhode's radius to the largest component of ρ in the plane over the film.
@@ -67,14 +92,17 @@ void StageContext::widen_herpolhode() {
 
 FrameInput StageContext::instant_at(const FilmTime& moment, const Quantities& needs,
                                     bool with_comparison) const {
-    FrameInput instant{motion.sample(moment.time_s, needs), moment.time_s, moment.film_s};
+    Quantities wanted = needs;
+    if (follows_momentum()) wanted.attitude = true;
+    FrameInput instant{motion.sample(moment.time_s, wanted), moment.time_s, moment.film_s};
     if (with_comparison) {
         constexpr Quantities whole_state{
             .attitude = true, .herpolhode = false, .euler_angles = false};
         instant.comparison = comparison->sample(moment.time_s, whole_state).state;
     }
-    if (turns()) {
-        const Eigen::Quaterniond turn = turned_from_space(moment.time_s);
+    if (turns() || follows_momentum()) {
+        const Eigen::Quaterniond turn =
+            follows_momentum() ? turn_of_momentum(instant.state) : turned_from_space(moment.time_s);
         instant.state.space_from_body = turn * instant.state.space_from_body;
         instant.herpolhode_space = turn * instant.herpolhode_space;
         if (instant.comparison) {
@@ -84,7 +112,14 @@ FrameInput StageContext::instant_at(const FilmTime& moment, const Quantities& ne
     return instant;
 }
 
+Eigen::Quaterniond StageContext::turn_of_momentum(const RotationState& state) const {
+    const Eigen::Vector3d along =
+        rolling->construction.inertia().matrix_body() * state.omega_body.stableNormalized();
+    return least_turn(state.space_from_body * along, rolling->construction.normal_space());
+}
+
 Eigen::Quaterniond StageContext::turned_from_space(double time_s) const {
+    if (follows_momentum()) return turn_of_momentum(motion.sample(time_s, attitude_too).state);
     const double angle_rad = turn_rate_rad_s * (time_s - scene.film.start_s);
     return Eigen::Quaterniond(Eigen::AngleAxisd(-angle_rad, rolling->construction.normal_space()));
 }

@@ -29,7 +29,7 @@ struct StageContext {
     double film_first_s = 0.0;  // time span of the film and of time axes
     double film_last_s = 1.0;
 
-    std::optional<ConstructionPicture> rolling;  // of motions that rotate and conserve L
+    std::optional<ConstructionPicture> rolling;  // of motions that rotate without a driving torque
     std::optional<double> polhode_period_s;      // if it has one
     double turn_rate_rad_s = 0.0;  // of the shown space axes about L (co-precessing camera)
     Timeline timeline;
@@ -59,6 +59,9 @@ struct StageContext {
     // and its view of the plane turn about L together; this equals a fixed camera and
     // rotating space axes. Both axes coincide at the film's start.
     bool turns() const { return turn_rate_rad_s != 0.0; }
+    // Under drag the shown axes turn with L, by the least turn that takes its direction to that at
+    // the start.
+    bool follows_momentum() const { return rolling && rolling->is_slowed; }
     Eigen::Quaterniond turned_from_space(double time_s) const;
 
     // An upper bound of |ω|, rad/s: from the energy at the start and the work of gravity.
@@ -66,7 +69,9 @@ struct StageContext {
 
  private:
     void make_construction();
+    void check_turning() const;
     void widen_herpolhode();
+    Eigen::Quaterniond turn_of_momentum(const RotationState& state) const;
 };
 
 }  // namespace poinsot

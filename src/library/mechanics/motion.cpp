@@ -27,6 +27,9 @@ poinsot::Torque torque_in(const Torque& torque) {
         poinsot::Torque operator()(const InternalFriction& friction) const {
             return DissipationTorque{friction.rate_1_s};
         }
+        poinsot::Torque operator()(const Drag& drag) const {
+            return DragTorque{drag.linear_1_s, drag.quadratic_1_rad, drag.growth_1_s};
+        }
     };
     return std::visit(Visitor{}, torque);
 }

@@ -62,8 +62,15 @@ struct ConstantTorqueInSpace {
 struct InternalFriction {
     double rate_1_s = 0.0;
 };
-using Torque =
-    std::variant<NoTorque, Gravity, ConstantTorqueInBody, ConstantTorqueInSpace, InternalFriction>;
+// The drag of the air: the torque −(linear_i + quadratic_i |ω_i|) e^(growth·t) I_i ω_i along the
+// principal axes.
+struct Drag {
+    Eigen::Vector3d linear_1_s = Eigen::Vector3d::Zero();       // ≥ 0
+    Eigen::Vector3d quadratic_1_rad = Eigen::Vector3d::Zero();  // ≥ 0
+    double growth_1_s = 0.0;
+};
+using Torque = std::variant<NoTorque, Gravity, ConstantTorqueInBody, ConstantTorqueInSpace,
+                            InternalFriction, Drag>;
 
 struct MotionOptions {
     Quaternion start_attitude = Quaternion::Identity();  // space_from_body at t = 0; any length

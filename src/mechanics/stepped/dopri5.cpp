@@ -39,6 +39,8 @@ class Dopri5 {
                     ? momentum
                     : std::sqrt(torque) * std::sqrt(dynamics_.moments_kg_m2().maxCoeff());
         if (!(unit_ > 0.0)) unit_ = 1.0;
+        first_time_s_ = start.state.time_s;
+        is_slowed_ = std::holds_alternative<DragTorque>(dynamics_.torque());
     }
 
     StepNode next(const StepNode& node, StepCounters& counters) const {
@@ -51,7 +53,7 @@ class Dopri5 {
         end.index = node.index + 1;
         end.time_s = time;
         end.step_s = step;
-        end.state = state_of(node.state, numbers);
+        end.state = state_of(node.state, numbers, unit_at(node.state));
         ++counters.n_steps;
         return end;
     }
@@ -59,28 +61,29 @@ class Dopri5 {
     StepState within(const StepNode& node, double time_s, StepCounters& counters) const {
         if (time_s == node.time_s) return node.state;
         Controlled controlled = controller();
+        const double unit = unit_at(node.state);
         Numbers numbers{};
         Numbers end_slope{};
         if (friction_.acts()) {
             // A shorter step instead of the interpolation: its sum of the decay grows with time.
-            const Numbers start = numbers_of(node.state);
-            const auto system = [&](const Numbers& n, Numbers& rate, double) {
-                derive(n, rate, counters);
+            const Numbers start = numbers_of(node.state, unit);
+            const auto system = [&](const Numbers& n, Numbers& rate, double t) {
+                derive(n, rate, unit, t, counters);
             };
             Numbers slope{};
-            derive(start, slope, counters);
+            derive(start, slope, unit, node.time_s, counters);
             controlled.stepper().do_step(system, start, slope, node.time_s, numbers, end_slope,
                                          time_s - node.time_s);
-            return state_of(node.state, numbers);
+            return state_of(node.state, numbers, unit);
         }
         double end_time = 0.0;
         double step = 0.0;
         const Numbers slope =
             take_step(node, controlled, numbers, end_slope, end_time, step, counters);
         Numbers between{};
-        controlled.stepper().calc_state(time_s, between, numbers_of(node.state), slope, node.time_s,
-                                        numbers, end_slope, end_time);
-        return state_of(node.state, between);
+        controlled.stepper().calc_state(time_s, between, numbers_of(node.state, unit), slope,
+                                        node.time_s, numbers, end_slope, end_time);
+        return state_of(node.state, between, unit);
     }
 
  private:
@@ -88,13 +91,20 @@ class Dopri5 {
         return Controlled(Checker(tolerance_, tolerance_), Adjuster(longest_step_s_));
     }
 
-    Numbers numbers_of(const StepState& state) const {
+    // The unit of L in the step from this state: under drag L falls, and each step keeps to the
+    // tolerance of what is left.
+    double unit_at(const StepState& state) const {
+        const double momentum = is_slowed_ ? state.momentum.stableNorm() : 0.0;
+        return momentum > 0.0 ? momentum : unit_;
+    }
+
+    Numbers numbers_of(const StepState& state, double unit) const {
         const Eigen::Vector4d& q = state.space_from_principal.coeffs();
         if (friction_.acts())
             return {0.0, friction_.turn_of_decay_rad(state.momentum), 0.0, q[0], q[1], q[2], q[3]};
-        return {state.momentum[0] / unit_,
-                state.momentum[1] / unit_,
-                state.momentum[2] / unit_,
+        return {state.momentum[0] / unit,
+                state.momentum[1] / unit,
+                state.momentum[2] / unit,
                 q[0],
                 q[1],
                 q[2],
@@ -102,27 +112,28 @@ class Dopri5 {
     }
 
     // The quaternion of unit length: its drift is of the order of the tolerance.
-    StepState state_of(const StepState& start, const Numbers& n) const {
+    StepState state_of(const StepState& start, const Numbers& n, double unit) const {
         const Eigen::Quaterniond attitude = Eigen::Quaterniond(n[6], n[3], n[4], n[5]).normalized();
         if (friction_.acts())
             return friction_.settled(start, attitude, n[1] > 0.0 ? n[0] / n[1] : 0.0);
-        return {unit_ * Eigen::Vector3d(n[0], n[1], n[2]), attitude};
+        return {unit * Eigen::Vector3d(n[0], n[1], n[2]), attitude};
     }
 
-    void derive(const Numbers& n, Numbers& rate, StepCounters& counters) const {
+    void derive(const Numbers& n, Numbers& rate, double unit, double t,
+                StepCounters& counters) const {
         ++counters.n_right_hand_sides;
         counters.n_torques += dynamics_.has_torque() ? 1 : 0;
         const Eigen::Quaterniond q(n[6], n[3], n[4], n[5]);
         const StepState state{
-            friction_.acts() ? friction_.momentum_at(q) : unit_ * Eigen::Vector3d(n[0], n[1], n[2]),
-            q};
+            friction_.acts() ? friction_.momentum_at(q) : unit * Eigen::Vector3d(n[0], n[1], n[2]),
+            q, first_time_s_ + t};
         const RotationRates rates = dynamics_.rates(state);
         const Eigen::Vector3d half = 0.5 * rates.turning;
         const Eigen::Vector4d turning =
             (q * Eigen::Quaterniond(0.0, half[0], half[1], half[2])).coeffs();
         for (int i = 0; i < 3; ++i)
             rate[static_cast<std::size_t>(i)] =
-                friction_.acts() ? 0.0 : rates.momentum_rate[i] / unit_;
+                friction_.acts() ? 0.0 : rates.momentum_rate[i] / unit;
         if (friction_.acts()) {
             const double decay_1_s = n[1] * friction_.decay_1_s(state.momentum);
             rate[0] = friction_.backwards() ? -decay_1_s : decay_1_s;
@@ -135,13 +146,16 @@ class Dopri5 {
     Numbers take_step(const StepNode& node, Controlled& controlled, Numbers& end,
                       Numbers& end_slope, double& time, double& step,
                       StepCounters& counters) const {
-        const Numbers start = numbers_of(node.state);
-        const auto system = [&](const Numbers& n, Numbers& rate, double) {
-            derive(n, rate, counters);
+        const double unit = unit_at(node.state);
+        const Numbers start = numbers_of(node.state, unit);
+        const auto system = [&](const Numbers& n, Numbers& rate, double t) {
+            derive(n, rate, unit, t, counters);
         };
         Numbers slope = node.slope;
-        // With friction the state after a step is not quite where its last derivative was taken.
-        if (node.index == 0 || friction_.acts()) derive(start, slope, counters);
+        // With friction the state after a step is not quite where its last derivative was taken,
+        // and under drag that derivative has another unit.
+        if (node.index == 0 || friction_.acts() || is_slowed_)
+            derive(start, slope, unit, node.time_s, counters);
         time = node.time_s;
         step = node.step_s;
         constexpr int max_tries = 60;
@@ -159,7 +173,9 @@ class Dopri5 {
     Friction friction_;
     double tolerance_;
     double longest_step_s_ = 0.0;
-    double unit_ = 1.0;
+    double unit_ = 1.0;  // of L
+    double first_time_s_ = 0.0;
+    bool is_slowed_ = false;  // by the air
 };
 
 }  // namespace

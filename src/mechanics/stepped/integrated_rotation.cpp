@@ -17,7 +17,7 @@ constexpr double steps_a_turn = 200.0;
 
 // The default step: a 200th of the shortest turn that the motion can make within the span.
 double default_step_s(const RotationDynamics& dynamics, const Eigen::Vector3d& momentum,
-                      double span_s) {
+                      double span_s, double drag_rate_1_s) {
     const double torque = dynamics.greatest_torque_N_m();
     const double least_moment = dynamics.moments_kg_m2().minCoeff();
     // A pendulum's rate under gravity; under a constant torque the rate that the body can reach.
@@ -25,7 +25,7 @@ double default_step_s(const RotationDynamics& dynamics, const Eigen::Vector3d& m
     const double gained =
         swings ? 2.0 * std::sqrt(torque / least_moment) : torque * span_s / least_moment;
     const double rate = dynamics.greatest_free_omega(momentum) + gained +
-                        dynamics.greatest_friction_turning_rad_s();
+                        dynamics.greatest_friction_turning_rad_s() + drag_rate_1_s;
     const double step = 2.0 * std::numbers::pi / (steps_a_turn * rate);
     return std::isfinite(step) && step < span_s ? step : span_s;
 }
@@ -75,8 +75,16 @@ MethodStart IntegratedRotation::prepare(const MotionProblem& problem) {
                 .normalized();
     }
 
+    start.state.time_s = problem.start.time_s;
+    const double drag_rate_1_s = start.dynamics.greatest_drag_rate_1_s(
+        start.state.momentum, first_time_s_, last_time_s_ + overshoot_s_);
+    if (!std::isfinite(drag_rate_1_s))
+        throw InputError(
+            "the rates of the drag leave the range of double-precision numbers; give smaller rates "
+            "or a smaller growth");
+
     step_s_ = problem.method.step_s.value_or(
-        default_step_s(start.dynamics, start.state.momentum, span_s));
+        default_step_s(start.dynamics, start.state.momentum, span_s, drag_rate_1_s));
     if (problem.method.step_s && span_s > 0.0 && step_s_ > span_s) {
         throw InputError(
             fmt::format("step_s is {} s, longer than the {} s to be covered; give a shorter one",
@@ -90,6 +98,15 @@ MethodStart IntegratedRotation::prepare(const MotionProblem& problem) {
             "friction turns the body by {:.3g} rad in a step of {} s, and by 1 rad at most it can "
             "be stepped; give a step_s of at most {:.3g} s",
             friction_rad, step_s_, step_s_ / friction_rad));
+    }
+
+    // Nor is drag followed that slows the body by more than its speed in a step.
+    const double slowed = step_s_ * drag_rate_1_s;
+    if (method_->takes_step && span_s > 0.0 && !(slowed <= 1.0)) {
+        throw InputError(fmt::format(
+            "the drag slows the body by {:.3g} of its speed in a step of {} s, and by 1 at most it "
+            "can be stepped; give a step_s of at most {:.3g} s",
+            slowed, step_s_, step_s_ / slowed));
     }
 
     start.step_s = step_s_;

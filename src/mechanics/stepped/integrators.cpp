@@ -39,8 +39,8 @@ StateRate rate_of(const RotationDynamics& dynamics, const StepState& state,
 }
 
 StepState moved(const StepState& state, const StateRate& rate, double h) {
-    return {state.momentum + h * rate.momentum,
-            moved(state.space_from_principal, rate.attitude, h)};
+    return {state.momentum + h * rate.momentum, moved(state.space_from_principal, rate.attitude, h),
+            state.time_s + h};
 }
 
 // The rotation by |v| about v.
@@ -150,11 +150,12 @@ Propagator rkmk4(const MethodStart& start) {
             Vector3d momentum_rate_space;
             double decay_1_s;
         };
-        const auto stage = [&](const Vector3d& u, const Vector3d& momentum) {
+        const auto stage = [&](const Vector3d& u, const Vector3d& momentum, double after_s) {
             ++counters.n_right_hand_sides;
             StepState here;
             here.space_from_principal = q0 * rotation_by(u);
             here.momentum = here.space_from_principal.conjugate() * momentum;
+            here.time_s = state.time_s + after_s;
             const Vector3d omega = dynamics.rates(here).turning;
             counters.n_torques += kept.kept ? 0 : 2;
             const Vector3d across = u.cross(omega);
@@ -165,12 +166,12 @@ Propagator rkmk4(const MethodStart& start) {
             }
             return result;
         };
-        const Stage k1 = stage(Vector3d::Zero(), momentum_space);
+        const Stage k1 = stage(Vector3d::Zero(), momentum_space, 0.0);
         const Stage k2 =
-            stage(0.5 * h * k1.turning, momentum_space + 0.5 * h * k1.momentum_rate_space);
+            stage(0.5 * h * k1.turning, momentum_space + 0.5 * h * k1.momentum_rate_space, 0.5 * h);
         const Stage k3 =
-            stage(0.5 * h * k2.turning, momentum_space + 0.5 * h * k2.momentum_rate_space);
-        const Stage k4 = stage(h * k3.turning, momentum_space + h * k3.momentum_rate_space);
+            stage(0.5 * h * k2.turning, momentum_space + 0.5 * h * k2.momentum_rate_space, 0.5 * h);
+        const Stage k4 = stage(h * k3.turning, momentum_space + h * k3.momentum_rate_space, h);
         const Vector3d u =
             h / 6.0 * (k1.turning + 2.0 * k2.turning + 2.0 * k3.turning + k4.turning);
         const Vector3d momentum_end =

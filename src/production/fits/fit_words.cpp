@@ -20,11 +20,16 @@ void add_drag(const FittedMotion& fit, std::vector<std::string>& lines) {
         lines.push_back(fmt::format("damping of L: {} 1/s", with_sd(rates[0], sd[0])));
         return;
     }
-    lines.push_back(
-        fmt::format("drag {}, torques −γ_i I_i {}: γ = {}, {}, {} {}", name_of(fit.drag),
-                    fit.drag == DragModel::axes ? "ω_i" : "|ω_i| ω_i", with_sd(rates[0], sd[0]),
-                    with_sd(rates[1], sd[1]), with_sd(rates[2], sd[2]),
-                    fit.drag == DragModel::axes ? "1/s" : "1/rad"));
+    if (fit.drag == DragModel::growing)
+        lines.push_back(fmt::format(
+            "drag growing, torque −γ e^(κt) L from the first row on: γ = {} 1/s, κ = {} 1/s",
+            with_sd(rates[0], sd[0]), with_sd(rates[1], sd[1])));
+    else
+        lines.push_back(
+            fmt::format("drag {}, torques −γ_i I_i {}: γ = {}, {}, {} {}", name_of(fit.drag),
+                        fit.drag == DragModel::axes ? "ω_i" : "|ω_i| ω_i", with_sd(rates[0], sd[0]),
+                        with_sd(rates[1], sd[1]), with_sd(rates[2], sd[2]),
+                        fit.drag == DragModel::axes ? "1/s" : "1/rad"));
     lines.push_back(fmt::format("linear drag, −γL, would leave a residual of {:.3g} rad/s",
                                 fit.linear_residual_rad_s));
 }

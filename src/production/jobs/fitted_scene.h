@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "measured/fit.h"
+#include "measured/measured_motion.h"
 
 namespace poinsot {
 
@@ -19,9 +20,15 @@ struct FittedScene {
     std::string table{};  // path of the table of the rows, seen from the scene; empty: none
 };
 
-// A scene of the motion without its drag, with the points of its table. Its times are those of the
-// rows: the motion is followed back to t = 0. ω(t) tells moments up to a common factor only: I1 =
-// 1 kg m² unless they were given.
+// A scene of the motion with its drag, and the points of its table. ω(t) tells moments up to a
+// common factor only: I1 = 1 kg m² unless they were given. The drag is left out, with a comment
+// that says why, if it does not differ from 0 or a scene cannot have it.
 std::string text_of(const FittedScene& scene);
+
+// The instant of the rows, s, at which the scene's times begin: 0 without drag, since the motion is
+// followed back to t = 0; else that of the first row, since a motion under drag cannot be followed
+// far back. The table of the scene has times from there on.
+double zero_of(const FittedScene& scene);
+MeasuredMotion counted_from(MeasuredMotion measured, double zero_s);
 
 }  // namespace poinsot

@@ -222,36 +222,41 @@ class Fit(_Body):
         return _poinsot.fitted_omega(self._found, instants.ravel()).reshape(instants.shape + (3,))
 
     def scene(self, path: Optional[Path] = None) -> Scene:
-        """A scene of the motion without its drag, as `poinsot fit -o NAME.toml` writes it.
+        """A scene of the motion and its drag, as `poinsot fit -o NAME.toml` writes it.
+
+        With drag, the scene's times begin at the first row, since a motion under drag cannot be followed far back.
+        The drag is left out, as a comment of the scene says, if it does not differ from 0 or a rate is negative.
 
         With a path, NAME.toml, the scene is a file, with a table of the rows in NAME.csv beside it: then pictures
         show the measured points. Raises InputError for another suffix, and if NAME.csv exists and holds something
         else; EnvironmentError if a file cannot be written.
         """
         if path is None:
-            return Scene(self._scene_text(""))
+            return Scene(self._scene_text("")[0])
         name = path_text(path)
         stem, suffix = os.path.splitext(name)
         if suffix.lower() != ".toml":
             raise InputError(f"{name}: a scene is a file in TOML; end its name in .toml")
-        table, rows = stem + ".csv", self._table_bytes()
+        table = stem + ".csv"
+        text, zero_s = self._scene_text(os.path.basename(table))
+        rows = self._table_bytes(zero_s)
         if os.path.exists(table) and not _holds(table, rows):
             raise InputError(f"{table}: exists, and the rows would overwrite it; give the scene another name")
         write_file(table, rows)
-        write_file(name, self._scene_text(os.path.basename(table)).encode("utf-8"))
+        write_file(name, text.encode("utf-8"))
         return Scene(name if os.path.dirname(name) else os.path.join(os.curdir, name))
 
     def _charted(self) -> Tuple[str, List[Any], Optional[Dict[str, Any]]]:
         return self._title(), [(self._found, self.times, self.omega, False, None)], None
 
-    def _scene_text(self, table: str) -> str:
+    def _scene_text(self, table: str) -> Tuple[str, float]:
         attitude = None if self.attitude is None else self.attitude[0]
         words = [f"{self._body_words()}, drag: {self._found['drag']}", self._row_words()]
         return _poinsot.fitted_scene(self._found, words, float(self.times[-1]), attitude, table)
 
-    def _table_bytes(self) -> bytes:
+    def _table_bytes(self, zero_s: float) -> bytes:
         head = "time_s,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s"
-        columns = [self.times[:, np.newaxis], self.omega]
+        columns = [self.times[:, np.newaxis] - zero_s, self.omega]
         if self.attitude is not None:
             head += ",q_w,q_x,q_y,q_z"
             columns.append(self.attitude)

@@ -202,12 +202,14 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
     const PoinsotConstruction& construction = stage.rolling->construction;
     const StageOptions& options = stage.options;
     const std::string& kind = stage.scene.trail.herpolhode;
-    constexpr Quantities wanted{.attitude = false, .herpolhode = true, .euler_angles = false};
-    const PathPoint point = [&](double t) -> Eigen::Vector3d {
+    const bool follows = stage.follows_momentum();
+    const Quantities wanted{.attitude = follows, .herpolhode = true, .euler_angles = false};
+    const PathPoint point = [&, follows](double t) -> Eigen::Vector3d {
         const MotionSample sample = stage.motion.motion().sample(t, wanted);
         const Eigen::Vector3d& space = sample.herpolhode_space;
         if (stage.rolling->dissipates)
-            return construction.contact_in_plane(space) *
+            return construction.contact_in_plane(follows ? stage.turned_from_space(t) * space
+                                                         : space) *
                    stage.rolling->rho_growth(sample.state.omega_body);
         return construction.contact_in_plane(stage.turns() ? stage.turned_from_space(t) * space
                                                            : space);

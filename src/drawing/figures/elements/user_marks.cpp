@@ -35,7 +35,7 @@ TextBlock name_of(const Panel& panel, StageStore& store, std::size_t i) {
 
 RotationState state_at(const StageContext& stage, double time_s) {
     RotationState state = stage.motion.sample(time_s, attitude_too).state;
-    if (stage.turns())
+    if (stage.turns() || stage.follows_momentum())
         state.space_from_body = stage.turned_from_space(time_s) * state.space_from_body;
     return state;
 }

@@ -28,7 +28,9 @@ bool shows_element(const Scene& scene, std::string_view name) {
 class UnusedKeys {
  public:
     explicit UnusedKeys(const Scene& scene)
-        : scene_(scene), dissipates_(std::holds_alternative<DissipationTorque>(scene.torque)) {
+        : scene_(scene),
+          dissipates_(std::holds_alternative<DissipationTorque>(scene.torque) ||
+                      std::holds_alternative<DragTorque>(scene.torque)) {
         // Without a motion a heavy top is not known. "object", the panel of other falling bodies,
         // takes every key that "top" takes, except trail.axis.
         if (scene.panels.empty()) kinds_ = {&panel_kind_named(default_panel(scene, false))};

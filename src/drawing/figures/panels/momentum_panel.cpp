@@ -227,9 +227,9 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         builder.view.ellipsoids = {sphere, energy};
         builder.view.curves = curves;
         if (spiral) {
-            // The ellipsoid of the remaining T.
+            // The ellipsoid of the remaining T, in units of the remaining L.
             builder.view.ellipsoids.back().half_axes =
-                energy.half_axes / panel.stage->rolling->rho_growth(instant.state.omega_body);
+                energy.half_axes * panel.stage->rolling->plane_approach(instant.state.omega_body);
             spiral(instant, builder);
         }
         name_shapes("momentum-sphere", builder);

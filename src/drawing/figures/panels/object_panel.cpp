@@ -79,20 +79,34 @@ class TorqueScale {
           body_from_principal_(stage.motion.motion().problem().inertia.body_from_principal()),
           dynamics_(stage.motion.motion().problem().inertia,
                     stage.motion.motion().problem().torque),
-          most_N_m_(dynamics_.has_torque() ? dynamics_.greatest_torque_N_m() : 0.0) {}
+          most_N_m_(dynamics_.has_torque() ? dynamics_.greatest_torque_N_m() : 0.0) {
+        if (!std::holds_alternative<DragTorque>(dynamics_.torque())) return;
+        constexpr int n = 64;
+        for (int k = 0; k <= n; ++k) {
+            const double t = stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n;
+            most_N_m_ =
+                std::max(most_N_m_, torque_body(stage.motion.sample(t, attitude_too).state).norm());
+        }
+    }
 
     bool acts() const { return most_N_m_ > 0.0; }
     Eigen::Vector3d along(const RotationState& state) const {
         constexpr double length = 1.0;
-        StepState step;
-        step.space_from_principal =
-            state.space_from_body * Eigen::Quaterniond(body_from_principal_);
-        const Eigen::Vector3d torque_body = body_from_principal_ * dynamics_.torque_on(step);
-        return object_from_space(*stage_) * (state.space_from_body * torque_body) *
+        return object_from_space(*stage_) * (state.space_from_body * torque_body(state)) *
                (length / most_N_m_);
     }
 
  private:
+    Eigen::Vector3d torque_body(const RotationState& state) const {
+        StepState step;
+        step.momentum = dynamics_.moments_kg_m2().cwiseProduct(body_from_principal_.transpose() *
+                                                               state.omega_body);
+        step.time_s = state.time_s;
+        step.space_from_principal =
+            state.space_from_body * Eigen::Quaterniond(body_from_principal_);
+        return body_from_principal_ * dynamics_.torque_on(step);
+    }
+
     const StageContext* stage_;
     Eigen::Matrix3d body_from_principal_;
     RotationDynamics dynamics_;
