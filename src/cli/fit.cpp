@@ -68,8 +68,7 @@ Eigen::Vector3d moments_in(const std::string& text) {
 
 std::optional<DragModel> drag_named(const std::string& text) {
     if (text.empty()) return std::nullopt;
-    for (const DragModel drag : {DragModel::none, DragModel::linear, DragModel::axes,
-                                 DragModel::quadratic, DragModel::growing})
+    for (const DragModel drag : drag_models)
         if (text == name_of(drag)) return drag;
     throw InputError(
         fmt::format("--drag {}: give none, linear, axes, quadratic or growing", printable(text)));

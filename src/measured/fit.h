@@ -16,6 +16,8 @@ namespace poinsot {
 //   linear: −γ L, which keeps the polhode; axes: −γ_i I_i ω_i; quadratic: −γ_i I_i |ω_i| ω_i;
 //   growing: −γ e^(κt) L, as of a body that falls faster and faster, t from the first row on.
 enum class DragModel { none, linear, axes, quadratic, growing };
+constexpr DragModel drag_models[] = {DragModel::none, DragModel::linear, DragModel::axes,
+                                     DragModel::quadratic, DragModel::growing};
 std::string_view name_of(DragModel drag);
 
 // A motion that is free but for the air. Uncertainties are standard deviations that the residuals

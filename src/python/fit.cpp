@@ -122,8 +122,7 @@ std::optional<Eigen::Vector3d> known_moments(const Maybe& moments) {
 std::optional<DragModel> known_drag(const std::optional<std::string>& name) {
     if (!name) return std::nullopt;
     std::string names;
-    for (const DragModel drag :
-         {DragModel::none, DragModel::linear, DragModel::axes, DragModel::quadratic}) {
+    for (const DragModel drag : drag_models) {
         if (*name == name_of(drag)) return drag;
         names += (names.empty() ? "" : ", ") + std::string(name_of(drag));
     }

@@ -35,9 +35,10 @@ class Drag(NamedTuple):
     """The torque of the air along the principal axes, for principal moments I_i.
 
     Attributes:
-        model: "none"; "linear": −γ L; "axes": −γ_i I_i ω_i; "quadratic": −γ_i I_i |ω_i| ω_i.
-        rates: γ_i in 1/s, for the quadratic drag in 1/rad; three times the same for the linear one. Shape (3,);
-            None for a joint fit whose flights have a drag each.
+        model: "none"; "linear": −γ L; "axes": −γ_i I_i ω_i; "quadratic": −γ_i I_i |ω_i| ω_i; "growing":
+            −γ e^(κt) L, t from the first row on.
+        rates: γ_i in 1/s, for the quadratic drag in 1/rad; three times the same for the linear one; γ, κ and 0 for
+            the growing one, in 1/s. Shape (3,); None for a joint fit whose flights have a drag each.
         rates_sd: their standard deviations; None where they are not known.
     """
 
@@ -328,8 +329,8 @@ def fit(
     share_drag, all flights have the same drag.
 
     moments: the principal moments in kg m², shape (3,), in any order, if they are known; then only axes, start and
-    drag are fitted. drag: "none", "linear", "axes" or "quadratic" (`help(poinsot.Drag)`); None: linear where this
-    describes the rows to their noise, else axes or quadratic. predict: also fits the first rows alone, this many,
+    drag are fitted. drag: "none", "linear", "axes", "quadratic" or "growing" (`help(poinsot.Drag)`); None: linear
+    where this describes the rows to their noise, else the best of the three others. predict: also fits the first rows alone, this many,
     and says how far the others depart; for several flights, with the body of the others.
 
     The closed form is Jacobi's; with the torque −γL, ω(t) = e^(−γt) ω_free((1 − e^(−γt))/γ). Ctrl-C ends the fit.
