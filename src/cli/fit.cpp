@@ -362,8 +362,8 @@ CommandLine fit_line(std::any& storage) {
               "several flights, by the body of the others",
               &c.predict, "rows"},
              {"--chart",
-              "FILE.svg, .pdf or .png: draw measured and fitted ω, the residuals and, for several "
-              "flights, the ratios of the moments",
+              "FILE.svg: draw measured and fitted ω, the residuals and, for several flights, the "
+              "ratios of the moments; also as .pdf or .png",
               &c.chart},
              json_option(c.json)},
             [&c] { return run(c); }};
