@@ -167,11 +167,7 @@ std::span<const SceneKey> motion_keys() {
                "drag of the air: its torque grows as e^(growth·t), as that of a body that falls "
                "faster and faster; below 0 it falls")
             .default_is("0")
-            .written_by(torque_text(&DragTorque::growth_1_s))
-            .written_if([](const Scene& scene) {
-                const auto* drag = std::get_if<DragTorque>(&scene.torque);
-                return drag != nullptr && drag->growth_1_s != 0.0;
-            }),
+            .written_by(torque_text(&DragTorque::growth_1_s)),
 
         // How the motion is computed.
         text("motion.method", method(&MethodChoice::name), R"("exact")",

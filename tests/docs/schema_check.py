@@ -21,7 +21,7 @@ import jsonschema
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 # The unit of a key by the end of its name; longer ends first.
 UNITS = {
-    "_kg_m2_s": "kg m²/s", "_kg_m2": "kg m²", "_kg_m3": "kg/m³", "_rad_s": "rad/s", "_N_m": "N m", "_1_s": "1/s", "_deg": "degrees", "_rad": "rad",
+    "_kg_m2_s": "kg m²/s", "_kg_m2": "kg m²", "_kg_m3": "kg/m³", "_rad_s": "rad/s", "_N_m": "N m", "_1_s": "1/s", "_1_rad": "1/rad", "_deg": "degrees", "_rad": "rad",
     "_kg": "kg", "_px": "pixels", "_m": "m", "_s": "s",
 }
 
@@ -93,9 +93,12 @@ def disagreements(program, schema):
                 said = said_of(program, scene.format(value if number.get("type") == "integer" else f"{value}.0"))
             bounded = re.search(r"give an? \w+ from (\S+) to (\S+)$", said.strip())
             told = tuple(map(float, bounded.groups())) if bounded else (None, None)
+            if least := re.search(r"give an? \w+ of at least (\S+)$", said.strip()):
+                told = (float(least[1]), None)
             has = (number.get("minimum"), number.get("maximum")) if "exclusiveMinimum" not in number else (None, None)
             n_bounded += bounded is not None
-            if told != has and not (bounded is None and None not in has and has[0] <= value <= has[1]):
+            inside = has[0] is not None and has[0] <= value and (has[1] is None or value <= has[1])
+            if told != has and not (bounded is None and least is None and inside):
                 yield f"{key}: the schema has {has}, the program says {said.strip()!r}"
     if n_positive < 10 or n_bounded < 60:
         yield f"only {n_positive} keys refuse 0, and {n_bounded} values were out of bounds"
