@@ -63,6 +63,20 @@ TEST(ThingNames, AreShownByDefault) {
     EXPECT_EQ(times.size(), 4u);
 }
 
+// Under drag, L turns in space, and the plane with it.
+TEST(ThingNames, OfAPlaneThatTurnsIsTheTangentPlane) {
+    Scene scene = rolling_scene();
+    const auto name_of_plane = [&scene] {
+        return names_of(scene).at("invariable-plane").mask->source.text;
+    };
+    EXPECT_EQ(name_of_plane(), "invariable plane");
+    scene.torque = DragTorque{{0.02, 0.05, 0.1}, {0.0, 0.0, 0.0}, 0.0};
+    scene.method = {.name = "dopri5", .step_s = {}, .tolerance = 1e-9, .order = {}};
+    EXPECT_EQ(name_of_plane(), "tangent plane");
+    scene.language = "de";
+    EXPECT_EQ(name_of_plane(), "Tangentialebene");
+}
+
 TEST(ThingNames, AreThoseThatTheSceneWants) {
     Scene scene = rolling_scene();
     scene.names = {"polhode"};

@@ -49,8 +49,8 @@ const std::map<std::string, std::set<std::string>> allowed{
       "typeset", "shapes", "drawing", "render", "vector", "image", "output", "production"}},
     // The module of a page in a browser.
     {"page",
-     {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene", "construction",
-      "shapes", "drawing", "render", "vector", "output", "production"}},
+     {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene",
+      "construction", "shapes", "drawing", "render", "vector", "output", "production"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},

@@ -206,7 +206,7 @@ TEST(HtmlPage, TheWorkbenchCarriesTheTemplateOfAPage) {
     scene.title = hostile;
     scene.text = hostile;
     const std::string workbench = html_workbench(a_page(), {scene}, "{\"a\": \"</script>\"}");
-    EXPECT_EQ(n_of(workbench, "</script>"), 7);
+    EXPECT_EQ(n_of(workbench, "</script>"), 8);
     const std::string data =
         between(workbench, "id=\"workbench-data\" type=\"application/json\">", "</script>");
     EXPECT_EQ(data.find('<'), std::string::npos);

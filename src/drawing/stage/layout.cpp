@@ -14,6 +14,7 @@
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/possible_motions.h"
+#include "drawing/stage/thing_names.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"
 #include "text/languages.h"
@@ -142,7 +143,7 @@ std::string capitalised(std::string name) {
 std::string title_of(const Scene& scene, const PanelKind& kind) {
     const auto own = scene.symbols.things.find(std::string(kind.titled_after));
     if (own != scene.symbols.things.end() && !own->second.empty()) return capitalised(own->second);
-    return std::string(phrase_in(scene.language, kind.title));
+    return capitalised(std::string(words_of_plane(scene, kind.titled_after, kind.title)));
 }
 
 // Rejects cells that are too small to show anything.

@@ -10,6 +10,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "drawing/stage/marks.h"
 #include "drawing/stage/panel_kind.h"
@@ -535,6 +536,14 @@ double margin_of(const Panel& panel) {
 
 }  // namespace
 
+std::string_view words_of_plane(const Scene& scene, std::string_view thing, const Phrase& words) {
+    static constexpr Phrase tangent_plane{"tangent plane",  "Tangentialebene", "plan tangent",
+                                          "plano tangente", "piano tangente",  "接平面"};
+    const bool moves =
+        thing == "invariable-plane" && std::holds_alternative<DragTorque>(scene.torque);
+    return phrase_in(scene.language, moves ? tangent_plane : words);
+}
+
 std::vector<ThingWords> words_of_things(const Scene& scene) {
     std::vector<ThingWords> words;
     for (const NamedThing& thing : things) {
@@ -575,7 +584,7 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
         const std::string key = fmt::format("symbols.{}", thing.name);
         const std::string text = own != scene.symbols.things.end()
                                      ? own->second
-                                     : std::string(phrase_in(scene.language, thing.words));
+                                     : std::string(words_of_plane(scene, thing.name, thing.words));
         if (text.empty()) continue;
         const TypeStyle style{
             .size_px = std::max(type_sizes(stage).thing_name * panel.type_px, least_type_px(stage)),

@@ -16,6 +16,7 @@
 #include "drawing/stage/stage_store.h"
 #include "drawing/stage/type/labels.h"
 #include "shapes/views.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -55,6 +56,10 @@ struct ThingWords {
     std::string_view role;
 };
 std::vector<ThingWords> words_of_things(const Scene& scene);
+
+// The words for a thing or a panel in the scene's language; for the invariable plane, if drag slows
+// the body and the plane moves, those for the tangent plane.
+std::string_view words_of_plane(const Scene& scene, std::string_view thing, const Phrase& words);
 
 // Sets the names that the scene wants in this panel, at its size.
 std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store);

@@ -208,10 +208,9 @@ std::string html_workbench(const PageContents& first, const std::vector<GalleryS
                        compact_script(page_file("page.css") + page_file("workbench.css"))) +
         Values{{"body", "workbench"},
                {"before", page_file("workbench.html")},
-               {"data",
-                "<script id=\"workbench-data\" type=\"application/json\">" + data +
-                    "</script>\n<script id=\"fit-module\" type=\"application/x-lzma\">" +
-                    base85(page_fit_module_lzma()) + "</script>\n"}};
+               {"data", "<script id=\"workbench-data\" type=\"application/json\">" + data +
+                            "</script>\n<script id=\"fit-module\" type=\"application/x-lzma\">" +
+                            base85(page_fit_module_lzma()) + "</script>\n"}};
     return filled(page_file("index.html"), values + scene_values(first));
 }
 
