@@ -100,9 +100,9 @@ double cell_px(std::size_t n_flights) {
 int height_of(const FlightChart& chart) {
     const std::size_t n = chart.flights.size();
     const auto n_columns = static_cast<std::size_t>(n_columns_of(n));
-    const double rows = static_cast<double>((n + n_columns - 1) / n_columns);
+    const std::size_t n_rows = (n + n_columns - 1) / n_columns;
     return static_cast<int>(head_px + (has_ratio_charts(chart) ? ratios_px : 0.0) +
-                            rows * cell_px(n) + foot_px);
+                            static_cast<double>(n_rows) * cell_px(n) + foot_px);
 }
 
 // Half of the range of residuals that all but one in a hundred have: a row off by far would hide
