@@ -116,20 +116,7 @@ std::vector<std::string> words_of(const JointFit& joint,
         if (i < predictions.size() && predictions[i])
             lines.push_back("  " + words_of(*predictions[i]));
     }
-    const auto& m = joint.moments;
-    lines.push_back(
-        joint.I1_kg_m2
-            ? fmt::format("moments {:.9g}, {:.9g}, {:.9g} kg m², as given", *joint.I1_kg_m2,
-                          *joint.I1_kg_m2 * m[1], *joint.I1_kg_m2 * m[2])
-            : fmt::format("together: I2/I1 = {}, I3/I1 = {} (standard deviations)",
-                          with_sd(m[1], joint.moments_sd[1]), with_sd(m[2], joint.moments_sd[2])));
-    for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d e = joint.instrument_from_principal.col(k);
-        lines.push_back(fmt::format("e{} = ({:.4f}, {:.4f}, {:.4f}) in the instrument's axes",
-                                    k + 1, e[0], e[1], e[2]));
-    }
-    lines.push_back(fmt::format("axes uncertain by {:.2g}, {:.2g}, {:.2g} rad about e1, e2, e3",
-                                joint.axes_sd_rad[0], joint.axes_sd_rad[1], joint.axes_sd_rad[2]));
+    for (std::string& line : body_lines(joint, "together: ")) lines.push_back(std::move(line));
     if (joint.shares_drag) {
         const auto& rates = joint.drag_rates;
         const auto& sd = joint.drag_rates_sd;

@@ -3,6 +3,7 @@
 // it.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "drawing/stage/panel.h"
@@ -38,6 +39,15 @@ double momentum(const Eigen::Vector3d& omega_body) {
     return moments.cwiseProduct(omega_body).norm();
 }
 
+// Whether a dot is on both the plane, which is normal to z, and the ellipsoid.
+bool has_contact(const View& view) {
+    const Eigen::Matrix3d inverse = view.ellipsoids[0].half_axes.inverse();
+    return std::any_of(view.dots.begin(), view.dots.end(), [&](const Dot& dot) {
+        return std::abs(dot.at.z() - view.planes[0].centre.z()) < 1e-9 &&
+               std::abs((inverse * dot.at).norm() - 1.0) < 1e-9;
+    });
+}
+
 TEST(Dissipation, PlaneDistanceIsTheRootOfTheRemainingEnergy) {
     for (const char* side : {"below", "above"}) {
         Scene scene = burning("space");
@@ -57,14 +67,7 @@ TEST(Dissipation, PlaneDistanceIsTheRootOfTheRemainingEnergy) {
             const Eigen::Matrix3d axes = view.ellipsoids[0].half_axes;
             const Eigen::Vector3d normal = Eigen::Vector3d::UnitZ();
             EXPECT_NEAR((axes.transpose() * normal).norm(), std::abs(plane.centre.z()), 1e-9);
-            // The contact point is on both.
-            bool has_contact = false;
-            for (const Dot& dot : view.dots) {
-                const bool on_plane = std::abs(dot.at.z() - plane.centre.z()) < 1e-9;
-                const bool on_ellipsoid = std::abs((axes.inverse() * dot.at).norm() - 1.0) < 1e-9;
-                has_contact = has_contact || (on_plane && on_ellipsoid);
-            }
-            EXPECT_TRUE(has_contact) << time_s;
+            EXPECT_TRUE(has_contact(view)) << time_s;
         }
     }
 }
@@ -173,13 +176,7 @@ TEST(Drag, ThePlaneFollowsTheMomentum) {
         const Eigen::Matrix3d axes = view.ellipsoids[0].half_axes;
         EXPECT_NEAR((axes.transpose() * Eigen::Vector3d::UnitZ()).norm(), plane.centre.norm(), 1e-9)
             << time_s;
-        bool has_contact = false;
-        for (const Dot& dot : view.dots) {
-            const bool on_plane = std::abs(dot.at.z() - plane.centre.z()) < 1e-9;
-            const bool on_ellipsoid = std::abs((axes.inverse() * dot.at).norm() - 1.0) < 1e-9;
-            has_contact = has_contact || (on_plane && on_ellipsoid);
-        }
-        EXPECT_TRUE(has_contact) << time_s;
+        EXPECT_TRUE(has_contact(view)) << time_s;
     }
 }
 

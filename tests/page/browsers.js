@@ -91,6 +91,17 @@ async function press(tab, key) {
   await wait(60);
 }
 
+/** The text that a button saves. @returns {Promise<string>} */
+const saved_by = (tab, button) => tab.evaluate((button) => new Promise((resolve) => {
+  const url = URL.createObjectURL;
+  URL.createObjectURL = (blob) => {
+    void blob.text().then(resolve);
+    return url(blob);
+  };
+  HTMLAnchorElement.prototype.click = () => {};
+  document.getElementById(button).click();
+}), button);
+
 /** Runs checks, a list of [name, function of the browser], and ends the process. @param {string[]} only words of names */
 async function run_checks(checks, only) {
   for (const word of only) assert.ok(checks.some(([name]) => name.includes(word)), `no check is named "${word}"`);
@@ -111,4 +122,4 @@ async function run_checks(checks, only) {
   process.exit(n_failed > 0 ? 1 : 0);
 }
 
-module.exports = {faults_of, is_firefox, launched, opened_file, page_of, press, ready, run_checks, settled, until, violations, wait, write_page};
+module.exports = {faults_of, is_firefox, launched, opened_file, page_of, press, ready, run_checks, saved_by, settled, until, violations, wait, write_page};

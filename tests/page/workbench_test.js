@@ -5,7 +5,7 @@ const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {opened_file, ready, run_checks, until, violations, wait, write_page} = require('./browsers.js');
+const {opened_file, ready, run_checks, saved_by, until, violations, wait, write_page} = require('./browsers.js');
 
 const [make, scenes, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-workbench-'));
@@ -36,17 +36,6 @@ const write = (tab, text) => tab.evaluate((text) => {
   field.value = text;
   field.dispatchEvent(new Event('input'));
 }, text);
-
-/** The text that a button saves. @returns {Promise<string>} */
-const saved_by = (tab, button) => tab.evaluate((button) => new Promise((resolve) => {
-  const url = URL.createObjectURL;
-  URL.createObjectURL = (blob) => {
-    void blob.text().then(resolve);
-    return url(blob);
-  };
-  HTMLAnchorElement.prototype.click = () => {};
-  document.getElementById(button).click();
-}), button);
 
 /** What "Data (CSV)" saves, by rows. @returns {Promise<string[]>} */
 const rows_of_csv = async (tab) => (await saved_by(tab, 'export-csv')).trim().split('\n');

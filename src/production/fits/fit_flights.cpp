@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "error/error.h"
+#include "measured/flight_fit.h"
 #include "measured/flights.h"
 #include "production/fits/fit_words.h"
 #include "text/json_text.h"
@@ -16,12 +17,6 @@
 namespace poinsot {
 
 namespace {
-
-double rate_over(const std::vector<MeasuredRow>& rows) {
-    double squares = 0.0;
-    for (const MeasuredRow& row : rows) squares += row.omega_body.squaredNorm();
-    return std::sqrt(squares / static_cast<double>(rows.size()));
-}
 
 std::size_t n_between(const std::vector<MeasuredRow>& rows, double first_s, double last_s) {
     return static_cast<std::size_t>(
@@ -53,7 +48,7 @@ FitTable fitted_table(MeasuredMotion measured, const std::filesystem::path& file
     if (is_one) {
         TableFlight flight;
         flight.name = name;
-        flight.rate_rad_s = rate_over(measured.rows);
+        flight.rate_rad_s = rate_of(measured.rows);
         try {
             flight.fit = fit_motion(measured.rows, known.moments_kg_m2, known.drag);
         } catch (const InputError& error) {

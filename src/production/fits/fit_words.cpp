@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "measured/joint_fit.h"
 #include "measured/table_faults.h"
 
 namespace poinsot {
@@ -61,13 +62,14 @@ void add_fit(JsonObject& answer, const FittedMotion& fit) {
     answer.add("residual_correlation", fit.correlation);
 }
 
-std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured) {
+template <typename Fit>
+std::vector<std::string> body_lines(const Fit& fit, std::string_view before) {
     const auto& m = fit.moments;
     std::vector<std::string> lines{
         fit.I1_kg_m2
             ? fmt::format("moments {:.9g}, {:.9g}, {:.9g} kg m², as given", *fit.I1_kg_m2,
                           *fit.I1_kg_m2 * m[1], *fit.I1_kg_m2 * m[2])
-            : fmt::format("I2/I1 = {}, I3/I1 = {} (standard deviations)",
+            : fmt::format("{}I2/I1 = {}, I3/I1 = {} (standard deviations)", before,
                           with_sd(m[1], fit.moments_sd[1]), with_sd(m[2], fit.moments_sd[2]))};
     for (int k = 0; k < 3; ++k) {
         const Eigen::Vector3d e = fit.instrument_from_principal.col(k);
@@ -76,6 +78,14 @@ std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion&
     }
     lines.push_back(fmt::format("axes uncertain by {:.2g}, {:.2g}, {:.2g} rad about e1, e2, e3",
                                 fit.axes_sd_rad[0], fit.axes_sd_rad[1], fit.axes_sd_rad[2]));
+    return lines;
+}
+template std::vector<std::string> body_lines(const FittedMotion& fit, std::string_view before);
+template std::vector<std::string> body_lines(const JointFit& fit, std::string_view before);
+
+std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured) {
+    const auto& m = fit.moments;
+    std::vector<std::string> lines = body_lines(fit);
     constexpr double least_sds = 3.0;
     if (1.0 - m[1] <= least_sds * fit.moments_sd[1])
         lines.emplace_back("note: I1 = I2 within the uncertainty, so that e1 and e2 are arbitrary");

@@ -3,6 +3,7 @@
 
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "measured/fit.h"
@@ -15,6 +16,11 @@ namespace poinsot {
 std::string with_sd(double value, double sd);
 
 void add_fit(JsonObject& answer, const FittedMotion& fit);
+
+// The body of a FittedMotion or a JointFit, a line each: its moments or their ratios, after
+// `before`, and its axes.
+template <typename Fit>
+std::vector<std::string> body_lines(const Fit& fit, std::string_view before = "");
 
 // What was found, a line each: for the console, and as comments of the scene.
 std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured);
