@@ -18,7 +18,8 @@ namespace poinsot {
 namespace {
 
 constexpr std::size_t most_rows = 20'000;
-constexpr double most_turn_rad = 0.5;  // from row to row
+constexpr double most_turn_rad = 0.5;         // from row to row
+constexpr double least_whole_turn_rad = 0.1;  // from the first row to the last
 
 [[noreturn]] void throw_no_motion(double off_rad_s, double rate_rad_s) {
     throw InputError(fmt::format(
@@ -91,6 +92,12 @@ void check(std::span<const MeasuredRow> rows) {
     if (!(rate > 0.0))
         throw InputError("ω is zero in all rows: a body at rest says nothing about its moments");
     if (!std::isfinite(rate)) throw InputError("ω is too large to be squared; give it in rad/s");
+    // A gyroscope at rest: what it says fits a body as well as another.
+    if ((rows.back().time_s - rows.front().time_s) * rate < least_whole_turn_rad)
+        throw InputError(
+            "the body turns by less than a tenth of a radian in these rows, which says nothing "
+            "about "
+            "its moments; measure a motion of half a turn or more");
     std::size_t n_far = 0;
     for (std::size_t i = 1; i < rows.size(); ++i)
         n_far += (rows[i].time_s - rows[i - 1].time_s) * rate > most_turn_rad;

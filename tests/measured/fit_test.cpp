@@ -320,6 +320,11 @@ TEST(Fit, RefusesWhatSaysNothing) {
     rows.resize(100);
     for (std::size_t i = 0; i < rows.size(); ++i) rows[i].time_s = 0.01 * static_cast<double>(i);
     EXPECT_NE(refusal(rows).find("at rest"), std::string::npos);
+    // A gyroscope that lies on a table: slow waves, no noise. In 0.99 s the body turns by 0.05 rad.
+    for (MeasuredRow& row : rows)
+        for (int axis = 0; axis < 3; ++axis)
+            row.omega_body[axis] = 0.04 * std::sin(7.0 * row.time_s + axis);
+    EXPECT_NE(refusal(rows).find("a tenth of a radian"), std::string::npos) << refusal(rows);
     std::mt19937 random(5);
     std::normal_distribution<double> scatter(0.0, 0.01);
     for (MeasuredRow& row : rows)
