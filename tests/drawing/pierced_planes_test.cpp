@@ -57,7 +57,7 @@ TEST(PiercePlanes, ThePartBeyondIsPalerAndDashed) {
     EXPECT_EQ(before.opacity, 1.0);
     EXPECT_EQ(before.dash_px, 0.0);
     EXPECT_LE(before.head_px, before.shaft_px);
-    EXPECT_LT(beyond.opacity, 0.7);
+    EXPECT_LT(beyond.opacity, 0.85);
     EXPECT_GT(beyond.dash_px, 0.0);
     EXPECT_EQ(beyond.head_px, Arrow().head_px);
 }
@@ -100,7 +100,7 @@ TEST(PiercePlanes, AnArrowThatBeginsOnThePlaneIsBeyondItAsAWhole) {
     Setting setting(3.0, {0.2, 0.0, 0.0}, {0.4, 0.0, -1.0});
     const View& view = setting.pierced();
     ASSERT_EQ(view.arrows.size(), 1u);
-    EXPECT_LT(view.arrows[0].opacity, 0.7);
+    EXPECT_LT(view.arrows[0].opacity, 0.85);
 }
 
 TEST(PiercePlanes, ArrowsAboveOrBesideThePlaneAreUnchanged) {
@@ -123,11 +123,11 @@ TEST(PiercePlanes, AHeadFadesAsItGoesThrough) {
         const double opacity = setting.pierced().arrows.back().opacity;
         EXPECT_LE(opacity, before);
         EXPECT_LT(before - opacity, 0.02);
-        n_between += opacity < 1.0 && opacity > 0.66 ? 1 : 0;
+        n_between += opacity < 1.0 && opacity > 0.81 ? 1 : 0;
         before = opacity;
     }
     EXPECT_GT(n_between, 20);
-    EXPECT_LT(before, 0.66);
+    EXPECT_LT(before, 0.81);
 }
 
 }  // namespace

@@ -12,6 +12,8 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 #include "drawing/stage/stage.h"
@@ -77,6 +79,10 @@ const std::map<std::string, std::string>& accepted() {
         {"larger feynman_plate invariable-plane", "at one of 25 instants"},
         {"larger football herpolhode", "at one of 25 instants"},
         {"larger momentum_sphere invariable-plane", "at two of 25 instants"},
+        {"larger measured measured", "at one of 25 instants"},
+        {"unnamed explorer_1 invariable-plane", "its small panel bears this title"},
+        {"unnamed momentum_sphere invariable-plane", "likewise, at 640 px"},
+        {"lines tensor caption", "its matrices have three rows"},
     };
     return list;
 }
@@ -113,6 +119,62 @@ std::optional<double> away_px(const View& view, const Label& label) {
                 least = std::min(least.value_or(px), px);
             }
     return least;
+}
+
+// The shapes of a thing, by element and part.
+std::pair<std::string_view, std::string_view> shapes_of(std::string_view thing) {
+    if (thing == "body-cone") return {"cones", "body"};
+    if (thing == "space-cone") return {"cones", "space"};
+    if (thing == "inertia-ellipsoid") return {"ellipsoid", ""};
+    if (thing == "invariable-plane") return {"plane", ""};
+    if (thing == "energy-ellipsoid") return {"momentum-sphere", "ellipsoid"};
+    return {thing, ""};
+}
+
+// Whether something of a thing can be seen in a view.
+bool is_seen(const View& view, std::string_view thing, double least_px) {
+    const auto [element, part] = shapes_of(thing);
+    const auto is_own = [element = element, part = part](const auto& shape) {
+        return shape.name.element == element && shape.name.part == part;
+    };
+    for (const Curve& curve : view.curves) {
+        if (!is_own(curve) || curve.opacity < 0.5) continue;
+        double length_px = 0.0;
+        for (const VisiblePoint& point : outline_of(view, curve, 200)) length_px += point.weight_px;
+        if (length_px > least_px) return true;
+    }
+    const auto has_one = [&](const auto& shapes) {
+        return std::any_of(shapes.begin(), shapes.end(),
+                           [&](const auto& shape) { return is_own(shape) && shape.opacity > 0.3; });
+    };
+    return has_one(view.ellipsoids) || has_one(view.planes) || has_one(view.cones);
+}
+
+// A caption has at most two lines.
+void look_at_caption(const std::string& scene, const Drawing& drawing, const std::string& where,
+                     Faults& faults) {
+    for (const View& view : drawing.views)
+        for (const Label& label : view.labels)
+            if (label.name.element == "caption" &&
+                label_box(label).half_px.y() > 1.5 * label.mask->source.em_px)
+                faults.add("lines", scene, "caption", where);
+}
+
+// Adds the things of a still that have a name in no panel, though the scene does not leave it out.
+void look_for_names(const Scene& scene, const std::string& file, const Drawing& drawing,
+                    const std::string& where, Faults& faults) {
+    for (const std::string_view thing : named_things) {
+        if (scene.names &&
+            std::find(scene.names->begin(), scene.names->end(), thing) == scene.names->end())
+            continue;
+        bool is_shown = false, is_named = false;
+        for (const View& view : drawing.views) {
+            is_shown = is_shown || is_seen(view, thing, drawing.width_px / 25.0);
+            for (const Label& label : view.labels)
+                is_named = is_named || label.name.element == thing;
+        }
+        if (is_shown && !is_named) faults.add("unnamed", file, thing, where);
+    }
 }
 
 void look_at(const std::string& scene, const Drawing& drawing, const std::string& where,
@@ -171,8 +233,10 @@ TEST(LabelRules, HoldInStillsOfEverySize) {
                                               .is_still = true},
                                              plain_setting(session));
                 const Drawing drawing = stage.at(moment);
-                look_at(scene, drawing, fmt::format("{} px, {} s", width_px, moment.time_s),
-                        faults);
+                const std::string where = fmt::format("{} px, {} s", width_px, moment.time_s);
+                look_at(scene, drawing, where, faults);
+                if (k == n) look_for_names(session.scene, scene, drawing, where, faults);
+                if (k == n && width_px == 1280) look_at_caption(scene, drawing, where, faults);
                 for (const View& view : drawing.views)
                     for (const Label& label : view.labels)
                         if (is_thing(label.name.element))

@@ -192,7 +192,9 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
                                  std::clamp(arrow.opacity, 0.0, 1.0)});
     }
     for (const Curve& curve : view.curves) {
-        if (curve.opacity < 0.3 || curve.occlusion == Occlusion::none) continue;
+        // What lies over everything else is no obstacle, but for a plan's curves on the plane.
+        const bool is_over = curve.occlusion == Occlusion::none && curve.on_plane < 0;
+        if (curve.opacity < 0.3 || is_over) continue;
         for (const VisiblePoint& point : outline_of(view, curve, 192))
             around.lines.push_back(
                 {point.before_px, point.px, curve.name.element, curve.name.part});
@@ -423,8 +425,12 @@ class Spots {
 // The places that are tried: directions in the picture, and distances.
 constexpr int n_directions = 24;
 constexpr std::array<double, 5> levels{0.0, 1.0, 2.0, 3.2, 4.6};
-// The cost from which on a name is better absent. Cones are the subject where they are shown.
-double most_cost_of(const NamedThing& thing) { return thing.element == "cones" ? 5.0 : 2.8; }
+// The cost from which on a name is better absent. Cones are the subject where they are shown; a
+// plane has room for its name beside what is drawn on it, or needs none.
+double most_cost_of(const NamedThing& thing) {
+    if (thing.element == "cones") return 5.0;
+    return thing.element == "plane" ? 2.3 : 2.8;
+}
 
 double angle_of(int direction) { return 2.0 * std::numbers::pi * direction / n_directions; }
 

@@ -16,8 +16,8 @@ namespace {
 // Sizes in pixels at 1080 rows.
 constexpr double ring_radius_px = 10.0, ring_width_px = 1.6, dash_px = 7.0;
 
-// Opacity of what lies beyond the plane, in linear light: it reads as about half as strong.
-constexpr double beyond_opacity = 0.65;
+// Opacity of what lies beyond the plane, in linear light: it reads as about two thirds as strong.
+constexpr double beyond_opacity = 0.8;
 
 // Where an arrow meets a plane.
 struct Piercing {

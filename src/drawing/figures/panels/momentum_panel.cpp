@@ -127,20 +127,30 @@ Eigen::Vector3d energy_half_axes(const Panel& panel) {
     return construction.plane_distance() * construction.inertia().moments_kg_m2().cwiseSqrt();
 }
 
-// The names of the two surfaces, in their colours, in the lower left corner.
+// The equations of the two surfaces, in their colours, in the lower left corner; as sums where they
+// would reach into the next panel.
 std::vector<Label> legend_of(const Panel& panel, StageStore& store) {
     const Theme& theme = panel.stage->theme;
-    const std::array<std::pair<std::string_view, Colour>, 2> rows{{
-        {"L_1^2 + L_2^2 + L_3^2 = L^2", letter_colour(theme, theme.sphere)},
-        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", letter_colour(theme, theme.ellipsoid_lines)},
+    struct Row {
+        std::string_view whole, sum;
+        Colour colour;
+    };
+    const std::array<Row, 2> rows{{
+        {"L_1^2 + L_2^2 + L_3^2 = L^2", "\\sum L_i^2 = L^2", letter_colour(theme, theme.sphere)},
+        {"L_1^2/I_1 + L_2^2/I_2 + L_3^2/I_3 = 2T", "\\sum L_i^2/I_i = 2T",
+         letter_colour(theme, theme.ellipsoid_lines)},
     }};
+    constexpr double size = 0.72;
     std::vector<Label> legend;
     // In the first column it is left-aligned with the title.
     const double left =
         panel.box.x_px == 0 ? overlay_margin_px(*panel.stage) : 0.6 * chart_margin * panel.px;
+    const bool has_room = std::all_of(rows.begin(), rows.end(), [&](const Row& row) {
+        return left + set_label(panel, store, row.whole, size).width_px() < panel.box.width_px;
+    });
     double bottom = 0.5 * chart_margin * panel.px;
-    for (const auto& [text, colour] : rows) {
-        const TextBlock type = set_label(panel, store, text, 0.72);
+    for (const auto& [whole, sum, colour] : rows) {
+        const TextBlock type = set_label(panel, store, has_room ? whole : sum, size);
         legend.push_back(chart_label(panel, type, left, bottom, Anchor::bottom_left, colour));
         bottom += type.height_px() + 10.0 * panel.px;
     }
