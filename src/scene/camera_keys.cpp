@@ -86,6 +86,10 @@ std::span<const SceneKey> camera_keys() {
             .default_is("one polhode period, or one nutation of a heavy top"),
         boolean("trail.direction_marks", trail(&TrailSpec::direction_marks), "true",
                 "whether chevrons along both paths show the direction of motion"),
+        boolean("trail.ticks", trail(&TrailSpec::ticks), "true",
+                "whether polhode and herpolhode have ticks at equal lengths, which meet at the "
+                "contact point: the ellipsoid rolls without slipping")
+            .omitted_if_default(),
     };
     return rows;
 }

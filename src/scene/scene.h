@@ -158,6 +158,7 @@ struct TrailSpec {
     std::string axis = "history";        // likewise: the path of a heavy top's axis
     std::optional<double> length_s;  // of a fading trail; absent: one polhode period or nutation
     bool direction_marks = false;    // chevrons that show the direction of motion
+    bool ticks = false;              // at equal lengths of both paths of the contact point
 };
 
 // [[keyframes]]: values at a second of the film. A keyframe without a value does not affect the

@@ -77,6 +77,35 @@ namespace {
 // on each other.
 constexpr double mark_spacing = 0.45;
 
+// The same of ticks, at most: a whole number of them goes on a closed polhode, so that those of
+// each turn come to lie on those of the turn before.
+constexpr double tick_spacing = 0.11;
+
+double tick_step(const Panel& panel) {
+    const ConstructionPicture& picture = picture_of(panel);
+    if (picture.dissipates || !picture.polhode.closed()) return tick_spacing;
+    CurveGeometry polhode;
+    polhode.closed = true;
+    polhode.points = picture.polhode.sampled(panel.curve_units() / picture.picture_per_rho);
+    const double length = length_of(polhode) * picture.picture_per_rho;
+    return length > 0.0 ? length / std::ceil(length / tick_spacing) : tick_spacing;
+}
+
+// The marks that the scene requests on a path of the contact point, which is at `first_index` at
+// the stage's first instant.
+std::vector<DirectionMarks> marks_on(const Panel& panel, StageStore& store,
+                                     const CurveGeometry& geometry, double first_index,
+                                     bool backwards) {
+    std::vector<DirectionMarks> marks;
+    if (wants_marks(panel))
+        marks.emplace_back(panel, store, geometry,
+                           Marking{.spacing = mark_spacing, .backwards = backwards});
+    if (panel.stage->scene.trail.ticks)
+        marks.emplace_back(panel, store, geometry,
+                           Marking{.spacing = tick_step(panel), .tick_at = first_index});
+    return marks;
+}
+
 // Opacity of the curves' parts behind the ellipsoid: so pale that they are read as lying there.
 constexpr double under_the_body = 0.45;
 
@@ -111,11 +140,19 @@ Drawer make_polhode(const Panel& panel, StageStore& store) {
                  panel.stage->theme.polhode, 4.0 * panel.stage->theme.polhode_weight);
     curve.on_surface = first_ellipsoid;
     curve.hidden_opacity = under_the_body;
-    std::optional<DirectionMarks> marks;
-    if (wants_marks(panel)) {
-        marks.emplace(panel, store, *curve.geometry, mark_spacing,
-                      whole && runs_backwards(panel, curve.geometry->points));
-    }
+    const StageContext& stage = *panel.stage;
+    const auto first_contact = [&]() -> Eigen::Vector3d {
+        const MotionSample sample =
+            stage.motion.motion().sample(stage.options.first_time_s, omega_alone);
+        return per_rho * picture_of(panel).contact_body(sample.state.omega_body);
+    };
+    const double first_index = trail ? trail->first_index()
+                               : stage.scene.trail.ticks
+                                   ? nearest_index(*curve.geometry, first_contact())
+                                   : 0.0;
+    const std::vector<DirectionMarks> marks =
+        marks_on(panel, store, *curve.geometry, first_index,
+                 whole && runs_backwards(panel, curve.geometry->points));
     return [&panel, curve, trail, marks](const FrameInput& instant, ViewBuilder& builder) {
         Curve shown = curve;
         shown.placement.linear() = picture_of(panel).picture_from_body(instant).toRotationMatrix();
@@ -124,7 +161,7 @@ Drawer make_polhode(const Panel& panel, StageStore& store) {
         stretch.apply_to(shown);
         shown.lasting = false;  // the curve rotates with the body
         builder.view.curves.push_back(shown);
-        if (marks) marks->add_to(builder, shown, stretch.grows);
+        for (const DirectionMarks& kind : marks) kind.add_to(builder, shown, stretch.grows);
     };
 }
 
@@ -165,8 +202,8 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
         width_px);
     curve.on_plane = the_plane;
     curve.hidden_opacity = under_the_body;
-    std::optional<DirectionMarks> marks;
-    if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, mark_spacing, false);
+    const std::vector<DirectionMarks> marks =
+        marks_on(panel, store, *curve.geometry, timed.trail.first_index(), false);
     const std::optional<RingCurve> ring = ring_of(
         panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
     return [&panel, &picture, curve, ring, trail = std::move(timed.trail), marks](
@@ -181,7 +218,7 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
             shown.lasting = false;
         }
         add_on_grid(panel, shown, builder.view);
-        if (marks) marks->add_to(builder, shown, stretch.grows);
+        for (const DirectionMarks& kind : marks) kind.add_to(builder, shown, stretch.grows);
     };
 }
 

@@ -38,6 +38,8 @@ class Trail {
           std::optional<double> period_s);
 
     ShownStretch at(double time_s) const;
+    // The index of the point at the stage's first instant.
+    double first_index() const { return times_.index_at(first_time_s_); }
 
  private:
     std::string kind_;
