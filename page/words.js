@@ -55,6 +55,7 @@ const all_words = {
   film_quality: ['Quality', 'Qualität', 'Qualité', 'Calidad', 'Qualità', '品質'],
   film_whole: ['Whole film', 'Ganzer Film', 'Film entier', 'Película entera', 'Film intero', '全体'],
   film_pictures: ['PNG pictures (ZIP)', 'PNG-Bilder (ZIP)', 'Images PNG (ZIP)', 'Imágenes PNG (ZIP)', 'Immagini PNG (ZIP)', 'PNG 画像 (ZIP)'],
+  film_slides: ['Slides (ZIP)', 'Folien (ZIP)', 'Diapositives (ZIP)', 'Diapositivas (ZIP)', 'Diapositive (ZIP)', 'スライド (ZIP)'],
   film_left: ['time left:', 'Restzeit:', 'temps restant :', 'tiempo restante:', 'tempo rimasto:', '残り時間:'],
   film_saved: ['The film is saved.', 'Der Film ist gespeichert.', 'Le film est enregistré.', 'La película está guardada.', 'Il film è salvato.', '映像を保存しました。'],
   film_cancelled: ['Cancelled; nothing was saved.', 'Abgebrochen; es wurde nichts gespeichert.', 'Annulé ; rien n’a été enregistré.', 'Cancelado; no se guardó nada.', 'Annullato: niente è stato salvato.', 'キャンセルしました。何も保存されていません。'],

@@ -1,14 +1,14 @@
 // Films made in a page, beside those of `poinsot render`: frames, times, colours, and the record in them.
-// Usage: node make_film_test.js POINSOT [NAME…]
+// Usage: node make_film_test.js POINSOT MAKE_WORKBENCH [NAME…]
 'use strict';
 const assert = require('node:assert/strict');
 const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {is_firefox, opened_file, page_of, ready, run_checks, until} = require('./browsers.js');
+const {is_firefox, opened_file, page_of, ready, run_checks, until, write_page} = require('./browsers.js');
 
-const [program, ...only] = process.argv.slice(2);
+const [program, make_workbench, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-make-film-'));
 process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
 
@@ -168,6 +168,80 @@ check('makes PNG pictures of the frames that lead to a stop', async (browser) =>
   assert_record(path.join(folder, names[0]), [0, 30]);
   assert.deepEqual(faults, []);
   await tab.close();
+});
+
+// Two stops, the second with a loop, a caption, and what follows.
+const talk = path.join(folder, 'talk.toml');
+fs.writeFileSync(talk, generic.replace(/duration_s = [\d.]+/, 'duration_s = 1.4').replace(/still_s = [\d.]+\n/, '').replace(/^caption.*$/m, '') +
+  '\n[[stops]]\nat_s = 0.4\ntitle = "First & second"\nnote = "Wait."\n[[stops]]\nat_s = 1.0\nloop_s = 0.4\n[[captions]]\nat_s = 0.2\nover_s = 0.6\ntext = "$L$ stays"\n');
+const small = {width: 160, height: 90};
+const unpacked_into = (file, name) => {
+  const into = path.join(folder, name);
+  run('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; z.extractall(sys.argv[2])', file, into]);
+  return into;
+};
+
+check('makes the slides that the program makes', async (browser) => {
+  const {tab, faults} = await opened_file(browser, page_of(program, talk, path.join(folder, 'talk.html')));
+  await ready(tab);
+  const slides = unpacked_into(await film_file(tab, 'slides.zip', {kind: 'slides', ...small}), 'slides');
+  assert.deepEqual(faults, []);
+  await tab.close();
+  const natively = path.join(folder, 'natively');
+  const pattern = path.join(folder, 'talk_####.png');
+  poinsot('render', talk, '--slides', natively, '--size', '160x90', '--quiet');
+  poinsot('render', talk, '-o', pattern, '--size', '160x90', '--quiet');
+  const pictures = rgb_of(['-framerate', '30', '-i', pattern.replace('####', '%04d')], small);
+  // All but the PDFs.
+  const names = fs.readdirSync(natively).filter((name) => !name.endsWith('.pdf'));
+  assert.deepEqual(fs.readdirSync(slides).sort(), names.sort());
+  assert.ok(names.includes('02-loop.mp4') && names.includes('02.vtt'));
+  const plan_in = (into) => JSON.parse(fs.readFileSync(path.join(into, 'slides.json'), 'utf8'));
+  const plan = plan_in(slides);
+  const native_plan = plan_in(natively);
+  for (const slide of native_plan.slides) slide.pdf = null;
+  assert.deepEqual(plan, native_plan);
+  const decoded = (name) => rgb_of(['-i', path.join(slides, name)], small);
+  for (const {film, loop, captions, png, first_frame, last_frame, loop_s} of plan.slides) {
+    for (const [name, first] of [[film, first_frame], [loop, last_frame + 1 - Math.round(30 * loop_s)]]) {
+      if (!name) continue;
+      const frames = decoded(name);
+      assert.equal(frames.length, last_frame - first + 1);
+      assert.equal(frames.length, Number(probed(path.join(natively, name)).streams[0].nb_read_frames));
+      frames.forEach((frame, k) => assert.ok(psnr(frame, pictures[first + k]) > 32, `${name}, frame ${k}: ${psnr(frame, pictures[first + k])} dB`));
+      assert.match(poinsot('explain', path.join(slides, name), '--verify'), /moments_kg_m2/);
+    }
+    if (captions) assert.equal(fs.readFileSync(path.join(slides, captions), 'utf8'), fs.readFileSync(path.join(natively, captions), 'utf8'));
+    const still = path.join(slides, png);
+    assert.ok(psnr(rgb_of(['-i', still], small)[0], pictures[last_frame]) > 38);
+    assert.equal(JSON.parse(poinsot('explain', still, '--json')).frame, last_frame);
+  }
+  // The films meet in the same pixels.
+  const [first, second, loop, third] = ['01.mp4', '02.mp4', '02-loop.mp4', '03.mp4'].map(decoded);
+  assert.ok(first.at(-1).equals(second[0]));
+  assert.ok(second.at(-1).equals(loop.at(-1)) && second.at(-1).equals(third[0]));
+  poinsot('rerender', path.join(slides, '02.mp4'), '-o', path.join(folder, 'again_02.mp4'), '--quiet');
+  assert.equal(rgb_of(['-i', path.join(folder, 'again_02.mp4')], small).length, second.length);
+});
+
+check('makes the presentation that the program makes', async (browser) => {
+  const workbench = path.join(folder, 'workbench.html');
+  write_page(make_workbench, [workbench, path.join(__dirname, '../../scenes/scene.schema.json'), talk]);
+  const {tab, faults} = await opened_file(browser, workbench);
+  await ready(tab);
+  const browsers = unpacked_into(await film_file(tab, 'page.pptx', {kind: 'pptx', ...small}), 'pptx');
+  assert.deepEqual(faults, []);
+  await tab.close();
+  poinsot('render', talk, '-o', path.join(folder, 'native.pptx'), '--size', '160x90', '--quiet');
+  const natively = unpacked_into(path.join(folder, 'native.pptx'), 'native_pptx');
+  const names = (into) => fs.readdirSync(into, {recursive: true}).filter((name) => fs.statSync(path.join(into, name)).isFile()).sort();
+  assert.deepEqual(names(browsers), names(natively));
+  for (const name of names(natively)) {
+    const [ours, theirs] = [browsers, natively].map((into) => path.join(into, name));
+    if (name.endsWith('.png')) assert.ok(psnr(rgb_of(['-i', ours], small)[0], rgb_of(['-i', theirs], small)[0]) > 38, name);
+    else if (name.endsWith('.mp4')) assert.equal(probed(ours).streams[0].nb_read_frames, probed(theirs).streams[0].nb_read_frames);
+    else assert.equal(fs.readFileSync(ours, 'utf8'), fs.readFileSync(theirs, 'utf8'));
+  }
 });
 
 check('can be cancelled, stays usable, and saves nothing then', async (browser) => {
