@@ -17,6 +17,7 @@ const checks = [];
 const check = (name, run) => checks.push([name, run]);
 
 const size = {width: 640, height: 360};
+const small = {width: 160, height: 90};
 const scene = path.join(folder, 'short.toml');
 // generic.toml for two seconds, with a stop between, and a name that fades in.
 const generic = fs.readFileSync(path.join(__dirname, '../../scenes/generic.toml'), 'utf8');
@@ -170,11 +171,87 @@ check('makes PNG pictures of the frames that lead to a stop', async (browser) =>
   await tab.close();
 });
 
+// Chapters that do not begin at the film's beginning, and captions that overlap.
+const told = path.join(folder, 'told.toml');
+fs.writeFileSync(told, generic.replace(/duration_s = [\d.]+/, 'duration_s = 1.4').replace(/still_s = [\d.]+\n/, '') +
+  '\n[[chapters]]\nat_s = 0.0\ntitle = "Beginning"\n[[chapters]]\nat_s = 0.7\ntitle = "Ω é ' + 'long '.repeat(60) + '"\n' +
+  '[[captions]]\nat_s = 0.2\nover_s = 0.6\ntext = "$L$ < stays"\n[[captions]]\nat_s = 0.5\nover_s = 0.6\ntext = "Top"\nplace = "top"\n');
+
+const chapters_of = (file) => JSON.parse(run('ffprobe', ['-v', 'error', '-show_chapters', '-of', 'json', file])).chapters
+  .map(({start_time, end_time, tags}) => [Number(start_time), Number(end_time), tags.title]);
+
+/** The captions of a film's track as [begin_s, end_s, text]. FFmpeg 5 does not decode them: the boxes of ISO/IEC 14496-30, or texts. */
+function captions_of(file) {
+  const stream = path.extname(file) === '.mp4' ? '0:1' : '0:s';
+  const bytes = run('ffmpeg', ['-v', 'error', '-i', file, '-map', stream, '-c', 'copy', '-f', 'data', '-']);
+  const {packets} = JSON.parse(run('ffprobe', ['-v', 'error', '-show_packets', '-select_streams', '1', '-of', 'json', file]));
+  const cues = new Map();
+  let at = 0;
+  for (const {pts_time, duration_time, size} of packets) {
+    const sample = bytes.subarray(at, at += Number(size));
+    const texts = [];
+    if (stream === '0:s') texts.push(sample.toString());
+    else for (let box = 0; (box = sample.indexOf('payl', box)) >= 0; box += 4) texts.push(sample.subarray(box + 4, box - 4 + sample.readUInt32BE(box - 4)).toString());
+    for (const text of texts) {
+      const [begin] = cues.get(text) ?? [Number(pts_time)];
+      cues.set(text, [begin, Number(pts_time) + Number(duration_time)]);
+    }
+  }
+  return [...cues].map(([text, [begin, end]]) => [begin, Number(end.toFixed(3)), text]);
+}
+/** Those of a file of subtitles. */
+const cues_of = (file) => fs.readFileSync(file, 'utf8').split('\n\n').slice(2).map((cue) => {
+  const [times, ...lines] = cue.trim().split('\n');
+  const [begin, end] = times.match(/[\d:.]{12}/g).map((time) => Number(time.slice(6)));
+  return [begin, end, lines.join('\n')];
+});
+
+/** What `explain --verify` says of a file, and its exit code. */
+function verified(file) {
+  const {status, stdout, stderr} = spawnSync(program, ['explain', file, '--verify'], {encoding: 'utf8'});
+  return [status, stdout + stderr];
+}
+
+/** Changes the bits of one byte in the middle of a film. */
+function spoiled(file, at) {
+  const bytes = fs.readFileSync(file);
+  bytes[at(bytes)] ^= 1;
+  const copy = path.join(folder, `spoiled${path.extname(file)}`);
+  fs.writeFileSync(copy, bytes);
+  return copy;
+}
+
+for (const kind of ['mp4', 'webm'])
+  check(`writes chapters, captions and hashes into ${kind}`, async (browser) => {
+    const {tab, faults} = await opened_file(browser, page_of(program, told, path.join(folder, 'told.html')));
+    await ready(tab);
+    const file = await film_file(tab, `told_page.${kind}`, {kind, ...small});
+    const span = await film_file(tab, `told_span.${kind}`, {kind, ...small, span: 'chapter 1'});
+    assert.deepEqual(faults, []);
+    await tab.close();
+    const natively = path.join(folder, `told.${kind}`);
+    poinsot('render', told, '-o', natively, '--size', '160x90', '--quiet');
+    const chapters = chapters_of(file);
+    assert.equal(chapters.length, 2);
+    // The box of MP4 holds titles of 255 bytes.
+    if (kind === 'mp4') assert.deepEqual(chapters.map(([start, , title]) => [start, title.length > 100]), chapters_of(natively).map(([start, , title]) => [start, title.length > 100]));
+    else assert.deepEqual(chapters, chapters_of(natively));
+    assert.equal(chapters_of(span).length, 1);
+    assert.deepEqual(captions_of(file), cues_of(path.join(folder, kind === 'mp4' ? 'told.vtt' : 'told.webm.vtt')));
+    const [status, words] = verified(file);
+    assert.equal(status, 0, words);
+    assert.match(words, /unchanged, record and pictures/);
+    // A byte of the pictures, and one of what stands around them.
+    const [no, why] = verified(spoiled(file, (bytes) => Math.floor(0.75 * bytes.length)));
+    assert.equal(no, 1);
+    assert.match(why, /pictures do not match/);
+    assert.match(verified(spoiled(file, (bytes) => bytes.lastIndexOf('Beginning')))[1], /other data are not/);
+  });
+
 // Two stops, the second with a loop, a caption, and what follows.
 const talk = path.join(folder, 'talk.toml');
 fs.writeFileSync(talk, generic.replace(/duration_s = [\d.]+/, 'duration_s = 1.4').replace(/still_s = [\d.]+\n/, '').replace(/^caption.*$/m, '') +
   '\n[[stops]]\nat_s = 0.4\ntitle = "First & second"\nnote = "Wait."\n[[stops]]\nat_s = 1.0\nloop_s = 0.4\n[[captions]]\nat_s = 0.2\nover_s = 0.6\ntext = "$L$ stays"\n');
-const small = {width: 160, height: 90};
 const unpacked_into = (file, name) => {
   const into = path.join(folder, name);
   run('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; z.extractall(sys.argv[2])', file, into]);
@@ -257,6 +334,35 @@ check('can be cancelled, stays usable, and saves nothing then', async (browser) 
   assert.equal(await cancelled, null);
   assert.match(await said(tab), /nothing was saved/);
   assert.ok(await tab.$eval('#film-make', (button) => !button.hidden));
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('writes the same film to a chosen file, with a hash of its packets', async (browser) => {
+  const {tab, faults} = await opened_file(browser, page_of(program, told, path.join(folder, 'told.html')));
+  await ready(tab);
+  for (const kind of ['mp4', 'webm']) {
+    const base64 = await tab.evaluate(async (kind) => {
+      let bytes = new Uint8Array(0);
+      window.showSaveFilePicker = async () => ({createWritable: async () => ({
+        write: async ({position, data}) => {
+          const all = new Uint8Array(Math.max(bytes.length, position + data.length));
+          all.set(bytes);
+          all.set(data, position);
+          bytes = all;
+        },
+        close: async () => {}, abort: async () => {},
+      })});
+      await the_page.films.make({...the_page.films.settings(), kind, width: 160, height: 90});
+      return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+    }, kind);
+    const file = path.join(folder, `streamed.${kind}`);
+    fs.writeFileSync(file, Buffer.from(base64, 'base64'));
+    assert.equal(Number(probed(file).streams[0].nb_read_frames), 42);
+    assert.equal(chapters_of(file).length, 2);
+    assert.match(verified(file)[1], /coded pictures are unchanged, but whether .* straight to disk/);
+    assert.match(verified(spoiled(file, (bytes) => Math.floor(0.6 * bytes.length)))[1], /pictures do not match/);
+  }
   assert.deepEqual(faults, []);
   await tab.close();
 });
