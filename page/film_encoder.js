@@ -102,6 +102,42 @@ async function encodes(config, shape) {
   return n_chunks === 1;
 }
 
+/** Joins the packets of pictures with those of their transparency, which come from another encoder. */
+class AlphaPairs {
+  /** @param {FilmFile} file */
+  constructor(file) {
+    this.file = file;
+    /** @type {[number, FilmPacket][]} */
+    this.pictures = [];
+    /** @type {Map<number, Uint8Array<ArrayBuffer>>} */
+    this.alphas = new Map();
+    this.joined = Promise.resolve();
+  }
+
+  /** @param {number} index @param {FilmPacket} packet */
+  picture(index, packet) {
+    this.pictures.push([index, packet]);
+    return (this.joined = this.joined.then(() => this.#join()));
+  }
+
+  /** @param {number} index @param {FilmPacket} packet */
+  alpha(index, {data}) {
+    this.alphas.set(index, data);
+    return (this.joined = this.joined.then(() => this.#join()));
+  }
+
+  async #join() {
+    for (let next = this.pictures[0]; next; next = this.pictures[0]) {
+      const [index, packet] = next;
+      const alpha = this.alphas.get(index);
+      if (!alpha) return;
+      this.pictures.shift();
+      this.alphas.delete(index);
+      await this.file.add(index, {...packet, alpha});
+    }
+  }
+}
+
 /** Encodes frames one after the other. */
 class FrameEncoder {
   /**

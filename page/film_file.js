@@ -1,7 +1,7 @@
 // The file of a film: Mediabunny writes packets and captions; chapters, hashes and the record are written here.
 
 /**
- * @typedef {{data: Uint8Array<ArrayBuffer>, type: EncodedVideoChunkType, about: EncodedVideoChunkMetadata|undefined}} FilmPacket
+ * @typedef {{data: Uint8Array<ArrayBuffer>, type: EncodedVideoChunkType, about: EncodedVideoChunkMetadata|undefined, alpha?: Uint8Array<ArrayBuffer>}} FilmPacket
  * @typedef {{title: string, first_frame: number, end_frame: number}} FilmChapter
  * @typedef {{language: string, chapters: FilmChapter[], captions: string}} FilmTexts
  *   A language of ISO 639-2; captions as WebVTT, or ''.
@@ -50,13 +50,16 @@ class PacketHash {
   constructor() {
     /** @type {Uint8Array[]} */
     this.parts = [];
+    this.n_packets = 0;
     this.list = '';
   }
 
-  /** @param {Uint8Array} packet */
-  async add(packet) {
+  /** @param {Uint8Array} packet @param {Uint8Array} [alpha] */
+  async add(packet, alpha) {
     this.parts.push(number_bytes(packet.length, 8), packet);
-    if (this.parts.length === 2 * 120) await this.#end();
+    // FFmpeg puts the number of the addition before it.
+    if (alpha) this.parts.push(number_bytes(alpha.length + 8, 8), number_bytes(1, 8), alpha);
+    if (++this.n_packets % 120 === 0) await this.#end();
   }
 
   async finish() {
@@ -209,9 +212,10 @@ class FilmFile {
   }
 
   /** @param {number} index of the frame @param {FilmPacket} packet */
-  async add(index, {data, type, about}) {
-    await this.hash.add(data);
-    await this.source.add(new film_writer.EncodedPacket(data, type, index * this.frame_s, this.frame_s), about);
+  async add(index, {data, type, about, alpha}) {
+    await this.hash.add(data, alpha);
+    const side = alpha ? {alpha} : {};
+    await this.source.add(new film_writer.EncodedPacket(data, type, index * this.frame_s, this.frame_s, -1, data.length, side), about);
   }
 
   /** The whole film, if it is in memory. @returns {Promise<Uint8Array<ArrayBuffer>|null>} */

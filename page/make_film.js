@@ -54,29 +54,41 @@ class FilmRun {
   async pictures(film, [first, last], name, zip, record) {
     const digits = Math.max(4, String(last).length);
     for (let frame = first; frame <= last; ++frame) {
-      const pixels = this.program.filmFrame(frame, false);
+      const pixels = this.program.filmFrame(frame, 'pixels');
       await this.go_on(frame - first, last - first + 1);
       await zip.add(`${name}_${String(frame).padStart(digits, '0')}.png`, await png_file(pixels, film.width, film.height, 'poinsot', record));
     }
     await zip.finish();
   }
 
-  /** A film of the frames; null where it is in the sink. @param {FilmDescription} film @param {[number, number]} span @param {FilmContents} contents @param {FileSink|null} sink */
+  /** A film of the frames; null where it is in the sink. WebM keeps transparency. @param {FilmDescription} film @param {[number, number]} span @param {FilmContents} contents @param {FileSink|null} sink */
   async video(film, [first, last], contents, sink) {
     const n_frames = last - first + 1;
     const every = key_frame_interval(film);
     const file = new FilmFile(contents, sink);
-    /** @type {FrameEncoder|null} */
-    let encoder = null;
+    const keeps_alpha = film.transparent && contents.kind === 'webm';
+    /** @type {FrameEncoder[]} */
+    const encoders = [];
     try {
       await file.start();
-      encoder = new FrameEncoder(film, contents.codec, (index, packet) => file.add(index, packet));
-      for (let k = 0; k < n_frames; ++k) {
-        const planes = this.program.filmFrame(first + k, true);
-        await this.go_on(k, n_frames);
-        await encoder.add(planes, k % every === 0);
+      if (keeps_alpha) {
+        const pairs = new AlphaPairs(file);
+        encoders.push(new FrameEncoder(film, contents.codec, (index, packet) => pairs.picture(index, packet)),
+          new FrameEncoder(film, contents.codec, (index, packet) => pairs.alpha(index, packet)));
+      } else {
+        encoders.push(new FrameEncoder(film, contents.codec, (index, packet) => file.add(index, packet)));
       }
-      await encoder.finish();
+      const n_pixels = film.width * film.height;
+      for (let k = 0; k < n_frames; ++k) {
+        const planes = this.program.filmFrame(first + k, keeps_alpha ? 'with alpha' : 'planes');
+        await this.go_on(k, n_frames);
+        for (const [number, encoder] of encoders.entries()) {
+          const grey = new Uint8Array(n_pixels / 2).fill(128);
+          const given = number === 0 ? planes.subarray(0, 1.5 * n_pixels) : joined_bytes([planes.subarray(1.5 * n_pixels), grey]);
+          await encoder.add(given, k % every === 0);
+        }
+      }
+      for (const encoder of encoders) await encoder.finish();
       const bytes = await file.finish();
       this.said(n_frames, n_frames);
       return bytes;
@@ -84,7 +96,7 @@ class FilmRun {
       await file.cancel();
       throw error;
     } finally {
-      encoder?.close();
+      for (const encoder of encoders) encoder.close();
     }
   }
 }
@@ -247,7 +259,7 @@ class FilmPanel {
       const {kind} = settings;
       const codec = kind === 'png' ? null : await working_codec(kind, film, settings.quality);
       if (kind !== 'png' && !codec) throw new RangeError(words.of('film_no_encoder'));
-      if (kind !== 'png' && film.transparent) this.#say(words.of('film_opaque'));
+      if (kind !== 'png' && kind !== 'webm' && film.transparent) this.#say(words.of('film_opaque'));
       const how = codec ? `${codec.name} (${codec.config.codec}) by WebCodecs, ${codec.config.bitrate} bit/s` : 'PNG';
       const maker = `${navigator.userAgent}; ${how}`;
       /** @type {Blob|null} */

@@ -529,9 +529,9 @@ class Program extends WasmModule {
     return JSON.parse(this.answer());
   }
 
-  /** The bytes of a film's frame: straight R, G, B and alpha, or the planes Y', Cb and Cr on white. @param {number} frame @param {boolean} as_planes */
-  filmFrame(frame, as_planes) {
-    this.call('film_frame', frame, Number(as_planes));
+  /** The bytes of a film's frame: straight R, G, B and alpha, the planes Y', Cb and Cr on white, or not on white and followed by alpha. @param {number} frame @param {'pixels'|'planes'|'with alpha'} kind */
+  filmFrame(frame, kind) {
+    this.call('film_frame', frame, ['pixels', 'planes', 'with alpha'].indexOf(kind));
     const at = this.exports.answer_at();
     this.memory.refresh();
     return this.memory.bytes.slice(at, at + this.exports.answer_size());

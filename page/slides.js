@@ -76,7 +76,7 @@ async function make_slide_films(run, film, plan, codec, maker, save) {
   });
   try {
     for (const [k, step] of steps.entries()) {
-      const planes = run.program.filmFrame(step.frame, true);
+      const planes = run.program.filmFrame(step.frame, 'planes');
       await run.go_on(k, steps.length);
       await encoder.add(planes, step.is_key);
     }
@@ -90,7 +90,7 @@ async function make_slide_films(run, film, plan, codec, maker, save) {
 
 /** The picture of a frame. @param {FilmRun} run @param {FilmDescription} film @param {number} frame @param {string} maker */
 function slide_still(run, film, frame, maker) {
-  return png_file(run.program.filmFrame(frame, false), film.width, film.height, 'poinsot', run.program.filmRecord([frame, frame], maker, {}, 2));
+  return png_file(run.program.filmFrame(frame, 'pixels'), film.width, film.height, 'poinsot', run.program.filmRecord([frame, frame], maker, {}, 2));
 }
 
 /** The files of `poinsot render --slides`, without its PDFs, in an archive. @param {FilmRun} run @param {FilmDescription} film @param {FilmCodec} codec @param {string} maker @param {ZipWriter} zip */

@@ -163,12 +163,13 @@ int open_film(const char* text, std::uint32_t text_size, const char* name, std::
 }
 POINSOT_EXPORT(close_film) void close_film() { program().film.reset(); }
 
-// The bytes of a frame lie at the answer: its pixels as those of `pixels`, or its planes.
-POINSOT_EXPORT(film_frame) int film_frame(double frame, int as_planes) {
+// The bytes of a frame lie at the answer: its pixels as those of `pixels` (0), its planes on white
+// (1), or its planes and alpha (2).
+POINSOT_EXPORT(film_frame) int film_frame(double frame, int kind) {
     return answered([&] {
         const Image image = frame_of(static_cast<std::int64_t>(frame));
-        if (as_planes != 0)
-            answer() = planes_of(image);
+        if (kind != 0)
+            answer() = planes_of(image, kind == 2);
         else
             answer().assign(image.bytes().begin(), image.bytes().end());
     });

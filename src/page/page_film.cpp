@@ -88,19 +88,20 @@ std::string PageFilm::record(const PageOutput& output) const {
 // A page has its own fonts alone.
 std::string fonts_in_words(const Stage& /*stage*/) { return ""; }
 
-std::string planes_of(const Image& frame) {
+std::string planes_of(const Image& frame, bool with_alpha) {
     Image flat;
-    const bool opaque = is_opaque(frame);
-    if (!opaque) flatten_on_white(frame, flat);
+    const bool keeps = with_alpha || is_opaque(frame);
+    if (!keeps) flatten_on_white(frame, flat);
     const auto width = static_cast<std::size_t>(frame.width());
     const auto height = static_cast<std::size_t>(frame.height());
-    std::string planes(width * height * 3 / 2, '\0');
+    std::string planes(width * height * (with_alpha ? 5 : 3) / 2, '\0');
     auto* const y = reinterpret_cast<std::uint8_t*>(planes.data());
     auto* const cb = y + width * height;
     auto* const cr = cb + width * height / 4;
     const auto stride = static_cast<std::ptrdiff_t>(width);
     YuvConverter(frame.width())
-        .convert(opaque ? frame : flat, {y, cb, cr, stride, stride / 2, stride / 2});
+        .convert(keeps ? frame : flat, {y, cb, cr, stride, stride / 2, stride / 2});
+    if (with_alpha) copy_alpha(frame, cr + width * height / 4, stride);
     return planes;
 }
 

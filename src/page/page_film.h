@@ -59,7 +59,8 @@ class PageFilm {
 };
 
 // A frame of straight R, G, B and alpha as the planes Y', Cb and Cr of a film, one after the other,
-// on white: BT.709, limited range, 4:2:0. Precondition: width and height are even.
-std::string planes_of(const Image& frame);
+// on white: BT.709, limited range, 4:2:0; or not on white, and alpha follows them. Precondition:
+// width and height are even.
+std::string planes_of(const Image& frame, bool with_alpha);
 
 }  // namespace poinsot

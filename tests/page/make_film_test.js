@@ -248,6 +248,39 @@ for (const kind of ['mp4', 'webm'])
     assert.match(verified(spoiled(file, (bytes) => bytes.lastIndexOf('Beginning')))[1], /other data are not/);
   });
 
+check('keeps transparency in WebM', async (browser) => {
+  const clear = path.join(folder, 'clear.toml');
+  fs.writeFileSync(clear, `theme = "transparent"\n${generic.replace(/duration_s = [\d.]+/, 'duration_s = 0.5').replace(/still_s = [\d.]+\n/, '')}`);
+  const {tab, faults} = await opened_file(browser, page_of(program, clear, path.join(folder, 'clear.html')));
+  await ready(tab);
+  const file = await film_file(tab, 'clear.webm', {kind: 'webm', quality: 'print', width: 320, height: 180});
+  assert.doesNotMatch(await said(tab), /white ground/);
+  await film_file(tab, 'clear.mp4', {kind: 'mp4', width: 320, height: 180});
+  assert.deepEqual(faults, []);
+  await tab.close();
+  assert.equal(verified(file)[0], 0);
+  poinsot('render', clear, '-o', path.join(folder, 'clear_####.png'), '--size', '320x180', '--quiet');
+  // Seen on a dark ground, where wrong edges would show.
+  const on_dark = (input) => {
+    const bytes = run('ffmpeg', ['-v', 'error', ...input, '-vf', 'scale=in_color_matrix=bt709:flags=accurate_rnd+full_chroma_int', '-f', 'rawvideo', '-pix_fmt', 'rgba', '-']);
+    const n = 320 * 180;
+    return Array.from({length: bytes.length / (4 * n)}, (_, frame) => {
+      const seen = new Uint8Array(3 * n);
+      for (let k = 0; k < 3 * n; ++k) {
+        const at = 4 * (n * frame + Math.floor(k / 3));
+        const alpha = bytes[at + 3] / 255;
+        seen[k] = alpha * bytes[at + (k % 3)] + (1 - alpha) * 30;
+      }
+      return seen;
+    });
+  };
+  const [ours, theirs] = [on_dark(['-c:v', 'libvpx-vp9', '-i', file]), on_dark(['-framerate', '30', '-i', path.join(folder, 'clear_%04d.png')])];
+  assert.equal(ours.length, theirs.length);
+  const least = Math.min(...ours.map((frame, k) => psnr(frame, theirs[k])));
+  console.log(`      ${ours.length} frames, PSNR ≥ ${least.toFixed(1)} dB on a dark ground`);
+  assert.ok(least > 38, `${least} dB`);
+});
+
 // Two stops, the second with a loop, a caption, and what follows.
 const talk = path.join(folder, 'talk.toml');
 fs.writeFileSync(talk, generic.replace(/duration_s = [\d.]+/, 'duration_s = 1.4').replace(/still_s = [\d.]+\n/, '').replace(/^caption.*$/m, '') +
