@@ -227,7 +227,8 @@ class FilmPanel {
     const {words} = this.page;
     if (error instanceof FilmCancelled) return words.of('film_cancelled');
     if (error instanceof DOMException && error.name === 'QuotaExceededError') return words.of('film_disk');
-    if (this.run?.is_lost) return words.of('film_lost');
+    // The module hears of the loss before the canvas does.
+    if (this.run && (this.run.is_lost || this.run.program.gl?.isContextLost())) return words.of('film_lost');
     if (error instanceof ProgramError || error instanceof RangeError) return message_of(error);
     return `${words.of('film_failed')} ${message_of(error)}`;
   }

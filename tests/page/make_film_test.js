@@ -2,21 +2,18 @@
 // Usage: node make_film_test.js POINSOT MAKE_WORKBENCH [NAME…]
 'use strict';
 const assert = require('node:assert/strict');
-const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
-const os = require('node:os');
 const path = require('node:path');
 const {is_firefox, opened_file, page_of, ready, run_checks, until, write_page} = require('./browsers.js');
+const {assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, probed, psnr, rgb_of, run, said, size, spoiled, verified} =
+  require('./film_checks.js');
 
 const [program, make_workbench, ...only] = process.argv.slice(2);
-const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-make-film-'));
-process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
 
 /** @type {[string, (browser: any) => Promise<void>][]} */
 const checks = [];
 const check = (name, run) => checks.push([name, run]);
 
-const size = {width: 640, height: 360};
 const small = {width: 160, height: 90};
 const scene = path.join(folder, 'short.toml');
 // generic.toml for two seconds, with a stop between, and a name that fades in.
@@ -25,103 +22,13 @@ fs.writeFileSync(scene, generic.replace(/duration_s = [\d.]+/, 'duration_s = 2.0
   '\n[[stops]]\nat_s = 1.0\ntitle = "Half"\n[[fades]]\nat_s = 0.5\nover_s = 0.5\nelements = ["herpolhode"]\n');
 const page_file = page_of(program, scene, path.join(folder, 'short.html'));
 
-function run(command, args, options = {}) {
-  const outcome = spawnSync(command, args, {maxBuffer: 1 << 30, ...options});
-  assert.equal(outcome.status, 0, `${command} ${args.join(' ')}: ${outcome.stderr}`);
-  return outcome.stdout;
-}
-const poinsot = (...args) => run(program, args, {encoding: 'utf8'});
-
-/** The native film's pictures, drawn once: R, G and B of each frame. */
 let native_frames = null;
-function native(number) {
-  if (!native_frames) {
-    poinsot('render', scene, '-o', path.join(folder, 'native_####.png'), '--size', `${size.width}x${size.height}`, '--quiet');
-    native_frames = rgb_of(['-framerate', '30', '-i', path.join(folder, 'native_%04d.png')]);
-  }
-  return native_frames[number];
-}
-
-/** The frames of a film as FFmpeg decodes them. */
-function rgb_of(input, {width, height} = size) {
-  const bytes = run('ffmpeg', ['-v', 'error', ...input, '-vf', 'scale=in_color_matrix=bt709:flags=accurate_rnd+full_chroma_int', '-f', 'rawvideo', '-pix_fmt', 'rgb24', '-']);
-  const n = 3 * width * height;
-  assert.equal(bytes.length % n, 0);
-  return Array.from({length: bytes.length / n}, (_, k) => bytes.subarray(k * n, (k + 1) * n));
-}
-
-/** The peak signal-to-noise ratio of two pictures, dB. */
-function psnr(a, b) {
-  let sum = 0;
-  for (let i = 0; i < a.length; ++i) sum += (a[i] - b[i]) ** 2;
-  return 10 * Math.log10((255 * 255 * a.length) / sum);
-}
-
-/** Each picture is the native film's of the same number, and of no other. */
-function assert_same_frames(frames, first = 0) {
-  let least = Infinity;
-  frames.forEach((frame, k) => {
-    const here = psnr(frame, native(first + k));
-    least = Math.min(least, here);
-    for (const other of [first + k - 1, first + k + 1])
-      if (native(other)) assert.ok(psnr(frame, native(other)) < here, `frame ${k} is rather the native film's frame ${other}`);
-  });
-  assert.ok(least >= 38, `PSNR ${least} dB`);
-  console.log(`      ${frames.length} frames, PSNR ≥ ${least.toFixed(1)} dB`);
-}
+const native = () => (native_frames ??= native_frames_of(scene, 'native'));
 
 async function opened(browser, options = {}) {
   const {tab, faults} = await opened_file(browser, page_file, options);
   await ready(tab);
   return {tab, faults};
-}
-
-/** Makes a film in a tab by the controls of the page; the bytes, or null. */
-async function made(tab, values) {
-  const base64 = await tab.evaluate(async (chosen) => {
-    for (const [id, value] of Object.entries(chosen)) {
-      const field = document.getElementById(`film-${id}`);
-      field.value = String(value);
-      if (field.value !== String(value)) throw new Error(`${id} offers no ${value}`);
-      field.dispatchEvent(new Event('change'));
-    }
-    // As where a browser has no dialog for files.
-    window.showSaveFilePicker = undefined;
-    the_page.save = () => {};
-    const blob = await the_page.films.make(the_page.films.settings());
-    if (!blob) return null;
-    const bytes = new Uint8Array(await blob.arrayBuffer());
-    let text = '';
-    for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
-    return btoa(text);
-  }, {...size, ...values});
-  return base64 === null ? null : Buffer.from(base64, 'base64');
-}
-const said = (tab) => tab.$eval('#film-said', (field) => field.textContent);
-
-/** Makes a film and writes it into a file. */
-async function film_file(tab, name, values) {
-  const bytes = await made(tab, values);
-  assert.ok(bytes, await said(tab));
-  fs.writeFileSync(path.join(folder, name), bytes);
-  return path.join(folder, name);
-}
-
-const probed = (file) => JSON.parse(run('ffprobe', ['-v', 'error', '-count_frames', '-show_streams', '-show_format', '-of', 'json', file]));
-
-function assert_film(file, codec, n_frames) {
-  const {streams, format} = probed(file);
-  const [video] = streams;
-  assert.equal(video.codec_name, codec);
-  assert.equal(Number(video.nb_read_frames), n_frames);
-  assert.equal(video.r_frame_rate, '30/1');
-  assert.equal(video.avg_frame_rate, '30/1');
-  assert.ok(Math.abs(Number(format.duration) - n_frames / 30) < 0.002, format.duration);
-  assert.deepEqual([video.width, video.height], [size.width, size.height]);
-  assert.equal(video.color_range, 'tv');
-  assert.equal(video.color_space, 'bt709');
-  assert.equal(video.color_primaries, 'bt709');
-  assert.equal(video.color_transfer, 'bt709');
 }
 
 /** What the file says of itself, and that it can be drawn again. */
@@ -138,21 +45,21 @@ check('makes an MP4 film with the frames of the native one', async (browser) => 
   const {tab, faults} = await opened(browser);
   const file = await film_file(tab, 'page.mp4', {kind: 'mp4'});
   assert_film(file, 'h264', 60);
-  assert_same_frames(rgb_of(['-i', file]));
+  assert_same_frames(rgb_of(['-i', file]), native());
   assert_record(file, [0, 59]);
   assert.deepEqual(faults, []);
   await tab.close();
   // The record draws the film again natively: the bytes of the native film of the same scene.
   const again = path.join(folder, 'again.mp4');
   poinsot('rerender', file, '-o', again, '--quiet');
-  assert_same_frames(rgb_of(['-i', again]));
+  assert_same_frames(rgb_of(['-i', again]), native());
 });
 
 check('makes a WebM film', async (browser) => {
   const {tab, faults} = await opened(browser);
   const file = await film_file(tab, 'page.webm', {kind: 'webm'});
   assert_film(file, 'vp9', 60);
-  assert_same_frames(rgb_of(['-i', file]));
+  assert_same_frames(rgb_of(['-i', file]), native());
   assert_record(file, [0, 59]);
   assert.deepEqual(faults, []);
   await tab.close();
@@ -165,7 +72,7 @@ check('makes PNG pictures of the frames that lead to a stop', async (browser) =>
   const names = fs.readdirSync(folder).filter((name) => /^short_\d+\.png$/.test(name)).sort();
   assert.equal(names.length, 31);
   assert.equal(names[30], 'short_0030.png');
-  assert_same_frames(rgb_of(['-i', path.join(folder, 'short_%04d.png')]));
+  assert_same_frames(rgb_of(['-i', path.join(folder, 'short_%04d.png')]), native());
   assert_record(path.join(folder, names[0]), [0, 30]);
   assert.deepEqual(faults, []);
   await tab.close();
@@ -205,21 +112,6 @@ const cues_of = (file) => fs.readFileSync(file, 'utf8').split('\n\n').slice(2).m
   const [begin, end] = times.match(/[\d:.]{12}/g).map((time) => Number(time.slice(6)));
   return [begin, end, lines.join('\n')];
 });
-
-/** What `explain --verify` says of a file, and its exit code. */
-function verified(file) {
-  const {status, stdout, stderr} = spawnSync(program, ['explain', file, '--verify'], {encoding: 'utf8'});
-  return [status, stdout + stderr];
-}
-
-/** Changes the bits of one byte in the middle of a film. */
-function spoiled(file, at) {
-  const bytes = fs.readFileSync(file);
-  bytes[at(bytes)] ^= 1;
-  const copy = path.join(folder, `spoiled${path.extname(file)}`);
-  fs.writeFileSync(copy, bytes);
-  return copy;
-}
 
 for (const kind of ['mp4', 'webm'])
   check(`writes chapters, captions and hashes into ${kind}`, async (browser) => {
@@ -298,10 +190,8 @@ check('makes the slides that the program makes', async (browser) => {
   assert.deepEqual(faults, []);
   await tab.close();
   const natively = path.join(folder, 'natively');
-  const pattern = path.join(folder, 'talk_####.png');
   poinsot('render', talk, '--slides', natively, '--size', '160x90', '--quiet');
-  poinsot('render', talk, '-o', pattern, '--size', '160x90', '--quiet');
-  const pictures = rgb_of(['-framerate', '30', '-i', pattern.replace('####', '%04d')], small);
+  const pictures = native_frames_of(talk, 'talk', small);
   // All but the PDFs.
   const names = fs.readdirSync(natively).filter((name) => !name.endsWith('.pdf'));
   assert.deepEqual(fs.readdirSync(slides).sort(), names.sort());
@@ -430,7 +320,8 @@ check('writes to a chosen file, and leaves nothing of a film that fails', async 
 check('says it in one sentence where the browser has no encoder or refuses', async (browser) => {
   for (const [before, kind] of [
     [() => { delete window.VideoEncoder; }, 'mp4'],
-    [() => { VideoEncoder.prototype.configure = () => { throw new DOMException('refused', 'NotSupportedError'); }; }, 'webm']]) {
+    // A frame of no origin has none.
+    [() => { if (window.VideoEncoder) VideoEncoder.prototype.configure = () => { throw new DOMException('refused', 'NotSupportedError'); }; }, 'webm']]) {
     const {tab, faults} = await opened(browser, {before});
     assert.equal(await made(tab, {kind}), null);
     assert.match(await said(tab), /cannot encode such a film; choose/);
