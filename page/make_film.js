@@ -126,17 +126,21 @@ class FilmPanel {
     this.page = page;
     /** @type {FilmRun|null} */
     this.run = null;
+    /** Whether a film is made or about to be. */
+    this.is_making = false;
+    this.is_cancelled = false;
     this.signature = '';
     /** When the second frame began: the first one takes longer, as it compiles the shaders. */
     this.second_ms = 0;
     part('section-film').hidden = !has_film_writer();
     part('film-make').addEventListener('click', () => void this.make(this.settings()));
     part('film-cancel').addEventListener('click', () => {
+      this.is_cancelled = true;
       if (this.run) this.run.is_cancelled = true;
     });
     for (const id of ['film-kind', 'film-span', 'film-width', 'film-height', 'film-rate', 'film-quality']) part(id).addEventListener('change', () => this.#hint());
     window.addEventListener('beforeunload', (event) => {
-      if (this.run) event.preventDefault();
+      if (this.is_making) event.preventDefault();
     });
   }
 
@@ -237,22 +241,26 @@ class FilmPanel {
   async make(settings) {
     const {page} = this;
     const {words} = page;
-    if (this.run) return null;
-    this.#say('');
-    const [suffix, type] = film_files[settings.kind];
-    const file = await chosen_file(`${page.data.name}${suffix}`, settings.kind);
-    if (file === undefined) return null;
-    // A context of its own: the figure may rest, or be given another scene.
-    const canvas = document.createElement('canvas');
-    const bytes = await page.program_bytes();
-    const program = await Program.start(bytes.module, bytes.fonts, canvas);
-    const run = new FilmRun(program, (done, n_frames) => this.#progress(done, n_frames));
-    canvas.addEventListener('webglcontextlost', () => { run.is_lost = true; });
-    this.run = run;
+    // From the first press on, while the user chooses a file and the module starts.
+    if (this.is_making) return null;
+    this.is_making = true;
+    this.is_cancelled = false;
     this.#busy(true);
+    this.#say('');
     /** @type {FileSink|null} */
     let sink = null;
     try {
+      const [suffix, type] = film_files[settings.kind];
+      const file = await chosen_file(`${page.data.name}${suffix}`, settings.kind);
+      if (file === undefined) return null;
+      // A context of its own: the figure may rest, or be given another scene.
+      const canvas = document.createElement('canvas');
+      const bytes = await page.program_bytes();
+      const program = await Program.start(bytes.module, bytes.fonts, canvas);
+      const run = new FilmRun(program, (done, n_frames) => this.#progress(done, n_frames));
+      run.is_cancelled = this.is_cancelled;
+      this.run = run;
+      canvas.addEventListener('webglcontextlost', () => { run.is_lost = true; });
       for (const [name, text] of Object.entries(page.data.files)) program.addFile(name, bytes_of_base64(text));
       const film = program.openFilm(page.data.text, page.data.name, page.overrides(settings));
       const span = frames_of_span(film, settings.span);
@@ -292,8 +300,9 @@ class FilmPanel {
       await sink?.abort().catch(() => {});
       return null;
     } finally {
-      program.stop();
+      this.run?.program.stop();
       this.run = null;
+      this.is_making = false;
       this.#busy(false);
     }
   }
@@ -311,6 +320,7 @@ class FilmPanel {
   /** @param {boolean} busy */
   #busy(busy) {
     part('film-done').hidden = !busy;
+    /** @type {HTMLProgressElement} */ (part('film-done')).value = 0;
     part('film-cancel').hidden = !busy;
     part('film-make').hidden = busy;
     if (!busy) this.#hint();

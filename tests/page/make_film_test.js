@@ -251,12 +251,29 @@ check('can be cancelled, stays usable, and saves nothing then', async (browser) 
   await tab.evaluate('poinsot.seek(1.5)');
   await until(tab, 'Math.abs(document.getElementById("scrub").valueAsNumber - 1.5) < 0.01');
   assert.match(await tab.$eval('#film-hint', (hint) => hint.textContent), /\d+ \/ 60.*time left/);
-  // A second film waits for the first.
+  // There is one film at a time, from the first press on: the button has gone.
+  assert.ok(await tab.$eval('#film-make', (button) => button.hidden));
   assert.equal(await tab.evaluate('the_page.films.make(the_page.films.settings())'), null);
   await tab.evaluate('document.getElementById("film-cancel").click()');
   assert.equal(await cancelled, null);
   assert.match(await said(tab), /nothing was saved/);
   assert.ok(await tab.$eval('#film-make', (button) => !button.hidden));
+  // Two presses, one after the other, start one film.
+  assert.equal(await tab.evaluate(async () => {
+    let n_started = 0;
+    const start = Program.start;
+    Program.start = (...given) => {
+      ++n_started;
+      return start.apply(Program, given);
+    };
+    document.getElementById('film-make').click();
+    document.getElementById('film-make').click();
+    while (!the_page.films.run) await new Promise((resolve) => setTimeout(resolve, 20));
+    document.getElementById('film-cancel').click();
+    while (the_page.films.is_making) await new Promise((resolve) => setTimeout(resolve, 20));
+    Program.start = start;
+    return n_started;
+  }), 1);
   assert.deepEqual(faults, []);
   await tab.close();
 });
