@@ -1,12 +1,22 @@
 // The encoder of a film: which of the browser's codecs, and how many bits. No page and no drawing.
 
 /**
- * @typedef {'mp4'|'webm'|'png'} FilmKind
+ * @typedef {'mp4'|'webm'|'png'|'slides'|'pptx'} FilmKind
  * @typedef {{width: number, height: number, numerator: number, denominator: number}} FilmShape
  *   Pixels, and the frames a second as a fraction.
  * @typedef {{config: VideoEncoderConfig, codec: string, name: string}} FilmCodec
  *   `codec`: as Mediabunny calls it; `name`: as people do.
  */
+
+/** A key frame at least this often, so that players can jump. */
+const key_frame_every_s = 2;
+/** Frames that the encoder may be behind. */
+const most_waiting_frames = 4;
+
+/** Frames from one key frame to the next. @param {FilmShape} shape */
+function key_frame_interval({numerator, denominator}) {
+  return Math.max(1, Math.round((key_frame_every_s * numerator) / denominator));
+}
 
 /**
  * Bits for a frame of one pixel, by the names of `poinsot list qualities`. A larger frame takes more of them by the power 0.8 of its
@@ -40,13 +50,16 @@ function codecs_of(kind, shape) {
   return [...avc, vp9, ['av01.0.13M.08', 'av1', 'AV1']];
 }
 
+/** @type {VideoColorSpaceInit} */
+const film_colours = {primaries: 'bt709', transfer: 'bt709', matrix: 'bt709', fullRange: false};
+
 /** @param {FilmShape} shape @param {number} index @param {Uint8Array} planes Y', Cb and Cr of BT.709, limited range, 4:2:0 */
 function video_frame(shape, index, planes) {
   const {width, height, numerator, denominator} = shape;
   const us = (/** @type {number} */ k) => Math.round((1e6 * k * denominator) / numerator);
   return new VideoFrame(/** @type {BufferSource} */ (planes), {
     format: 'I420', codedWidth: width, codedHeight: height, timestamp: us(index), duration: us(index + 1) - us(index),
-    colorSpace: {primaries: 'bt709', transfer: 'bt709', matrix: 'bt709', fullRange: false},
+    colorSpace: film_colours,
   });
 }
 
@@ -87,4 +100,101 @@ async function encodes(config, shape) {
     if (encoder.state !== 'closed') encoder.close();
   }
   return n_chunks === 1;
+}
+
+/** Joins the packets of pictures with those of their transparency, which come from another encoder. */
+class AlphaPairs {
+  /** @param {FilmFile} file */
+  constructor(file) {
+    this.file = file;
+    /** @type {[number, FilmPacket][]} */
+    this.pictures = [];
+    /** @type {Map<number, Uint8Array<ArrayBuffer>>} */
+    this.alphas = new Map();
+    this.joined = Promise.resolve();
+  }
+
+  /** @param {number} index @param {FilmPacket} packet */
+  picture(index, packet) {
+    this.pictures.push([index, packet]);
+    return (this.joined = this.joined.then(() => this.#join()));
+  }
+
+  /** @param {number} index @param {FilmPacket} packet */
+  alpha(index, {data}) {
+    this.alphas.set(index, data);
+    return (this.joined = this.joined.then(() => this.#join()));
+  }
+
+  async #join() {
+    for (let next = this.pictures[0]; next; next = this.pictures[0]) {
+      const [index, packet] = next;
+      const alpha = this.alphas.get(index);
+      if (!alpha) return;
+      this.pictures.shift();
+      this.alphas.delete(index);
+      await this.file.add(index, {...packet, alpha});
+    }
+  }
+}
+
+/** Encodes frames one after the other. */
+class FrameEncoder {
+  /**
+   * @param {FilmShape} shape @param {FilmCodec} codec
+   * @param {(index: number, packet: FilmPacket) => Promise<void>} take a packet, in the order in which a film stores them, and which frame it is
+   */
+  constructor(shape, codec, take) {
+    this.shape = shape;
+    this.n_frames = 0;
+    this.n_packets = 0;
+    /** @type {unknown} */
+    this.fault = null;
+    this.taken = Promise.resolve();
+    /** @type {EncodedVideoChunkMetadata|undefined} */
+    this.about = undefined;
+    this.encoder = new VideoEncoder({
+      error: (error) => { this.fault ??= error; },
+      output: (chunk, about) => {
+        const data = new Uint8Array(chunk.byteLength);
+        chunk.copyTo(data);
+        ++this.n_packets;
+        // The frame, from its time in whole microseconds.
+        const index = Math.round((chunk.timestamp * shape.numerator) / (1e6 * shape.denominator));
+        // Encoders tell it once; each film needs it.
+        if (about?.decoderConfig) this.about = {...about, decoderConfig: {...about.decoderConfig, colorSpace: film_colours}};
+        const packet = {data, type: chunk.type, about: this.about};
+        this.taken = this.taken.then(() => take(index, packet)).catch((error) => { this.fault ??= error; });
+      },
+    });
+    this.encoder.configure(codec.config);
+  }
+
+  #check() {
+    if (this.fault) throw this.fault instanceof Error ? this.fault : new Error(message_of(this.fault));
+  }
+
+  /** @param {Uint8Array} planes @param {boolean} is_key */
+  async add(planes, is_key) {
+    const {encoder} = this;
+    this.#check();
+    const frame = video_frame(this.shape, this.n_frames++, planes);
+    encoder.encode(frame, {keyFrame: is_key});
+    frame.close();
+    while (encoder.encodeQueueSize > most_waiting_frames && encoder.state === 'configured')
+      await new Promise((resolve) => encoder.addEventListener('dequeue', resolve, {once: true}));
+    await this.taken;
+  }
+
+  async finish() {
+    this.#check();
+    await this.encoder.flush();
+    await this.taken;
+    this.#check();
+    if (this.n_packets !== this.n_frames) throw new Error(`the encoder has dropped ${this.n_frames - this.n_packets} frames`);
+  }
+
+  close() {
+    if (this.encoder.state !== 'closed') this.encoder.close();
+  }
 }

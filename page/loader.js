@@ -20,7 +20,7 @@ function block(id) {
 
 /** Unpacks a block of the program. @param {string} id */
 function unpacked(id) {
-  return unpacked_lzma(bytes_of_base85(block(id)));
+  return unpacked_lzma(bytes_of_base94(block(id)));
 }
 
 /** @returns {SceneData} */

@@ -1,4 +1,4 @@
-// Films made in the page: MP4, WebM and pictures as a ZIP archive, of the frames that `poinsot render` draws.
+// Films made in the page: MP4, WebM, slides, and pictures as a ZIP archive, of the frames that `poinsot render` draws.
 
 /**
  * @typedef {{kind: FilmKind, width: number, height: number, rate: number, quality: string, span: FilmSpan}} FilmSettings
@@ -7,13 +7,7 @@
  * @typedef {{title: string, width: number, height: number, numerator: number, denominator: number, n_frames: number,
  *   transparent: boolean, chapters: number[], stops: number[]}} FilmDescription
  *   The first frames of chapters and stops.
- * @typedef {{write: (chunk: any) => Promise<void>, close: () => Promise<void>, abort: () => Promise<void>}} FileSink
  */
-
-/** A key frame at least this often, so that players can jump. */
-const key_frame_every_s = 2;
-/** Frames that the encoder may be behind. */
-const most_waiting_frames = 4;
 
 /** Lets the page answer; other than timers and frames, it is not slowed down where the tab is hidden. @returns {Promise<void>} */
 function let_page_answer() {
@@ -49,105 +43,77 @@ class FilmRun {
   }
 
   /** @param {number} done @param {number} n_frames */
-  async #go_on(done, n_frames) {
+  async go_on(done, n_frames) {
     this.said(done, n_frames);
     await let_page_answer();
     if (this.is_cancelled) throw new FilmCancelled('cancelled');
     if (this.is_lost) throw new Error('lost');
   }
 
-  /** Pictures of the frames in a ZIP archive. @param {FilmDescription} film @param {[number, number]} span @param {string} name @param {FileSink} sink @param {string} record */
-  async pictures(film, [first, last], name, sink, record) {
-    const zip = new ZipWriter((bytes) => sink.write(bytes));
+  /** Pictures of the frames in a ZIP archive. @param {FilmDescription} film @param {[number, number]} span @param {string} name @param {ZipWriter} zip @param {string} record */
+  async pictures(film, [first, last], name, zip, record) {
     const digits = Math.max(4, String(last).length);
     for (let frame = first; frame <= last; ++frame) {
-      const pixels = this.program.filmFrame(frame, false);
-      await this.#go_on(frame - first, last - first + 1);
+      const pixels = this.program.filmFrame(frame, 'pixels');
+      await this.go_on(frame - first, last - first + 1);
       await zip.add(`${name}_${String(frame).padStart(digits, '0')}.png`, await png_file(pixels, film.width, film.height, 'poinsot', record));
     }
     await zip.finish();
   }
 
-  /**
-   * A film of the frames.
-   * @param {FilmDescription} film @param {[number, number]} span @param {FilmCodec} codec @param {any} output of Mediabunny @param {any} source
-   */
-  async video(film, [first, last], codec, output, source) {
+  /** A film of the frames; null where it is in the sink. WebM keeps transparency. @param {FilmDescription} film @param {[number, number]} span @param {FilmContents} contents @param {FileSink|null} sink */
+  async video(film, [first, last], contents, sink) {
     const n_frames = last - first + 1;
-    const frame_s = film.denominator / film.numerator;
-    const every = Math.max(1, Math.round(key_frame_every_s / frame_s));
-    /** @type {unknown} */
-    let fault = null;
-    let n_packets = 0;
-    let written = Promise.resolve();
-    const encoder = new VideoEncoder({
-      error: (error) => { fault ??= error; },
-      output: (chunk, about) => {
-        const data = new Uint8Array(chunk.byteLength);
-        chunk.copyTo(data);
-        ++n_packets;
-        // Times of the film's frames, not in whole microseconds.
-        const index = Math.round(chunk.timestamp / 1e6 / frame_s);
-        const packet = new film_writer.EncodedPacket(data, chunk.type, index * frame_s, frame_s);
-        const colorSpace = {primaries: 'bt709', transfer: 'bt709', matrix: 'bt709', fullRange: false};
-        const described = about?.decoderConfig ? {...about, decoderConfig: {...about.decoderConfig, colorSpace}} : about;
-        written = written.then(() => source.add(packet, described)).catch((error) => { fault ??= error; });
-      },
-    });
-    const check = () => {
-      if (fault) throw fault instanceof Error ? fault : new Error(message_of(fault));
-    };
+    const every = key_frame_interval(film);
+    const file = new FilmFile(contents, sink);
+    const keeps_alpha = film.transparent && contents.kind === 'webm';
+    /** @type {FrameEncoder[]} */
+    const encoders = [];
     try {
-      encoder.configure(codec.config);
-      for (let k = 0; k < n_frames; ++k) {
-        const frame = video_frame(film, k, this.program.filmFrame(first + k, true));
-        await this.#go_on(k, n_frames);
-        check();
-        encoder.encode(frame, {keyFrame: k % every === 0});
-        frame.close();
-        while (encoder.encodeQueueSize > most_waiting_frames && encoder.state === 'configured')
-          await new Promise((resolve) => encoder.addEventListener('dequeue', resolve, {once: true}));
-        await written;
+      await file.start();
+      if (keeps_alpha) {
+        const pairs = new AlphaPairs(file);
+        encoders.push(new FrameEncoder(film, contents.codec, (index, packet) => pairs.picture(index, packet)),
+          new FrameEncoder(film, contents.codec, (index, packet) => pairs.alpha(index, packet)));
+      } else {
+        encoders.push(new FrameEncoder(film, contents.codec, (index, packet) => file.add(index, packet)));
       }
-      check();
-      await encoder.flush();
-      await written;
-      check();
-      if (n_packets !== n_frames) throw new Error(`the encoder has dropped ${n_frames - n_packets} frames`);
-      await output.finalize();
+      const n_pixels = film.width * film.height;
+      for (let k = 0; k < n_frames; ++k) {
+        const planes = this.program.filmFrame(first + k, keeps_alpha ? 'with alpha' : 'planes');
+        await this.go_on(k, n_frames);
+        for (const [number, encoder] of encoders.entries()) {
+          const grey = new Uint8Array(n_pixels / 2).fill(128);
+          const given = number === 0 ? planes.subarray(0, 1.5 * n_pixels) : joined_bytes([planes.subarray(1.5 * n_pixels), grey]);
+          await encoder.add(given, k % every === 0);
+        }
+      }
+      for (const encoder of encoders) await encoder.finish();
+      const bytes = await file.finish();
       this.said(n_frames, n_frames);
+      return bytes;
+    } catch (error) {
+      await file.cancel();
+      throw error;
     } finally {
-      if (encoder.state !== 'closed') encoder.close();
+      for (const encoder of encoders) encoder.close();
     }
   }
 }
 
-/** The writer of films, which the page unpacks when it is first needed. @type {any} */
-let film_writer = null;
-
-/** Whether the page carries it. */
-function has_film_writer() {
-  return block('film-writer') !== '';
-}
-
-/** Its script is one of the two that the page's policy allows. */
-async function load_film_writer() {
-  if (film_writer) return;
-  const script = document.createElement('script');
-  script.textContent = new TextDecoder().decode(await unpacked('film-writer'));
-  document.head.append(script);
-  script.remove();
-  film_writer = /** @type {any} */ (globalThis).film_writer;
-  if (!film_writer) throw new Error('this page may not run its film writer');
-}
+/** What a kind of film ends its name with, and its type. @type {Record<FilmKind, [string, string]>} */
+const film_files = {
+  mp4: ['.mp4', 'video/mp4'], webm: ['.webm', 'video/webm'], png: ['.zip', 'application/zip'], slides: ['_slides.zip', 'application/zip'],
+  pptx: ['.pptx', 'application/vnd.openxmlformats-officedocument.presentationml.presentation'],
+};
 
 /** A file that the user chooses; null: the browser has none, undefined: the user chose none. @param {string} name @param {FilmKind} kind @returns {Promise<any>} */
 async function chosen_file(name, kind) {
   const show = /** @type {any} */ (window).showSaveFilePicker;
   if (typeof show !== 'function' || window.self !== window.top) return null;
-  const types = {mp4: 'video/mp4', webm: 'video/webm', png: 'application/zip'};
+  const [suffix, type] = film_files[kind];
   try {
-    return await show.call(window, {suggestedName: name, types: [{accept: {[types[kind]]: [`.${kind === 'png' ? 'zip' : kind}`]}}]});
+    return await show.call(window, {suggestedName: name, types: [{accept: {[type]: [suffix.slice(suffix.indexOf('.'))]}}]});
   } catch (error) {
     return error instanceof DOMException && error.name === 'AbortError' ? undefined : null;
   }
@@ -160,17 +126,21 @@ class FilmPanel {
     this.page = page;
     /** @type {FilmRun|null} */
     this.run = null;
+    /** Whether a film is made or about to be. */
+    this.is_making = false;
+    this.is_cancelled = false;
     this.signature = '';
     /** When the second frame began: the first one takes longer, as it compiles the shaders. */
     this.second_ms = 0;
     part('section-film').hidden = !has_film_writer();
     part('film-make').addEventListener('click', () => void this.make(this.settings()));
     part('film-cancel').addEventListener('click', () => {
+      this.is_cancelled = true;
       if (this.run) this.run.is_cancelled = true;
     });
     for (const id of ['film-kind', 'film-span', 'film-width', 'film-height', 'film-rate', 'film-quality']) part(id).addEventListener('change', () => this.#hint());
     window.addEventListener('beforeunload', (event) => {
-      if (this.run) event.preventDefault();
+      if (this.is_making) event.preventDefault();
     });
   }
 
@@ -187,7 +157,11 @@ class FilmPanel {
       list.replaceChildren(...rows.map(([value, text]) => new Option(text, value)));
       list.value = chosen ?? '';
     };
-    options('film-kind', [['mp4', 'MP4'], ['webm', 'WebM'], ['png', words.of('film_pictures')]]);
+    const has_slides = loaded.stops.length + loaded.chapters.length > 0;
+    options('film-kind', [['mp4', 'MP4'], ['webm', 'WebM'], ['png', words.of('film_pictures')],
+      ...(has_slides ? [/** @type {[string, string]} */ (['slides', words.of('film_slides')])] : []),
+      // The workbench alone has what writes them.
+      ...(has_slides && typeof write_presentation === 'function' ? [/** @type {[string, string]} */ (['pptx', 'PowerPoint (.pptx)'])] : [])]);
     options('film-quality', Object.keys(film_qualities).map((name) => [name, words.of(`quality_${name}`)]), 'lecture');
     const {chapters, stops} = loaded;
     options('film-span', [
@@ -234,8 +208,10 @@ class FilmPanel {
     const {words} = this.page;
     if (!loaded) return;
     const {kind, width, height, rate, quality, span} = this.settings();
-    const from = span.kind === 'chapter' ? loaded.chapters[span.index]?.at_s ?? 0 : span.kind === 'stop' ? loaded.stops[span.index - 1]?.at_s ?? 0 : 0;
-    const marks = span.kind === 'chapter' ? loaded.chapters[span.index + 1] : span.kind === 'stop' ? loaded.stops[span.index] : undefined;
+    const has_span = kind !== 'slides' && kind !== 'pptx';
+    /** @type {HTMLSelectElement} */ (part('film-span')).disabled = !has_span;
+    const from = !has_span ? 0 : span.kind === 'chapter' ? loaded.chapters[span.index]?.at_s ?? 0 : span.kind === 'stop' ? loaded.stops[span.index - 1]?.at_s ?? 0 : 0;
+    const marks = !has_span ? undefined : span.kind === 'chapter' ? loaded.chapters[span.index + 1] : span.kind === 'stop' ? loaded.stops[span.index] : undefined;
     const length_s = Math.max(0, (marks?.at_s ?? loaded.film_length_s) - from);
     // An estimate: a picture takes about a twentieth of its pixels' bytes.
     const bytes = kind === 'png' ? length_s * rate * width * height * 0.15
@@ -255,7 +231,8 @@ class FilmPanel {
     const {words} = this.page;
     if (error instanceof FilmCancelled) return words.of('film_cancelled');
     if (error instanceof DOMException && error.name === 'QuotaExceededError') return words.of('film_disk');
-    if (this.run?.is_lost) return words.of('film_lost');
+    // The module hears of the loss before the canvas does.
+    if (this.run && (this.run.is_lost || this.run.program.gl?.isContextLost())) return words.of('film_lost');
     if (error instanceof ProgramError || error instanceof RangeError) return message_of(error);
     return `${words.of('film_failed')} ${message_of(error)}`;
   }
@@ -264,48 +241,58 @@ class FilmPanel {
   async make(settings) {
     const {page} = this;
     const {words} = page;
-    if (this.run) return null;
-    this.#say('');
-    const suffix = settings.kind === 'png' ? '.zip' : `.${settings.kind}`;
-    const file = await chosen_file(`${page.data.name}${suffix}`, settings.kind);
-    if (file === undefined) return null;
-    // A context of its own: the figure may rest, or be given another scene.
-    const canvas = document.createElement('canvas');
-    const bytes = await page.program_bytes();
-    const program = await Program.start(bytes.module, bytes.fonts, canvas);
-    const run = new FilmRun(program, (done, n_frames) => this.#progress(done, n_frames));
-    canvas.addEventListener('webglcontextlost', () => { run.is_lost = true; });
-    this.run = run;
+    // From the first press on, while the user chooses a file and the module starts.
+    if (this.is_making) return null;
+    this.is_making = true;
+    this.is_cancelled = false;
     this.#busy(true);
+    this.#say('');
     /** @type {FileSink|null} */
     let sink = null;
     try {
+      const [suffix, type] = film_files[settings.kind];
+      const file = await chosen_file(`${page.data.name}${suffix}`, settings.kind);
+      if (file === undefined) return null;
+      // A context of its own: the figure may rest, or be given another scene.
+      const canvas = document.createElement('canvas');
+      const bytes = await page.program_bytes();
+      const program = await Program.start(bytes.module, bytes.fonts, canvas);
+      const run = new FilmRun(program, (done, n_frames) => this.#progress(done, n_frames));
+      run.is_cancelled = this.is_cancelled;
+      this.run = run;
+      canvas.addEventListener('webglcontextlost', () => { run.is_lost = true; });
       for (const [name, text] of Object.entries(page.data.files)) program.addFile(name, bytes_of_base64(text));
       const film = program.openFilm(page.data.text, page.data.name, page.overrides(settings));
       const span = frames_of_span(film, settings.span);
       if (settings.kind !== 'png' && (film.width % 2 !== 0 || film.height % 2 !== 0)) throw new RangeError(words.of('film_even'));
-      const codec = settings.kind === 'png' ? null : await working_codec(settings.kind, film, settings.quality);
-      if (settings.kind !== 'png' && !codec) throw new RangeError(words.of('film_no_encoder'));
-      if (settings.kind !== 'png' && film.transparent) this.#say(words.of('film_opaque'));
+      const {kind} = settings;
+      const codec = kind === 'png' ? null : await working_codec(kind, film, settings.quality);
+      if (kind !== 'png' && !codec) throw new RangeError(words.of('film_no_encoder'));
+      if (kind !== 'png' && kind !== 'webm' && film.transparent) this.#say(words.of('film_opaque'));
       const how = codec ? `${codec.name} (${codec.config.codec}) by WebCodecs, ${codec.config.bitrate} bit/s` : 'PNG';
-      const record = program.filmRecord(span, `${navigator.userAgent}; ${how}`);
+      const maker = `${navigator.userAgent}; ${how}`;
       /** @type {Blob|null} */
       let blob = null;
       sink = file ? await file.createWritable() : null;
-      if (codec) {
-        await load_film_writer();
-        blob = await this.#video(film, span, codec, settings, record, sink);
+      if (codec) await load_film_writer();
+      if (codec && (kind === 'mp4' || kind === 'webm')) {
+        const texts = program.filmTexts(span, page.data.name + suffix);
+        const record = (/** @type {FilmHashes} */ hashes) => program.filmRecord(span, maker, hashes);
+        const bytes = await run.video(film, span, {kind, codec, shape: film, texts, record}, sink);
+        if (bytes) blob = new Blob([bytes], {type});
       } else {
         /** @type {Blob[]} */
         const parts = [];
-        const memory = {write: async (/** @type {Uint8Array<ArrayBuffer>} */ part) => { parts.push(new Blob([part])); }, close: async () => {}, abort: async () => {}};
-        await run.pictures(film, span, page.data.name, sink ?? memory, record);
-        if (!sink) blob = new Blob(parts, {type: 'application/zip'});
-        else await sink.close();
+        const memory = {write: async (/** @type {Uint8Array<ArrayBuffer>} */ part) => { parts.push(new Blob([part])); }};
+        const zip = new ZipWriter((bytes) => (sink ?? memory).write(bytes));
+        if (!codec) await run.pictures(film, span, page.data.name, zip, program.filmRecord(span, maker));
+        else await (kind === 'pptx' ? write_presentation : write_slides)(run, film, codec, maker, zip);
+        if (!sink) blob = new Blob(parts, {type});
       }
+      await sink?.close();
       sink = null;
       if (blob) page.save(blob, suffix);
-      this.#say([words.of('film_saved'), settings.kind === 'mp4' && codec?.codec !== 'avc' && `${words.of('film_no_h264')} ${codec?.name}.`].filter(Boolean).join(' '));
+      this.#say([words.of('film_saved'), codec && settings.kind !== 'webm' && codec.codec !== 'avc' && `${words.of('film_no_h264')} ${codec.name}.`].filter(Boolean).join(' '));
       return blob;
     } catch (error) {
       this.#say(this.#sentence(error));
@@ -313,32 +300,11 @@ class FilmPanel {
       await sink?.abort().catch(() => {});
       return null;
     } finally {
-      program.stop();
+      this.run?.program.stop();
       this.run = null;
+      this.is_making = false;
       this.#busy(false);
     }
-  }
-
-  /**
-   * @param {FilmDescription} film @param {[number, number]} span @param {FilmCodec} codec @param {FilmSettings} settings
-   * @param {string} record @param {FileSink|null} sink @returns {Promise<Blob|null>}
-   */
-  async #video(film, span, codec, settings, record, sink) {
-    const target = sink ? new film_writer.StreamTarget(new WritableStream(sink), {chunked: true}) : new film_writer.BufferTarget();
-    const format = settings.kind === 'webm' ? new film_writer.WebMOutputFormat()
-      : new film_writer.Mp4OutputFormat({fastStart: sink ? false : 'in-memory', metadataFormat: 'mdta'});
-    const output = new film_writer.Output({format, target});
-    const source = new film_writer.EncodedVideoPacketSource(codec.codec);
-    output.addVideoTrack(source, {frameRate: film.numerator / film.denominator});
-    output.setMetadataTags({raw: {poinsot: record}});
-    try {
-      await output.start();
-      await /** @type {FilmRun} */ (this.run).video(film, span, codec, output, source);
-    } catch (error) {
-      await output.cancel().catch(() => {});
-      throw error;
-    }
-    return sink ? null : new Blob([target.buffer], {type: `video/${settings.kind}`});
   }
 
   /** @param {number} done @param {number} n_frames */
@@ -354,6 +320,7 @@ class FilmPanel {
   /** @param {boolean} busy */
   #busy(busy) {
     part('film-done').hidden = !busy;
+    /** @type {HTMLProgressElement} */ (part('film-done')).value = 0;
     part('film-cancel').hidden = !busy;
     part('film-make').hidden = busy;
     if (!busy) this.#hint();

@@ -529,18 +529,35 @@ class Program extends WasmModule {
     return JSON.parse(this.answer());
   }
 
-  /** The bytes of a film's frame: straight R, G, B and alpha, or the planes Y', Cb and Cr on white. @param {number} frame @param {boolean} as_planes */
-  filmFrame(frame, as_planes) {
-    this.call('film_frame', frame, Number(as_planes));
+  /** The bytes of a film's frame: straight R, G, B and alpha, the planes Y', Cb and Cr on white, or not on white and followed by alpha. @param {number} frame @param {'pixels'|'planes'|'with alpha'} kind */
+  filmFrame(frame, kind) {
+    this.call('film_frame', frame, ['pixels', 'planes', 'with alpha'].indexOf(kind));
     const at = this.exports.answer_at();
     this.memory.refresh();
     return this.memory.bytes.slice(at, at + this.exports.answer_size());
   }
 
-  /** The record of a film's frames. @param {[number, number]} span first and last frame @param {string} maker the browser and its encoder */
-  filmRecord(span, maker) {
+  /**
+   * The record of a film's frames.
+   * @param {[number, number]} span first and last frame @param {string} maker the browser and its encoder
+   * @param {{packets?: string, file?: string}} [hashes] @param {0|1|2} [kind] a film, that of a slide, or a picture of its last frame
+   */
+  filmRecord(span, maker, {packets = '', file = ''} = {}, kind = 0) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl);
-    this.with_items([`WebGL: ${gl.getParameter(gl.RENDERER)}`, maker], (...at) => this.call('film_record', ...at, ...span));
+    const texts = [`WebGL: ${gl.getParameter(gl.RENDERER)}`, maker, packets, file].map((text) => `${text}\0`);
+    this.with_items([texts.join('')], (...at) => this.call('film_record', ...at, ...span, kind));
+    return this.answer();
+  }
+
+  /** Language, chapters and captions of a film's frames. @param {[number, number]} span @param {string} name of the file @returns {FilmTexts} */
+  filmTexts(span, name) {
+    this.with_items([name], (...at) => this.call('film_texts', ...at, ...span));
+    return JSON.parse(this.answer());
+  }
+
+  /** The text of slides.json. */
+  filmSlides() {
+    this.call('film_slides');
     return this.answer();
   }
 

@@ -1,21 +1,24 @@
-// Packed blocks of the page: LZMA, written as text in base 85.
+// Packed blocks of the page: LZMA, written as text in base 94.
 
-/** Bytes from text: five characters of '(' to '}' without '<' are four bytes. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
-function bytes_of_base85(text) {
-  const n = text.length;
-  const words = new Uint8Array(4 * Math.ceil(n / 5));
-  for (let i = 0, at = 0; i < n; i += 5, at += 4) {
-    let word = 0;
-    for (let k = i; k < i + 5; ++k) {
-      const code = k < n ? text.charCodeAt(k) : 125;
-      word = 85 * word + code - (code > 60 ? 41 : 40);
+/** Bytes from text: eleven characters of ' ' to '~' without '<' are nine bytes. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
+function bytes_of_base94(text) {
+  const n_low = 2 ** 40;
+  const bytes = new Uint8Array((9 * text.length) / 11);
+  for (let i = 0, at = 0; at < bytes.length; at += 9) {
+    let high = 0;
+    let low = 0;
+    for (const end = i + 11; i < end; ++i) {
+      const code = text.charCodeAt(i);
+      low = 94 * low + code - (code > 60 ? 33 : 32);
+      const carry = Math.floor(low / n_low);
+      high = 94 * high + carry;
+      low -= carry * n_low;
     }
-    words[at] = word >>> 24;
-    words[at + 1] = word >>> 16;
-    words[at + 2] = word >>> 8;
-    words[at + 3] = word;
+    for (let k = 0; k < 4; ++k) bytes[at + k] = high >>> (24 - 8 * k);
+    bytes[at + 4] = low / 2 ** 32;
+    for (let k = 0; k < 4; ++k) bytes[at + 5 + k] = low >>> (24 - 8 * k);
   }
-  return words.subarray(0, Math.floor((4 * n) / 5));
+  return bytes;
 }
 
 /**

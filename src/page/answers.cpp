@@ -1,5 +1,6 @@
 #include "page/answers.h"
 
+#include <algorithm>
 #include <cstdlib>
 
 #include "text/json_text.h"
@@ -25,6 +26,16 @@ std::string error_text(std::string_view kind, std::string_view message,
         .add("line", where.line)
         .add("column", where.column)
         .line();
+}
+
+std::vector<std::string> texts_at(const char* texts, std::uint32_t size) {
+    std::vector<std::string> given;
+    for (std::string_view rest = text_at(texts, size); !rest.empty();) {
+        const std::size_t end = std::min(rest.find('\0'), rest.size() - 1);
+        given.emplace_back(rest.substr(0, end));
+        rest.remove_prefix(end + 1);
+    }
+    return given;
 }
 
 }  // namespace poinsot

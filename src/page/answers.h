@@ -25,6 +25,9 @@ std::string error_text(std::string_view kind, std::string_view message,
 
 inline std::string_view text_at(const char* text, std::uint32_t size) { return {text, size}; }
 
+// Texts that are each followed by a NUL.
+std::vector<std::string> texts_at(const char* texts, std::uint32_t size);
+
 // Calls a function; keeps the message of what it throws.
 template <typename Call>
 int answered(Call call) {

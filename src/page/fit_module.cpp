@@ -1,5 +1,6 @@
-// What the workbench measures with: `poinsot fit` as functions of a WebAssembly module of its own,
-// which pages that only show a scene do without. page/measure.js calls it.
+// What the workbench needs beside the program, as functions of a WebAssembly module of its own,
+// which pages that only show a scene do without: `poinsot fit`, for page/measure.js, and the parts
+// of a presentation, for page/pptx.js.
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "production/fits/fit_flights.h"
 #include "production/fits/fit_words.h"
 #include "production/jobs/fitted_scene.h"
+#include "production/slides/pptx_parts.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 
@@ -104,5 +106,34 @@ POINSOT_EXPORT(find_flights) int find_flights(const double* given, std::uint32_t
         numbers().clear();
         for (const FreeFlight& found : flights_of(rows))
             numbers().insert(numbers().end(), {found.begin_s(), found.end_s()});
+    });
+}
+
+// The parts of a presentation but its media. `texts`: its title, the scene's name, its language,
+// width and height in pixels and, for each slide, the title, the note, the names of film and
+// poster, the duration in ms and "loops" or ""; each followed by a NUL. The answer is a list of
+// names and contents in JSON.
+POINSOT_EXPORT(presentation) int presentation(const char* texts, std::uint32_t texts_size) {
+    return answered([&] {
+        const std::vector<std::string> given = texts_at(texts, texts_size);
+        PptxText text{.title = given.at(0),
+                      .description = pptx_description(given.at(1)),
+                      .language = given.at(2),
+                      .width_px = std::stoi(given.at(3)),
+                      .height_px = std::stoi(given.at(4)),
+                      .slides = {}};
+        for (std::size_t i = 5; i + 5 < given.size(); i += 6)
+            text.slides.push_back({.title = given[i],
+                                   .note = given[i + 1],
+                                   .film = given[i + 2],
+                                   .poster = given[i + 3],
+                                   .duration_ms = std::stoll(given[i + 4]),
+                                   .loops = !given[i + 5].empty()});
+        std::vector<std::string> parts;
+        for (const PptxPart& part : pptx_parts(text)) {
+            parts.push_back(json_string(part.name));
+            parts.push_back(json_string(part.xml));
+        }
+        answer() = json_list(parts);
     });
 }

@@ -48,17 +48,6 @@ PageFilm& film() {
     return *program().film;
 }
 
-// Texts that are each followed by a NUL.
-std::vector<std::string> texts_at(const char* texts, std::uint32_t size) {
-    std::vector<std::string> given;
-    for (std::string_view rest = text_at(texts, size); !rest.empty();) {
-        const std::size_t end = std::min(rest.find('\0'), rest.size() - 1);
-        given.emplace_back(rest.substr(0, end));
-        rest.remove_prefix(end + 1);
-    }
-    return given;
-}
-
 // A frame of the film, not supersampled any more.
 Image frame_of(std::int64_t frame) {
     const Drawing drawing = film().drawing_of(frame);
@@ -174,25 +163,40 @@ int open_film(const char* text, std::uint32_t text_size, const char* name, std::
 }
 POINSOT_EXPORT(close_film) void close_film() { program().film.reset(); }
 
-// The bytes of a frame lie at the answer: its pixels as those of `pixels`, or its planes.
-POINSOT_EXPORT(film_frame) int film_frame(double frame, int as_planes) {
+// The bytes of a frame lie at the answer: its pixels as those of `pixels` (0), its planes on white
+// (1), or its planes and alpha (2).
+POINSOT_EXPORT(film_frame) int film_frame(double frame, int kind) {
     return answered([&] {
         const Image image = frame_of(static_cast<std::int64_t>(frame));
-        if (as_planes != 0)
-            answer() = planes_of(image);
+        if (kind != 0)
+            answer() = planes_of(image, kind == 2);
         else
             answer().assign(image.bytes().begin(), image.bytes().end());
     });
 }
 
+// `kind`: a PageOutput::Kind. `texts`: the renderer, the maker and the hashes of the packets and of
+// the file, each followed by a NUL.
 POINSOT_EXPORT(film_record)
-int film_record(const char* renderer_name, std::uint32_t renderer_size, const char* maker,
-                std::uint32_t maker_size, double first, double last) {
+int film_record(const char* texts, std::uint32_t texts_size, double first, double last, int kind) {
     return answered([&] {
-        answer() = film().record(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
-                                 std::string(text_at(renderer_name, renderer_size)),
-                                 std::string(text_at(maker, maker_size)));
+        const std::vector<std::string> given = texts_at(texts, texts_size);
+        answer() = film().record({static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
+                                  static_cast<PageOutput::Kind>(kind), given.at(0), given.at(1),
+                                  given.at(2), given.at(3)});
     });
+}
+
+POINSOT_EXPORT(film_texts)
+int film_texts(const char* file, std::uint32_t file_size, double first, double last) {
+    return answered([&] {
+        answer() = film().texts(static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
+                                std::string(text_at(file, file_size)));
+    });
+}
+
+POINSOT_EXPORT(film_slides) int film_slides() {
+    return answered([&] { answer() = film().slides(); });
 }
 
 POINSOT_EXPORT(at) int at(double time_s) {

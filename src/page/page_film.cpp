@@ -7,7 +7,11 @@
 #include "output/yuv.h"
 #include "page/scene_of_page.h"
 #include "production/provenance/record.h"
+#include "production/sidecars/chapters.h"
+#include "production/sidecars/subtitles.h"
+#include "production/slides/slide_list.h"
 #include "text/json_text.h"
+#include "text/languages.h"
 #include "typeset/plain_text.h"
 
 namespace poinsot {
@@ -41,33 +45,63 @@ Drawing PageFilm::drawing_of(std::int64_t frame) const {
     return picture_.stage.at(film_.moment_of(frame));
 }
 
-std::string PageFilm::record(std::int64_t first, std::int64_t last, const std::string& renderer,
-                             const std::string& maker) const {
+std::string PageFilm::texts(std::int64_t first, std::int64_t last, const std::string& file) const {
+    std::vector<std::string> chapters;
+    for (const FilmChapter& chapter : chapters_of(session_.scene, film_, first, last))
+        chapters.push_back(JsonObject()
+                               .add("title", chapter.title)
+                               .add("first_frame", chapter.first_frame)
+                               .add("end_frame", chapter.end_frame)
+                               .line());
+    const auto subtitles = subtitles_of(session_, film_, first, last);
+    return JsonObject()
+        .add("language", three_letters_of(session_.scene.language))
+        .json("chapters", json_list(chapters))
+        .add("captions", subtitles.empty() ? "" : subtitles_text(file, subtitles))
+        .line();
+}
+
+std::string PageFilm::slides() const {
+    return slide_plan_text(session_, film_, slides_of(session_.scene, film_, "slides"),
+                           {.has_pdf = false});
+}
+
+std::string PageFilm::record(const PageOutput& output) const {
     Record record =
         record_of(session_, picture_.stage, in_words(picture_.bound, session_.accuracy.asked_px));
-    record.renderer = renderer;
+    record.renderer = output.renderer;
     record.mesa = "none";
-    record.maker = maker;
-    record.frames = {first, last};
+    record.maker = output.maker;
+    record.packets = output.packets;
+    record.file = output.file;
+    if (output.kind != PageOutput::film) record.film_frames = film_.n_frames;
+    if (output.kind == PageOutput::slide_still) {
+        record.frame = output.last;
+        record.time_s = film_.time_of(output.last);
+        record.names = fading_names;
+    } else {
+        record.frames = {output.first, output.last};
+    }
     return sealed_text(record);
 }
 
 // A page has its own fonts alone.
 std::string fonts_in_words(const Stage& /*stage*/) { return ""; }
 
-std::string planes_of(const Image& frame) {
+std::string planes_of(const Image& frame, bool with_alpha) {
     Image flat;
-    const bool opaque = is_opaque(frame);
-    if (!opaque) flatten_on_white(frame, flat);
+    const bool keeps = with_alpha || is_opaque(frame);
+    if (!keeps) flatten_on_white(frame, flat);
     const auto width = static_cast<std::size_t>(frame.width());
     const auto height = static_cast<std::size_t>(frame.height());
-    std::string planes(width * height * 3 / 2, '\0');
+    std::string planes(width * height * (with_alpha ? 5 : 3) / 2, '\0');
     auto* const y = reinterpret_cast<std::uint8_t*>(planes.data());
     auto* const cb = y + width * height;
     auto* const cr = cb + width * height / 4;
     const auto stride = static_cast<std::ptrdiff_t>(width);
     YuvConverter(frame.width())
-        .convert(opaque ? frame : flat, {y, cb, cr, stride, stride / 2, stride / 2});
+        .convert(keeps ? frame : flat, {y, cb, cr, stride, stride / 2, stride / 2});
+    if (with_alpha) copy_alpha(frame, cr + width * height / 4, stride);
     return planes;
 }
 

@@ -12,6 +12,17 @@
 
 namespace poinsot {
 
+// What a page makes of a film's frames `first` … `last`.
+struct PageOutput {
+    enum Kind { film, slide_film, slide_still };  // a still: of `last`
+
+    std::int64_t first = 0, last = 0;
+    Kind kind = film;
+    std::string renderer;       // as the browser names it
+    std::string maker;          // the browser and its encoder
+    std::string packets, file;  // hashes, see Record
+};
+
 class PageFilm {
  public:
     // Size, rate and quality are overrides. Throws InputError.
@@ -30,10 +41,16 @@ class PageFilm {
     int samples() const { return picture_.samples; }
     Drawing drawing_of(std::int64_t frame) const;
 
-    // The record of the frames `first` … `last`, sealed. `renderer`: as the browser names it;
-    // `maker`: the browser and its encoder.
-    std::string record(std::int64_t first, std::int64_t last, const std::string& renderer,
-                       const std::string& maker) const;
+    // As JSON: "language", of ISO 639-2; "chapters" of these frames with their first and end
+    // frames, counted from `first`; "captions" as WebVTT for a film of this file name, or "".
+    std::string texts(std::int64_t first, std::int64_t last, const std::string& file) const;
+
+    // The text of slides.json, without PDFs. Throws SceneError for a scene without stops and
+    // chapters.
+    std::string slides() const;
+
+    // The record, sealed.
+    std::string record(const PageOutput& output) const;
 
  private:
     Session session_;
@@ -42,7 +59,8 @@ class PageFilm {
 };
 
 // A frame of straight R, G, B and alpha as the planes Y', Cb and Cr of a film, one after the other,
-// on white: BT.709, limited range, 4:2:0. Precondition: width and height are even.
-std::string planes_of(const Image& frame);
+// on white: BT.709, limited range, 4:2:0; or not on white, and alpha follows them. Precondition:
+// width and height are even.
+std::string planes_of(const Image& frame, bool with_alpha);
 
 }  // namespace poinsot

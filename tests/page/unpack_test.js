@@ -9,7 +9,7 @@ const {execFileSync} = require('node:child_process');
 
 const context = vm.createContext({});
 vm.runInContext(fs.readFileSync(path.join(__dirname, '../../page/unpack.js'), 'utf8'), context);
-const {unpacked_lzma, bytes_of_base85} = vm.runInContext('({unpacked_lzma, bytes_of_base85})', context);
+const {unpacked_lzma, bytes_of_base94} = vm.runInContext('({unpacked_lzma, bytes_of_base94})', context);
 
 // A fixed sequence (Numerical Recipes' quick generator).
 let seed = 1;
@@ -36,26 +36,24 @@ for (const [name, bytes] of Object.entries(samples))
     });
 
 // By whole numbers of any size.
-const base85 = (bytes) => {
+const base94 = (bytes) => {
   let text = '';
-  for (let i = 0; i < bytes.length; i += 4) {
-    const n = Math.min(4, bytes.length - i);
+  for (let i = 0; i < bytes.length; i += 9) {
     let word = 0n;
-    for (let k = 0; k < 4; ++k) word = 256n * word + BigInt(k < n ? bytes[i + k] : 0);
-    let digits = '';
-    for (let k = 0n; k < 5n; ++k) {
-      const code = 40 + Number((word / 85n ** (4n - k)) % 85n);
-      digits += String.fromCharCode(code < 60 ? code : code + 1);
+    for (let k = i; k < i + 9; ++k) word = 256n * word + BigInt(k < bytes.length ? bytes[k] : 0);
+    for (let k = 10n; k >= 0n; --k) {
+      const code = 32 + Number((word / 94n ** k) % 94n);
+      text += String.fromCharCode(code < 60 ? code : code + 1);
     }
-    text += digits.slice(0, n + 1);
   }
   return text;
 };
 
-test('reads base 85 of every length and of extreme words', () => {
+test('reads base 94 of every length and of extreme words', () => {
   for (let n = 0; n < 40; ++n)
     for (const bytes of [noise.subarray(0, n), Buffer.alloc(n, 255), Buffer.alloc(n)])
-      assert.deepEqual([...bytes_of_base85(base85(bytes))], [...bytes]);
-  assert.equal(base85(Buffer.alloc(4, 255)).length, 5);
-  assert.ok(!base85(noise).includes('<'));
+      // Zeros follow the last byte.
+      assert.deepEqual([...bytes_of_base94(base94(bytes))], [...bytes, ...Array((9 - (n % 9)) % 9).fill(0)]);
+  assert.equal(base94(Buffer.alloc(9, 255)).length, 11);
+  assert.ok(!base94(noise).includes('<'));
 });

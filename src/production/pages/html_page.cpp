@@ -41,21 +41,29 @@ std::string base64_of(std::string_view bytes) {
     return base64({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
 }
 
-// Four bytes as five characters of '(' to '}' without '<': a sixteenth shorter than base64, and
-// safe in a script of HTML. page/unpack.js reads it.
-std::string base85(std::string_view bytes) {
+// Nine bytes as eleven characters of ' ' to '~' without '<', zeros after the last byte: a twelfth
+// shorter than base64, and safe in a script of HTML. page/unpack.js reads it.
+std::string base94(std::string_view bytes) {
+    constexpr std::size_t n_bytes = 9, n_digits = 11, n_high_bytes = 4;
+    constexpr int low_bits = 40;
     std::string text;
-    for (std::size_t i = 0; i < bytes.size(); i += 4) {
-        const std::size_t n = std::min<std::size_t>(4, bytes.size() - i);
-        std::uint32_t word = 0;
-        for (std::size_t j = 0; j < 4; ++j)
-            word = word << 8 | (j < n ? static_cast<std::uint8_t>(bytes[i + j]) : 0u);
-        std::array<char, 5> digits{};
-        for (std::size_t j = 5; j-- > 0; word /= 85) {
-            const auto digit = static_cast<char>('(' + word % 85);
-            digits[j] = static_cast<char>(digit < '<' ? digit : digit + 1);
+    text.reserve(bytes.size() / n_bytes * n_digits + n_digits);
+    for (std::size_t i = 0; i < bytes.size(); i += n_bytes) {
+        std::uint64_t high = 0, low = 0;
+        for (std::size_t j = 0; j < n_bytes; ++j) {
+            std::uint64_t& part = j < n_high_bytes ? high : low;
+            const bool is_there = i + j < bytes.size();
+            part = part << 8 | (is_there ? static_cast<std::uint8_t>(bytes[i + j]) : 0u);
         }
-        text.append(digits.data(), n + 1);
+        std::array<char, n_digits> digits{};
+        for (std::size_t j = n_digits; j-- > 0;) {
+            low |= high % 94 << low_bits;
+            high /= 94;
+            const auto digit = static_cast<char>(' ' + low % 94);
+            digits[j] = static_cast<char>(digit < '<' ? digit : digit + 1);
+            low /= 94;
+        }
+        text.append(digits.data(), n_digits);
     }
     return text;
 }
@@ -155,10 +163,10 @@ Values scene_values(const PageContents& contents) {
             {"poster", picture_url(contents.poster_png)},
             {"no-script", escaped_markup(phrase_in(contents.language, no_scripts))},
             {"scene", scene_json(contents)},
-            {"fonts", base85(page_fonts_lzma())},
-            {"module", base85(page_module_lzma())},
-            {"page-scripts", base85(page_scripts_lzma())},
-            {"film-writer", makes_films() ? base85(page_film_writer_lzma()) : ""}};
+            {"fonts", base94(page_fonts_lzma())},
+            {"module", base94(page_module_lzma())},
+            {"page-scripts", base94(page_scripts_lzma())},
+            {"film-writer", makes_films() ? base94(page_film_writer_lzma()) : ""}};
 }
 
 Values operator+(Values values, Values more) {
@@ -210,7 +218,7 @@ std::string html_workbench(const PageContents& first, const std::vector<GalleryS
                {"before", page_file("workbench.html")},
                {"data", "<script id=\"workbench-data\" type=\"application/json\">" + data +
                             "</script>\n<script id=\"fit-module\" type=\"application/x-lzma\">" +
-                            base85(page_fit_module_lzma()) + "</script>\n"}};
+                            base94(page_fit_module_lzma()) + "</script>\n"}};
     return filled(page_file("index.html"), values + scene_values(first));
 }
 

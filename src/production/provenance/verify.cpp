@@ -76,7 +76,7 @@ Verification verify_film(const std::filesystem::path& film, const Record& record
     return {Verified::cannot_be,
             "its record and its coded pictures are unchanged, but whether its times, rotation, "
             "colours and captions are cannot be verified: its record has no hash of them (older "
-            "versions wrote none)"};
+            "versions wrote none, nor do browsers that write straight to disk)"};
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "output/frame_sink.h"
@@ -18,12 +19,19 @@ std::filesystem::path subtitles_path(const std::filesystem::path& film);
 std::vector<FilmSubtitle> subtitles_of(const Session& session, const FilmPlan& film,
                                        std::int64_t first, std::int64_t last);
 
+// The beginning of the subtitles of any film.
+inline constexpr const char* any_subtitles_head = "WEBVTT\n\nNOTE poinsot: ";
+
+// The first lines, which identify the subtitles as those of a film of this file name; and the whole
+// text. Source: W3C, WebVTT.
+std::string subtitles_head(const std::string& film);
+std::string subtitles_text(const std::string& film, std::span<const FilmSubtitle> subtitles);
+
 // Throws InputError if the subtitles file exists and poinsot did not write it; as check_aside.
 void check_subtitles_place(const std::filesystem::path& film);
 
 // Writes the film's subtitles file atomically; without subtitles, removes the file that an earlier
-// film of the same name left. Throws EnvironmentError, and as check_subtitles_place does. Source:
-// W3C, WebVTT.
+// film of the same name left. Throws EnvironmentError, and as check_subtitles_place does.
 void write_subtitles(const std::filesystem::path& film, std::span<const FilmSubtitle> subtitles);
 
 }  // namespace poinsot

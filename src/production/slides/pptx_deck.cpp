@@ -111,7 +111,7 @@ void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer
     watch_for_interrupts();
     AtomicFile output(request.output);
     SlidesAside aside(request.output, request.output, ".slides",
-                      slide_plan_text(session, film, slides, renderer.is_portable()));
+                      slide_plan_text(session, film, slides, {renderer.is_portable()}));
     make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
     draw_posters(session, posters, aside, renderer);
 

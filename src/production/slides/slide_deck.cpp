@@ -114,7 +114,7 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     if (std::error_code error; fs::is_symlink(folder, error)) folder = fs::canonical(folder);
     watch_for_interrupts();
     SlidesAside aside(named, folder, ".part",
-                      slide_plan_text(session, film, slides, renderer.is_portable()));
+                      slide_plan_text(session, film, slides, {renderer.is_portable()}));
 
     make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
 

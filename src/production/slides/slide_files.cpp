@@ -6,48 +6,17 @@
 #include <sstream>
 #include <utility>
 
-#include "output/frame_name.h"
 #include "production/jobs/film_job.h"
 #include "production/parts/jobs.h"
-#include "production/provenance/record.h"
-#include "production/sidecars/subtitles.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/sha256.h"
-#include "text/json_text.h"
 
 namespace poinsot {
 
 namespace {
 
 namespace fs = std::filesystem;
-
-std::string row_of(const Session& session, const FilmPlan& film, const Slide& slide,
-                   std::size_t index) {
-    const auto or_null = [](const std::string& name) {
-        return name.empty() ? "null" : json_string(name);
-    };
-    const double loop_s = static_cast<double>(slide.n_loop_frames) / film.rate.per_second();
-    const SlideFiles files = slide_files_of(session, film, slide, index);
-    return JsonObject()
-        .add("number", index + 1)
-        .add("is_stop", slide.is_stop)
-        .add("title", slide.title)
-        .add("note", slide.note)
-        .add("film", files.film)
-        .json("loop", or_null(files.loop))
-        .json("captions", or_null(files.captions))
-        .json("loop_captions", or_null(files.loop_captions))
-        .add("png", files.png)
-        .add("pdf", files.pdf)
-        .add("begin_s", film.moment_of(slide.first_frame).film_s)
-        .add("end_s", film.moment_of(slide.last_frame).film_s)
-        .add("loop_s", loop_s)
-        .add("motion_time_s", film.time_of(slide.last_frame))
-        .add("first_frame", slide.first_frame)
-        .add("last_frame", slide.last_frame)
-        .line();
-}
 
 // Reports loops that jump where they begin again, as far as arrows show it.
 void note_jumps(const Session& session, const FilmPlan& film, const std::vector<Slide>& slides,
@@ -90,60 +59,6 @@ std::string hash_of_file(const fs::path& file) {
 }
 
 }  // namespace
-
-std::string slide_file(std::size_t slide, std::string_view suffix) {
-    return frame_name(fmt::format("##{}", suffix), static_cast<std::int64_t>(slide) + 1).string();
-}
-
-std::vector<std::string> SlideFiles::all() const {
-    std::vector<std::string> names;
-    for (const std::string& name : {film, loop, captions, loop_captions, png, pdf})
-        if (!name.empty()) names.push_back(name);
-    return names;
-}
-
-SlideFiles slide_files_of(const Session& session, const FilmPlan& film, const Slide& slide,
-                          std::size_t index) {
-    const auto name_if = [index](bool is_there, std::string_view suffix) {
-        return is_there ? slide_file(index, suffix) : std::string();
-    };
-    const auto has_captions = [&](std::int64_t first) {
-        return !subtitles_of(session, film, first, slide.last_frame).empty();
-    };
-    const bool loops = slide.n_loop_frames > 0;
-    return {.film = slide_file(index, ".mp4"),
-            .loop = name_if(loops, "-loop.mp4"),
-            .captions = name_if(has_captions(slide.first_frame), ".vtt"),
-            .loop_captions = name_if(loops && has_captions(slide.first_loop_frame()), "-loop.vtt"),
-            .png = slide_file(index, ".png"),
-            .pdf = slide_file(index, ".pdf")};
-}
-
-std::string slide_plan_head(const Scene& scene) {
-    return fmt::format("{}{},\n", any_slide_plan_head, json_string(scene.name));
-}
-
-std::string slide_plan_text(const Session& session, const FilmPlan& film,
-                            const std::vector<Slide>& slides, bool is_portable) {
-    const Scene& scene = session.scene;
-    std::vector<std::string> rows;
-    for (std::size_t i = 0; i < slides.size(); ++i)
-        rows.push_back(row_of(session, film, slides[i], i));
-    const std::string text =
-        JsonObject()
-            .add("title", scene.title)
-            .add("language", scene.language)
-            .json("size", json_numbers(scene.film.width_px, scene.film.height_px))
-            .add("frames_per_second",
-                 fmt::format("{}/{}", film.rate.numerator, film.rate.denominator))
-            .add("n_frames", film.n_frames)
-            .add("poinsot", POINSOT_VERSION)
-            .add("profile", is_portable ? "portable" : "native")
-            .add("scene_sha256", scene_hash_of(scene))
-            .json("slides", json_lines(rows, 2))
-            .lines();
-    return slide_plan_head(scene) + text.substr(std::string_view("{\n").size());
-}
 
 // The lock is first: the run that holds it may rename the folder.
 SlidesAside::SlidesAside(const fs::path& output, const fs::path& place, std::string_view suffix,

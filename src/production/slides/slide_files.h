@@ -13,36 +13,11 @@
 #include "production/jobs/picture.h"
 #include "production/session/progress_sink.h"
 #include "production/session/session.h"
-#include "production/slides/slide_plan.h"
+#include "production/slides/slide_list.h"
 #include "system/files/atomic_file.h"
 #include "system/files/unfinished_folder.h"
 
 namespace poinsot {
-
-inline constexpr const char* slide_plan_name = "slides.json";
-
-// "01.mp4" for slide 0.
-std::string slide_file(std::size_t slide, std::string_view suffix);
-
-// The names of a slide's files; an empty name stands for a file that it does not have.
-struct SlideFiles {
-    std::string film, loop, captions, loop_captions, png, pdf;
-
-    std::vector<std::string> all() const;
-};
-SlideFiles slide_files_of(const Session& session, const FilmPlan& film, const Slide& slide,
-                          std::size_t index);
-
-// The beginning of every slides.json.
-inline constexpr const char* any_slide_plan_head = "{\n  \"slides_of\": ";
-
-// The first line of slides.json, which tells whose slides they are.
-std::string slide_plan_head(const Scene& scene);
-
-// The text of slides.json. It changes with everything that the films depend on, except for the
-// machine and the renderer.
-std::string slide_plan_text(const Session& session, const FilmPlan& film,
-                            const std::vector<Slide>& slides, bool is_portable);
 
 // The hidden folder in which the files are made, with a lock beside it. It is removed unless it
 // holds frames from which another run can continue.
