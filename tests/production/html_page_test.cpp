@@ -205,7 +205,7 @@ TEST(HtmlPage, TheWorkbenchCarriesTheTemplateOfAPage) {
     scene.name = "b";
     scene.title = hostile;
     scene.text = hostile;
-    const std::string workbench = html_workbench(a_page(), {scene}, "{\"a\": \"</script>\"}");
+    const std::string workbench = html_workbench(a_page(), {{scene}, {scene}}, "{\"a\": \"</script>\"}");
     EXPECT_EQ(n_of(workbench, "</script>"), 8);
     const std::string data =
         between(workbench, "id=\"workbench-data\" type=\"application/json\">", "</script>");

@@ -17,7 +17,8 @@ inline constexpr std::array<std::string_view, 15> packed_scripts{
     "png_frames.js", "film_encoder.js", "make_film.js", "page.js",    "scripting.js"};
 
 // As they are: those that the workbench adds.
-inline constexpr std::array<std::string_view, 5> workbench_scripts{
-    "editor.js", "record.js", "measure_chart.js", "measure.js", "workbench.js"};
+inline constexpr std::array<std::string_view, 7> workbench_scripts{
+    "zip_reader.js",    "drafts.js",  "editor.js",   "record.js",
+    "measure_chart.js", "measure.js", "workbench.js"};
 
 }  // namespace poinsot
