@@ -65,7 +65,7 @@ async function files_of_zip(bytes) {
   }
   // A folder in which all files lie is that of the archive.
   const folder = /^[^/]+\//.exec(files[0]?.name ?? '')?.[0] ?? '';
-  const is_shared = folder !== '' && files.every(({name}) => name.startsWith(folder));
+  const is_shared = folder !== '' && folder !== 'meta/' && files.every(({name}) => name.startsWith(folder));
   return is_shared ? files.map(({name, bytes}) => ({name: name.slice(folder.length), bytes})) : files;
 }
 

@@ -225,8 +225,15 @@ async function record(tab, rows) {
   await tab.click('#measure-open');
   await tab.evaluate((rows) => {
     const degree = Math.PI / 180;
+    // Chromium grants the permission a moment after the press.
+    let listens = false;
+    const add = window.addEventListener;
+    window.addEventListener = (...given) => {
+      listens ||= given[0] === 'devicemotion';
+      add.apply(window, given);
+    };
     const timer = setInterval(() => {
-      const row = the_workbench.measure.recorder && rows.shift();
+      const row = listens && the_workbench.measure.recorder && rows.shift();
       if (row) {
         const [time_s, x, y, z] = row;
         const event = new DeviceMotionEvent('devicemotion', {interval: 16, rotationRate: {alpha: x / degree, beta: y / degree, gamma: z / degree}});
