@@ -9,6 +9,8 @@ const draft_prefix = 'poinsot-draft-';
 const most_drafts = 8;
 /** Characters of one draft, of the 5 million that a browser grants a page. */
 const most_draft_characters = 1.8e6;
+/** Of what the editor needs to undo changes. */
+const most_state_characters = 3e5;
 
 class Drafts {
   constructor() {
@@ -73,25 +75,30 @@ class Drafts {
     const store = Drafts.store();
     if (!store) return false;
     // Another tab goes on with this draft.
-    if (this.has_written && this.list().find((draft) => draft.id === this.id)?.writer !== this.writer) this.begin();
-    const draft = {id: this.id, writer: this.writer, at_ms: Date.now(), name, source};
-    // What can be undone, and then the files, are left out where there is no room for them.
-    const versions = [{...draft, kept, files}, {...draft, kept: {text: kept.text}, files}, {...draft, kept: {text: kept.text}, files: {}}];
-    const others = this.list().filter(({id}) => id !== this.id);
-    for (const old of others.splice(most_drafts - 1)) this.remove(old.id);
+    const {writer} = this;
+    if (this.has_written && !store.getItem(draft_prefix + this.id)?.startsWith(JSON.stringify({id: this.id, writer}).slice(0, -1))) this.begin();
+    const draft = {id: this.id, writer, at_ms: Date.now(), name, source};
+    const text_alone = {text: kept.text};
+    const has_short_state = JSON.stringify(kept.state ?? '').length <= most_state_characters;
+    // The files are left out where there is no room for them.
+    const versions = [{...draft, kept: has_short_state ? kept : text_alone, files}, {...draft, kept: text_alone, files: {}}].map((version) => JSON.stringify(version));
+    /** The other drafts, which are needed only now and then. @type {Draft[]|null} */
+    let others = null;
+    const oldest = (/** @type {number} */ n_stay) => (others ??= this.list().filter(({id}) => id !== this.id)).splice(n_stay);
+    if (!this.has_written) for (const old of oldest(most_drafts - 1)) this.remove(old.id);
     for (const version of versions) {
-      const text = JSON.stringify(version);
-      if (text.length > most_draft_characters && version !== versions[2]) continue;
+      if (version.length > most_draft_characters && version !== versions[1]) continue;
       for (;;) {
         try {
-          store.setItem(draft_prefix + this.id, text);
+          store.setItem(draft_prefix + this.id, version);
           this.has_written = true;
           return true;
         } catch {
           // The store is full: the oldest draft makes room.
-          const oldest = others.pop();
-          if (!oldest) break;
-          this.remove(oldest.id);
+          oldest(Infinity);
+          const old = /** @type {Draft[]} */ (/** @type {unknown} */ (others)).pop();
+          if (!old) break;
+          this.remove(old.id);
         }
       }
     }

@@ -32,8 +32,12 @@ const workbench_words = {
   draft_take: ['Go on with it', 'Daran weiterarbeiten', 'Continuer', 'Continuar', 'Continua', '続ける'],
   draft_leave: ['Start anew', 'Neu beginnen', 'Recommencer', 'Empezar de nuevo', 'Ricomincia', '新しく始める'],
   draft_remove: ['Remove', 'Entfernen', 'Supprimer', 'Eliminar', 'Elimina', '削除'],
+  file_here: ['{file} is at hand, but the scene does not name it.', '{file} liegt bereit, aber die Szene nennt die Datei nicht.', '{file} est là, mais la scène ne le nomme pas.', '{file} está disponible, pero la escena no lo nombra.', '{file} è disponibile, ma la scena non lo nomina.', '{file} を読み込みましたが、シーンには名前がありません。'],
+  file_begin: ['Begin a scene with it', 'Eine Szene damit beginnen', 'Commencer une scène avec ce fichier', 'Empezar una escena con él', 'Inizia una scena con esso', 'これでシーンを始める'],
   turns_over: ['The body turns over every {s} s.', 'Der Körper schlägt alle {s} s um.', 'Le corps se retourne toutes les {s} s.', 'El cuerpo se da la vuelta cada {s} s.', 'Il corpo si capovolge ogni {s} s.', '物体は {s} 秒ごとに反転します。'],
   turns_over_once: ['The body turns over once, at {s} s.', 'Der Körper schlägt einmal um, bei {s} s.', 'Le corps se retourne une seule fois, à {s} s.', 'El cuerpo se da la vuelta una sola vez, a los {s} s.', 'Il corpo si capovolge una sola volta, a {s} s.', '物体は {s} 秒に一度だけ反転します。'],
+  wobbles_smallest: ['The body wobbles about the axis of its smallest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines kleinsten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus petit moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento menor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento minore e non si capovolge.', '物体は最小の慣性モーメントの軸のまわりで揺れ、反転しません。'],
+  wobbles_largest: ['The body wobbles about the axis of its largest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines größten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus grand moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento mayor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento maggiore e non si capovolge.', '物体は最大の慣性モーメントの軸のまわりで揺れ、反転しません。'],
   start_moments: ['Moments of inertia', 'Trägheitsmomente', 'Moments d’inertie', 'Momentos de inercia', 'Momenti d’inerzia', '慣性モーメント'],
   start_moments_is: ['A body by its three principal moments', 'Ein Körper durch seine drei Hauptträgheitsmomente', 'Un corps par ses trois moments principaux', 'Un cuerpo por sus tres momentos principales', 'Un corpo dai suoi tre momenti principali', '三つの主慣性モーメントで決まる物体'],
   start_shape: ['Shape', 'Form', 'Forme', 'Forma', 'Forma', '形'],
@@ -183,6 +187,12 @@ class Workbench {
         part(`tab-${other}`).focus();
       });
     }
+    // Before the editor, which keeps its keys for itself.
+    document.addEventListener('keydown', (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey || event.key.toLowerCase() !== 's') return;
+      event.preventDefault();
+      void this.#save_scene();
+    }, {capture: true});
     document.addEventListener('dragover', (event) => {
       event.preventDefault();
       document.body.classList.add('dropping');
@@ -409,6 +419,8 @@ class Workbench {
       else {
         this.files = {...this.files, ...taken};
         this.#write();
+        this.#keep();
+        this.#show_unnamed(Object.keys(taken).filter((name) => !this.editor.text.includes(name)));
       }
     } catch (error) {
       this.#find(error);
@@ -421,6 +433,26 @@ class Workbench {
     row.textContent = `${this.words.of('reading')} ${files.map((file) => file.name).join(', ')} …`;
     part('findings').replaceChildren(row);
     await painted();
+  }
+
+  /** Says of files that the scene does not name them; a mesh may begin a scene. @param {string[]} names */
+  #show_unnamed(names) {
+    const start = this.data.starts.find(({name}) => name === 'mesh');
+    for (const name of names) {
+      const row = document.createElement('p');
+      row.className = 'unnamed';
+      row.textContent = this.words.of('file_here').replace('{file}', () => name);
+      if (start && /\.(obj|stl)$/i.test(name)) {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.className = 'plain';
+        button.textContent = this.words.of('file_begin');
+        const text = start.text.replace('"bracket.obj"', () => JSON.stringify(name)).replace('"My mesh"', () => JSON.stringify(name.replace(/\.[a-z]+$/i, '')));
+        button.addEventListener('click', () => this.open({kind: 'new', name, text}, {}, true));
+        row.append(' ', button);
+      }
+      part('findings').append(row);
+    }
   }
 
   /** Saves the text; with the files that it names, as an archive. */
@@ -483,9 +515,10 @@ class Workbench {
   #motion_said(loaded) {
     const {flips, regime} = loaded;
     const seconds = (/** @type {number} */ s) => s.toLocaleString(this.words.code, {maximumSignificantDigits: 3});
-    if (!flips) return [regime];
-    return [flips.interval_s === null ? this.words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
+    if (flips) return [flips.interval_s === null ? this.words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
       : this.words.of('turns_over').replace('{s}', seconds(flips.interval_s)), regime];
+    const axis = /^polhode about e\d, the axis of the (smallest|largest) moment/.exec(regime)?.[1];
+    return axis ? [this.words.of(`wobbles_${axis}`), regime] : [regime];
   }
 
   /** Shows what the program found in the text. @param {unknown} [error] */

@@ -339,7 +339,7 @@ check('names what it saves after the file of the scene, or its title', async (br
   await until(tab, 'document.querySelector("#findings button")');
   assert.match(await tab.$eval('#findings', (f) => f.textContent), /^creme_brulee_2nd_try\.toml:3:1: /);
   await drop(tab, [['Exercise 4.toml', mine]]);
-  await until(tab, '!document.querySelector("#findings button")');
+  await until(tab, 'the_page.figure.data.name === "Exercise 4"');
   assert.equal(await saved_name('file-save'), 'Exercise 4.toml', 'a file keeps its name, whatever its title');
   for (const [title, name] of [['"コマの運動"', 'コマの運動'], ["'$I_1$ and \"you\"'", 'and_you'], ['"../../etc"', 'etc'], ['"..."', 'scene']]) {
     await tab.evaluate((text) => the_workbench.open({kind: 'new', name: 'x', text}, {}), mine.replace(/".*"/, title));
@@ -412,6 +412,28 @@ print(json.dumps({name: ours.read(name).decode() for name in ours.namelist()}))`
   await until(tab, 'window.poinsot.at(0).omega_body[1] === 5');
   assert.equal(await tab.$('#findings button'), null);
   assert.equal((await download_by(tab, 'file-save')).name, 'Lösung.zip');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('begins a scene with a mesh that is dropped', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await drop(tab, [['my solid.obj', tetrahedron]]);
+  await until(tab, 'document.querySelector("#findings .unnamed button")');
+  assert.match(await tab.$eval('#findings .unnamed', (row) => row.textContent), /^my solid\.obj is at hand/);
+  await tab.click('#findings .unnamed button');
+  await until(tab, 'the_page.figure.data.text.includes(\'mesh = "my solid.obj"\')');
+  assert.equal(await tab.$('#findings button'), null);
+  assert.equal((await download_by(tab, 'file-save')).name, 'my_solid.zip');
+  // Ctrl S saves the scene, not the page, also from the editor.
+  const saved = tab.evaluate(() => new Promise((resolve) => {
+    HTMLAnchorElement.prototype.click = function () { resolve(this.download); };
+    the_workbench.editor.view.focus();
+  }));
+  await tab.keyboard.down('Control');
+  await tab.keyboard.press('s');
+  await tab.keyboard.up('Control');
+  assert.equal(await saved, 'my_solid.zip');
   assert.deepEqual(faults, []);
   await tab.close();
 });
@@ -511,6 +533,43 @@ check('wraps long lines, folds tables and searches', async (browser) => {
   await until(tab, 'document.querySelector(".cm-searchMatch-selected")?.textContent === "omega"');
   assert.deepEqual(await violations(tab), []);
   assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('edits in a plain text area without CodeMirror', async (browser) => {
+  const file = path.join(folder, 'plain.html');
+  fs.writeFileSync(file, fs.readFileSync(workbench, 'utf8').replace(/<script id="text-editor"[^]*?<\/script>/, ''));
+  const context = await browser.createBrowserContext();
+  const {tab, faults} = await opened_file(context, file, {size: {width: 1100, height: 640}});
+  await ready(tab);
+  assert.equal(await tab.$eval('#text', (field) => field.tagName), 'TEXTAREA');
+  await write_scene(tab, mine);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 1.25');
+  await write_scene(tab, mine.replace('moments', 'moment'));
+  await until(tab, 'document.querySelector("#findings button")');
+  await tab.click('#findings button');
+  assert.equal(await tab.$eval('#text', (f) => f.value.slice(0, f.selectionStart)), 'title = "Crème brûlée, 2nd try"\n[body]\n');
+  assert.deepEqual(await violations(tab), []);
+  await reload(tab);
+  await tab.click('#offer-take');
+  assert.equal(await scene_text(tab), mine.replace('moments', 'moment'));
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+check('carries the licence of its editor', async (browser) => {
+  const {tab} = await opened(browser);
+  const script = await tab.evaluate(() => new TextDecoder().decode(unpacked('text-editor')));
+  const {packages} = JSON.parse(fs.readFileSync(path.join(__dirname, '../../page/text_editor/package-lock.json'), 'utf8'));
+  assert.ok(script.startsWith(`/* CodeMirror 6, @codemirror/view ${packages['node_modules/@codemirror/view'].version} */`));
+  const words = (text) => text.replace(/[\s*]+/g, ' ').trim();
+  const of_package = fs.readFileSync(path.join(__dirname, '../../page/text_editor/node_modules/@codemirror/view/LICENSE'), 'utf8');
+  assert.ok(words(script).includes(words(of_package.slice(of_package.indexOf('Permission is')))), 'the licence');
+  // The notice names every package that the bundle may take.
+  for (const name of Object.keys(packages).filter((name) => name && !packages[name].dev && !packages[name].optional)) {
+    const [scope] = name.replace('node_modules/', '').split('/');
+    assert.ok(script.includes(scope), name);
+  }
   await tab.close();
 });
 

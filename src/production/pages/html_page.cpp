@@ -78,7 +78,9 @@ std::string hash_source(std::string_view text) { return hash_source_of(sha256_of
 bool makes_films() { return page_film_writer_sha256() != sha256_of(""); }
 
 // Such a workbench edits in a plain text area.
-bool has_text_editor() { return page_text_editor_sha256() != sha256_of(""); }
+bool has_text_editor() {
+    return !page_text_editor_sha256().empty() && page_text_editor_sha256() != sha256_of("");
+}
 
 std::string list_of(const std::vector<std::string>& texts) {
     std::vector<std::string> strings;
