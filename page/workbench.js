@@ -511,14 +511,13 @@ class Workbench {
     }
   }
 
-  /** What the motion is, in the words of `poinsot check`. @param {Loaded} loaded */
-  #motion_said(loaded) {
-    const {flips, regime} = loaded;
+  /** What a body that moves freely does, in words that need no theory; '' of any other motion. @param {Loaded} loaded */
+  #motion_said({flips, regime}) {
     const seconds = (/** @type {number} */ s) => s.toLocaleString(this.words.code, {maximumSignificantDigits: 3});
-    if (flips) return [flips.interval_s === null ? this.words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
-      : this.words.of('turns_over').replace('{s}', seconds(flips.interval_s)), regime];
+    if (flips) return flips.interval_s === null ? this.words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
+      : this.words.of('turns_over').replace('{s}', seconds(flips.interval_s));
     const axis = /^polhode about e\d, the axis of the (smallest|largest) moment/.exec(regime)?.[1];
-    return axis ? [this.words.of(`wobbles_${axis}`), regime] : [regime];
+    return axis ? this.words.of(`wobbles_${axis}`) : '';
   }
 
   /** Shows what the program found in the text. @param {unknown} [error] */
@@ -545,10 +544,12 @@ class Workbench {
         rows.push(row);
       }
       if (loaded) {
-        const [first = '', ...others] = this.#motion_said(loaded);
         const strong = document.createElement('strong');
-        strong.textContent = first;
-        part('motion-said').replaceChildren(strong, ...others.map((text) => ` ${text}`));
+        strong.textContent = this.#motion_said(loaded);
+        // In the words of `poinsot check`; a small screen leaves them out.
+        const exact = document.createElement(strong.textContent ? 'span' : 'em');
+        exact.textContent = loaded.regime;
+        part('motion-said').replaceChildren(strong, ' ', exact);
       }
     }
     part('findings').replaceChildren(...rows);

@@ -93,6 +93,11 @@ check('offers completions and explains keys', async (browser) => {
   await tab.keyboard.type('ener');
   await until(tab, 'document.querySelector(".cm-tooltip-autocomplete li[aria-selected]")');
   assert.match(await tab.$eval('.cm-completionInfo', (info) => info.textContent), /kinetic energy/);
+  const is_seen = await tab.$eval('.cm-completionInfo', (info) => {
+    const {left, right, top, bottom} = info.getBoundingClientRect();
+    return info.contains(document.elementFromPoint((left + right) / 2, (top + bottom) / 2));
+  });
+  assert.ok(is_seen, 'the meaning stands beside the offer');
   // An offer that appeared this instant is not taken: the viewer may have meant a new line.
   await wait(200);
   await tab.keyboard.press('Enter');
@@ -511,6 +516,9 @@ check('shows figure and text as tabs on a phone', async (browser) => {
   assert.ok(await tab.$('#tab-text.has-refusal'), 'the tab of the text says that something was refused');
   assert.deepEqual(await violations(tab), []);
   assert.ok(await tab.evaluate(() => document.documentElement.scrollWidth <= 390 && document.documentElement.scrollHeight <= 844), 'nothing sticks out');
+  // A window of 1440 × 900 at 400 %: the page scrolls, and the picture keeps a useful height.
+  await tab.setViewport({width: 360, height: 225});
+  await until(tab, 'document.getElementById("picture").clientHeight >= 120');
   assert.deepEqual(faults, []);
   await context.close();
 });
