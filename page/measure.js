@@ -122,7 +122,7 @@ class Measure {
     if (!is_open) this.#end_recording();
   }
 
-  /** Reads a table, and shows the flight that says most about the body. @param {string} name @param {Uint8Array} bytes */
+  /** Reads a table, or the one in an archive, and shows the flight that says most about the body. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
   async take(name, bytes) {
     this.#end_recording();
     this.show(true);
@@ -131,6 +131,11 @@ class Measure {
     this.#show_table();
     this.#say('', `${this.words.of('reading')} ${name} …`);
     try {
+      if (/\.zip$/i.test(name)) {
+        const table = table_among(await files_of_zip(bytes).catch((error) => { throw new Error(`${name}: ${message_of(error)}`); }));
+        if (!table) throw new Error(`${name}: there is no table (.csv) in it; export the recording as CSV`);
+        ({name, bytes} = table);
+      }
       const module = await this.#started();
       await painted();
       const read = module.read(bytes, name);

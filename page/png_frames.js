@@ -76,7 +76,7 @@ class ZipWriter {
     this.entries = [];
   }
 
-  /** @param {string} name in ASCII @param {Uint8Array} bytes */
+  /** @param {string} name @param {Uint8Array} bytes */
   async add(name, bytes) {
     if (this.entries.length >= 65535 || this.at + bytes.length > 0xf0000000)
       throw new RangeError('the archive would be larger than 4 GB, or have more than 65,535 pictures; make a shorter or smaller film');
@@ -84,6 +84,7 @@ class ZipWriter {
     const about = new Uint8Array(26);
     const view = new DataView(about.buffer);
     view.setUint16(0, 10, true); // version 1.0 reads it
+    view.setUint16(2, 0x800, true); // the name is UTF-8
     view.setUint16(8, 0x21, true); // the first day that a date can name
     view.setUint32(10, crc32_of(bytes), true);
     view.setUint32(14, bytes.length, true);

@@ -6,8 +6,10 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <variant>
 #include <vector>
 
+#include "construction/flips.h"
 #include "drawing/figures/elements/elements.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel.h"
@@ -29,6 +31,19 @@ std::string hex(const Colour& colour) {
         return static_cast<int>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
     };
     return fmt::format("#{:02x}{:02x}{:02x}", level(colour.r), level(colour.g), level(colour.b));
+}
+
+// The flips of a body that turns over: one instant, and the time between two unless there is one
+// flip alone, both in seconds of the motion; null for any other motion.
+std::string flips_text(const Motion& motion) {
+    const MotionProblem& problem = motion.problem();
+    if (!std::holds_alternative<NoTorque>(problem.torque)) return "null";
+    const auto flips = flips_of(problem, motion.free_constants());
+    if (!flips) return "null";
+    return JsonObject()
+        .add("one_s", flips->one_s)
+        .json("interval_s", flips->interval_s ? json_number(*flips->interval_s) : "null")
+        .line();
 }
 
 std::string elements_of(const Stage& stage) {
@@ -151,6 +166,7 @@ std::string Lecture::description() const {
         .add("film_width", film_size_.width_px)
         .add("film_height", film_size_.height_px)
         .add("regime", regime_sentence(session_.motion))
+        .json("flips", flips_text(session_.motion))
         .json("notes", json_list(notes))
         .json("panels", panels_text())
         .json("chapters", json_list(chapters))

@@ -102,6 +102,26 @@ const saved_by = (tab, button) => tab.evaluate((button) => new Promise((resolve)
   document.getElementById(button).click();
 }), button);
 
+/** Drops files into the page, of texts or bytes. */
+const drop = (tab, files) => tab.evaluate((files) => {
+  const transfer = new DataTransfer();
+  for (const [name, base64] of files) transfer.items.add(new File([bytes_of_base64(base64)], name));
+  document.dispatchEvent(new DragEvent('drop', {dataTransfer: transfer, cancelable: true}));
+}, files.map(([name, content]) => [name, Buffer.from(content).toString('base64')]));
+
+/** The text in the workbench. @returns {Promise<string>} */
+const scene_text = (tab) => tab.evaluate(() => the_workbench.editor.text);
+
+/** Replaces the text in the workbench, as typing does. */
+const write_scene = (tab, text) => tab.evaluate((text) => {
+  const {view, field} = the_workbench.editor;
+  if (view) view.dispatch({changes: {from: 0, to: view.state.doc.length, insert: text}});
+  else {
+    field.value = text;
+    field.dispatchEvent(new Event('input'));
+  }
+}, text);
+
 /** Runs checks, a list of [name, function of the browser], and ends the process. @param {string[]} only words of names */
 async function run_checks(checks, only) {
   for (const word of only) assert.ok(checks.some(([name]) => name.includes(word)), `no check is named "${word}"`);
@@ -122,4 +142,4 @@ async function run_checks(checks, only) {
   process.exit(n_failed > 0 ? 1 : 0);
 }
 
-module.exports = {faults_of, is_firefox, launched, opened_file, page_of, press, ready, run_checks, saved_by, settled, until, violations, wait, write_page};
+module.exports = {drop, faults_of, is_firefox, launched, opened_file, page_of, press, ready, run_checks, saved_by, scene_text, settled, until, violations, wait, write_page, write_scene};

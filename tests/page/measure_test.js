@@ -6,7 +6,7 @@ const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {is_firefox, opened_file, ready, run_checks, saved_by, until, violations, wait, write_page} = require('./browsers.js');
+const {drop, is_firefox, opened_file, ready, run_checks, saved_by, scene_text, until, violations, wait, write_page} = require('./browsers.js');
 
 const [make, poinsot, scenes, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-measure-'));
@@ -32,13 +32,6 @@ async function opened(browser, {size = {width: 1280, height: 800}, before = null
   await ready(opening.tab);
   return opening;
 }
-
-/** Drops files into the page, of texts or bytes. */
-const drop = (tab, files) => tab.evaluate((files) => {
-  const transfer = new DataTransfer();
-  for (const [name, base64] of files) transfer.items.add(new File([bytes_of_base64(base64)], name));
-  document.dispatchEvent(new DragEvent('drop', {dataTransfer: transfer, cancelable: true}));
-}, files.map(([name, content]) => [name, Buffer.from(content).toString('base64')]));
 
 /** What the page's module says of the table that was read last. */
 const fitted = (tab, number) => tab.evaluate(async (number) => {
@@ -123,7 +116,7 @@ check('fits a recording as poinsot fit does', async (browser) => {
   assert_thrown(native, native.flights[native.flight - 1]);
   // The scene is the one that -o writes.
   native_fit(file, ['-o', 'made_flight_1.toml']);
-  const scene = await tab.$eval('#text', (field) => field.value);
+  const scene = await scene_text(tab);
   const numbers = (text) => text.match(/-?\d+\.?\d*(e-?\d+)?/g).map(Number);
   const written = fs.readFileSync(path.join(folder, 'made_flight_1.toml'), 'utf8');
   assert.equal(scene.replace(/-?\d+\.?\d*(e-?\d+)?/g, 'N'), written.replace(/-?\d+\.?\d*(e-?\d+)?/g, 'N'));
@@ -133,6 +126,36 @@ check('fits a recording as poinsot fit does', async (browser) => {
   const measured = thrown(100, 5).find(([t]) => Math.abs(t - 2) < 1e-9).slice(1);
   state.omega_body.forEach((w, i) => assert.ok(Math.abs(w - measured[i]) < 0.05, `${state.omega_body}, measured ${measured}`));
   assert.ok(await tab.evaluate(() => the_page.figure.loaded.elements.find((e) => e.name === 'measured').shown), 'points are shown');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('fits the table in an archive of phyphox', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const text = csv_of(thrown(100, 5));
+  const archive = path.join(folder, 'phyphox 2026-01-05 10-11-12.zip');
+  const zip = (files) => {
+    const python = spawnSync('/usr/bin/python3', ['-c', `import json, sys, zipfile
+with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as archive:
+    for name, text in json.load(sys.stdin).items():
+        archive.writestr(name, text)`, archive], {encoding: 'utf8', input: JSON.stringify(files)});
+    assert.equal(python.status, 0, python.stderr);
+    return fs.readFileSync(archive);
+  };
+  const meta = {'meta/device.csv': 'property,value\nversion,1\n', 'meta/time.csv': 'event,time\nSTART,0\n'};
+  await drop(tab, [[path.basename(archive), zip({...meta, 'Accelerometer.csv': 'a,b\n1,2\n', 'Gyroscope.csv': text})]]);
+  await until(tab, 'document.querySelectorAll("#measure-words li").length > 0');
+  const file = path.join(folder, 'Gyroscope.csv');
+  fs.writeFileSync(file, text);
+  const native = JSON.parse(native_fit(file, ['--json']).said);
+  assert_same(await fitted(tab, native.flight), native);
+  assert.match(await scene_text(tab), /"Gyroscope_flight_1\.csv"/);
+  // By the button of Measure, too; and what has no table says so.
+  const chosen = await tab.$('#measure-file');
+  fs.writeFileSync(archive, zip(meta));
+  await chosen.uploadFile(archive);
+  await until(tab, 'document.querySelector("#measure-said.refused")');
+  assert.match(await tab.$eval('#measure-said', (p) => p.textContent), /^phyphox.*: there is no table/);
   assert.deepEqual(faults, []);
   await tab.close();
 });
@@ -149,7 +172,7 @@ check('lists the throws of a real recording, and picks one', async (browser) => 
   assert_same(await fitted(tab, native.flight), native);
   // By the keyboard, and by a press on the chart.
   await tab.focus('#measure-flights input:checked');
-  const shows = (number) => until(tab, `document.getElementById("text").value.includes("throws_flight_${number}.csv")`);
+  const shows = (number) => until(tab, `the_workbench.editor.text.includes("throws_flight_${number}.csv")`);
   const n = native.flights.length;
   const next = (native.flight % n) + 1;
   const other = (next % n) + 1;
@@ -175,7 +198,7 @@ check('lists the throws of a real recording, and picks one', async (browser) => 
 
 check('says of a bad table what the program says', async (browser) => {
   const {tab, faults} = await opened(browser);
-  const before = await tab.$eval('#text', (field) => field.value);
+  const before = await scene_text(tab);
   const rows = (of) => csv_of(Array.from({length: 60}, (_, k) => of(k)));
   for (const text of ['', 'a,b\n1,2\n', 't,wx,wy,wz\n0,1,2,x\n', 't,wx,wy,wz\n1,1,2,3\n0,1,2,3\n', 't,wx,wy,wz\n0,1,2,nan\n', 'PK\u0003\u0004\u0014\u0000',
     rows((k) => [k / 50, 0, 0, 0]), rows((k) => [k / 50, 0, 3, 0]), rows((k) => [k / 50, 8 * Math.sin(k * k), 8 * Math.sin(3 * k * k), 5])]) {
@@ -189,7 +212,7 @@ check('says of a bad table what the program says', async (browser) => {
     assert.ok(said.length > 10 && refusal.replaceAll(`${folder}/`, '').includes(said), `"${said}" is not "${refusal}"`);
     await tab.evaluate(() => document.getElementById('measure-said').classList.remove('refused'));
   }
-  assert.equal(await tab.$eval('#text', (field) => field.value), before, 'the scene stays');
+  assert.equal(await scene_text(tab), before, 'the scene stays');
   assert.deepEqual(faults, []);
   await tab.close();
 });
@@ -202,8 +225,15 @@ async function record(tab, rows) {
   await tab.click('#measure-open');
   await tab.evaluate((rows) => {
     const degree = Math.PI / 180;
+    // Chromium grants the permission a moment after the press.
+    let listens = false;
+    const add = window.addEventListener;
+    window.addEventListener = (...given) => {
+      listens ||= given[0] === 'devicemotion';
+      add.apply(window, given);
+    };
     const timer = setInterval(() => {
-      const row = the_workbench.measure.recorder && rows.shift();
+      const row = listens && the_workbench.measure.recorder && rows.shift();
       if (row) {
         const [time_s, x, y, z] = row;
         const event = new DeviceMotionEvent('devicemotion', {interval: 16, rotationRate: {alpha: x / degree, beta: y / degree, gamma: z / degree}});

@@ -7,7 +7,7 @@ const fs = require('node:fs');
 const http = require('node:http');
 const os = require('node:os');
 const path = require('node:path');
-const {faults_of, ready, run_checks, until, write_page} = require('./browsers.js');
+const {faults_of, ready, run_checks, scene_text, until, write_page} = require('./browsers.js');
 
 const [make_site, source, make_workbench, scenes] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-site-'));
@@ -46,9 +46,9 @@ async function walk(browser, start) {
   assert.ok(await tab.$$eval('img', (all) => all.length) > 40);
   await Promise.all([tab.waitForNavigation(), tab.click('a[href="../poinsot.html#scene=heavy_top_looping"]')]);
   await ready(tab);
-  assert.match(await tab.$eval('#text', (field) => field.value), /^\[body\]/m);
-  assert.match(await tab.$eval('#text', (field) => field.value), /theta_rad/);
-  const omega3 = Number(/omega3_rad_s = ([\d.]+)/.exec(await tab.$eval('#text', (field) => field.value))[1]);
+  assert.match(await scene_text(tab), /^\[body\]/m);
+  assert.match(await scene_text(tab), /theta_rad/);
+  const omega3 = Number(/omega3_rad_s = ([\d.]+)/.exec(await scene_text(tab))[1]);
   await until(tab, `window.poinsot.at(0).omega_body[2] === ${omega3}`);
   assert.deepEqual(answers, []);
   const own = `request: ${start}`;

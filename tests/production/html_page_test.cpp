@@ -157,6 +157,33 @@ TEST(HtmlPage, AllowsItsPackedScripts) {
               std::string::npos);
 }
 
+// Without npm's packages, the program has none.
+bool has_text_editor() {
+    return !page_text_editor_sha256().empty() && page_text_editor_sha256() != sha256_of("");
+}
+
+// Pages that only show carry no editor, and their policy does not allow its script.
+TEST(HtmlPage, TheWorkbenchAloneCarriesTheTextEditor) {
+    const std::string page = html_page(a_page());
+    const std::string workbench = html_workbench(a_page(), {}, "{}");
+    const std::string block = "<script id=\"text-editor\"";
+    const std::string hash =
+        "'sha256-" + base64_of_digits(std::string(page_text_editor_sha256())) + "'";
+    const bool has_editor = has_text_editor();
+    EXPECT_EQ(page.find(block), std::string::npos);
+    EXPECT_EQ(n_of(workbench, block), has_editor ? 1 : 0);
+    const auto allows = [&hash](const std::string& html) {
+        return between(html, "Content-Security-Policy\" content=\"", "\"").find(hash) !=
+               std::string::npos;
+    };
+    EXPECT_FALSE(allows(page));
+    EXPECT_EQ(allows(workbench), has_editor);
+    // Nor does the template of the pages that the workbench writes.
+    EXPECT_EQ(n_of(workbench, hash), has_editor ? 1 : 0);
+    EXPECT_EQ(workbench.find("unsafe-inline"), std::string::npos);
+    EXPECT_EQ(n_of(workbench, "MIT License: https://codemirror.net"), has_editor ? 1 : 0);
+}
+
 TEST(HtmlPage, ScriptsLoseCommentsAndIndentsOnly) {
     EXPECT_EQ(compact_script("// a\n/**\n * b\n */\nf();\n\n  g();  // c\n"), "f();\ng();  // c\n");
     EXPECT_EQ(compact_script("/** @type {T} */ (x).y = /** @type {U} */ (z);"), "(x).y =  (z);\n");
@@ -205,8 +232,9 @@ TEST(HtmlPage, TheWorkbenchCarriesTheTemplateOfAPage) {
     scene.name = "b";
     scene.title = hostile;
     scene.text = hostile;
-    const std::string workbench = html_workbench(a_page(), {scene}, "{\"a\": \"</script>\"}");
-    EXPECT_EQ(n_of(workbench, "</script>"), 8);
+    const std::string workbench =
+        html_workbench(a_page(), {{scene}, {scene}}, "{\"a\": \"</script>\"}");
+    EXPECT_EQ(n_of(workbench, "</script>"), has_text_editor() ? 9 : 8);
     const std::string data =
         between(workbench, "id=\"workbench-data\" type=\"application/json\">", "</script>");
     EXPECT_EQ(data.find('<'), std::string::npos);

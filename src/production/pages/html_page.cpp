@@ -85,6 +85,11 @@ std::string hash_source(std::string_view text) { return hash_source_of(sha256_of
 // A build without npm's packages makes pages without films.
 bool makes_films() { return page_film_writer_sha256() != sha256_of(""); }
 
+// Such a workbench edits in a plain text area.
+bool has_text_editor() {
+    return !page_text_editor_sha256().empty() && page_text_editor_sha256() != sha256_of("");
+}
+
 std::string list_of(const std::vector<std::string>& texts) {
     std::vector<std::string> strings;
     strings.reserve(texts.size());
@@ -144,15 +149,15 @@ std::string joined(std::span<const std::string_view> names) {
     return text;
 }
 
-// What the scripts and styles fill in.
-Values program_values(std::string script, std::string style) {
-    return {
-        {"version", POINSOT_VERSION},
-        {"script-hash", hash_source(script) + " " + hash_source(joined(packed_scripts)) +
-                            (makes_films() ? " " + hash_source_of(page_film_writer_sha256()) : "")},
-        {"style-hash", hash_source(style)},
-        {"script", std::move(script)},
-        {"style", std::move(style)}};
+// What the scripts and styles fill in; `allowed`: the hash sources of further scripts.
+Values program_values(std::string script, std::string style, const std::string& allowed = "") {
+    return {{"version", POINSOT_VERSION},
+            {"script-hash",
+             hash_source(script) + " " + hash_source(joined(packed_scripts)) +
+                 (makes_films() ? " " + hash_source_of(page_film_writer_sha256()) : "") + allowed},
+            {"style-hash", hash_source(style)},
+            {"script", std::move(script)},
+            {"style", std::move(style)}};
 }
 
 // What the scene fills in.
@@ -187,8 +192,9 @@ std::string html_page(const PageContents& contents) {
     return filled(page_file("index.html"), page_values() + scene_values(contents));
 }
 
-std::string html_workbench(const PageContents& first, const std::vector<GalleryScene>& scenes,
-                           std::string_view schema) {
+namespace {
+
+std::string scenes_json(const std::vector<GalleryScene>& scenes) {
     std::vector<std::string> rows;
     rows.reserve(scenes.size());
     for (const GalleryScene& scene : scenes)
@@ -199,6 +205,23 @@ std::string html_workbench(const PageContents& first, const std::vector<GalleryS
                            .json("files", files_json(scene.files))
                            .add("thumbnail", picture_url(scene.thumbnail_png))
                            .line());
+    return json_list(rows);
+}
+
+// The text editor, and whose work it is.
+std::string text_editor_block() {
+    if (!has_text_editor()) return "";
+    return "<!-- text-editor is CodeMirror 6, Copyright (c) Marijn Haverbeke and others. MIT "
+           "License: "
+           "https://codemirror.net. The script begins with the notices of its packages. -->\n"
+           "<script id=\"text-editor\" type=\"application/x-lzma\">" +
+           base94(page_text_editor_lzma()) + "</script>\n";
+}
+
+}  // namespace
+
+std::string html_workbench(const PageContents& first, const WorkbenchScenes& scenes,
+                           std::string_view schema) {
     JsonObject no_script;
     for (const std::string_view language : languages())
         no_script.json(language, script_string(phrase_in(language, no_scripts)));
@@ -207,18 +230,20 @@ std::string html_workbench(const PageContents& first, const std::vector<GalleryS
     const std::string data =
         JsonObject()
             .json("schema", script_string(schema))
-            .json("scenes", json_list(rows))
+            .json("scenes", scenes_json(scenes.gallery))
+            .json("starts", scenes_json(scenes.starts))
             .json("template", script_string(filled(page_file("index.html"), page_values())))
             .json("no_script", no_script.line())
             .line();
     const Values values =
         program_values(joined(plain_scripts) + joined(workbench_scripts),
-                       compact_script(page_file("page.css") + page_file("workbench.css"))) +
+                       compact_script(page_file("page.css") + page_file("workbench.css")),
+                       has_text_editor() ? " " + hash_source_of(page_text_editor_sha256()) : "") +
         Values{{"body", "workbench"},
                {"before", page_file("workbench.html")},
                {"data", "<script id=\"workbench-data\" type=\"application/json\">" + data +
                             "</script>\n<script id=\"fit-module\" type=\"application/x-lzma\">" +
-                            base94(page_fit_module_lzma()) + "</script>\n"}};
+                            base94(page_fit_module_lzma()) + "</script>\n" + text_editor_block()}};
     return filled(page_file("index.html"), values + scene_values(first));
 }
 

@@ -35,9 +35,14 @@ struct GalleryScene {
     std::vector<std::uint8_t> thumbnail_png;
 };
 
+struct WorkbenchScenes {
+    std::vector<GalleryScene> gallery;
+    std::vector<GalleryScene> starts;  // with which one begins a new scene
+};
+
 // The workbench: an editor of scenes beside a page of `first`, and a gallery. `schema`: the JSON
 // Schema of scenes.
-std::string html_workbench(const PageContents& first, const std::vector<GalleryScene>& scenes,
+std::string html_workbench(const PageContents& first, const WorkbenchScenes& scenes,
                            std::string_view schema);
 
 }  // namespace poinsot

@@ -96,6 +96,12 @@ PageContents contents_of(const SceneRequest& request) {
     return contents;
 }
 
+GalleryScene gallery_scene(const SceneRequest& request, PageContents& contents,
+                           LazyRenderer& renderer) {
+    return {contents.scene_name, contents.title, contents.scene_text, contents.files,
+            still_png(request, contents, renderer, thumbnail_px, thumbnail_overrides())};
+}
+
 void need_module() {
     if (!page_module_lzma().empty()) return;
     throw EnvironmentError(
@@ -137,26 +143,27 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
             4e-6 / 3.0 * static_cast<double>(n_file_bytes)));
 }
 
-void write_workbench(const std::vector<SceneRequest>& scenes, const std::string& schema_file,
-                     const std::string& output, LazyRenderer& renderer) {
+void write_workbench(const WorkbenchRequest& request, const std::string& output,
+                     LazyRenderer& renderer) {
     need_module();
     check_aside(output);
-    std::vector<GalleryScene> gallery;
+    WorkbenchScenes scenes;
     std::optional<PageContents> first;
-    for (const SceneRequest& request : scenes) {
-        PageContents contents = contents_of(request);
-        GalleryScene scene{
-            contents.scene_name, contents.title, contents.scene_text, contents.files,
-            still_png(request, contents, renderer, thumbnail_px, thumbnail_overrides())};
-        gallery.push_back(std::move(scene));
+    for (const SceneRequest& scene : request.scenes) {
+        PageContents contents = contents_of(scene);
+        scenes.gallery.push_back(gallery_scene(scene, contents, renderer));
         if (!first) {
-            contents.poster_png = still_png(request, contents, renderer, poster_widths_px[1]);
+            contents.poster_png = still_png(scene, contents, renderer, poster_widths_px[1]);
             first = std::move(contents);
         }
     }
+    for (const SceneRequest& scene : request.starts) {
+        PageContents contents = contents_of(scene);
+        scenes.starts.push_back(gallery_scene(scene, contents, renderer));
+    }
     if (!first) throw InputError("a workbench needs a scene; name one");
     first->title = "poinsot";
-    write_whole(output, html_workbench(*first, gallery, read_text(schema_file)));
+    write_whole(output, html_workbench(*first, scenes, read_text(request.schema_file)));
 }
 
 }  // namespace poinsot

@@ -21,9 +21,14 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
 inline constexpr int thumbnail_px = 240;
 std::vector<std::string> thumbnail_overrides();
 
-// Writes the workbench with these scenes in its gallery, of which it opens the first.
-// `schema_file`: the JSON Schema of scenes. Throws as write_page does.
-void write_workbench(const std::vector<SceneRequest>& scenes, const std::string& schema_file,
-                     const std::string& output, LazyRenderer& renderer);
+struct WorkbenchRequest {
+    std::vector<SceneRequest> scenes;  // of the gallery; the workbench opens the first
+    std::vector<SceneRequest> starts;  // with which one begins a new scene
+    std::string schema_file;           // the JSON Schema of scenes
+};
+
+// Writes the workbench. Throws as write_page does.
+void write_workbench(const WorkbenchRequest& request, const std::string& output,
+                     LazyRenderer& renderer);
 
 }  // namespace poinsot

@@ -32,4 +32,8 @@ std::string_view page_scripts_lzma();
 std::string_view page_film_writer_lzma();
 std::string_view page_film_writer_sha256();
 
+// What the workbench edits scenes with, likewise.
+std::string_view page_text_editor_lzma();
+std::string_view page_text_editor_sha256();
+
 }  // namespace poinsot

@@ -17,7 +17,8 @@ inline constexpr std::array<std::string_view, 17> packed_scripts{
     "film_file.js", "slides.js", "make_film.js", "page.js",    "scripting.js"};
 
 // As they are: those that the workbench adds.
-inline constexpr std::array<std::string_view, 6> workbench_scripts{
-    "editor.js", "record.js", "measure_chart.js", "measure.js", "pptx.js", "workbench.js"};
+inline constexpr std::array<std::string_view, 8> workbench_scripts{
+    "zip_reader.js",    "drafts.js",  "editor.js", "record.js",
+    "measure_chart.js", "measure.js", "pptx.js",   "workbench.js"};
 
 }  // namespace poinsot
