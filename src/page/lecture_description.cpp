@@ -13,8 +13,8 @@
 #include "drawing/stage/panel.h"
 #include "drawing/stage/stage_context.h"
 #include "drawing/stage/stage_store.h"
-#include "mechanics/regime_sentence.h"
 #include "page/lecture.h"
+#include "production/session/motion_hints.h"
 #include "scene/scene_keys.h"
 #include "text/json_text.h"
 #include "text/numbers.h"
@@ -150,7 +150,8 @@ std::string Lecture::description() const {
         .add("height", scene.film.height_px)
         .add("film_width", film_size_.width_px)
         .add("film_height", film_size_.height_px)
-        .add("regime", regime_sentence(session_.motion))
+        .add("regime", motion_in_words(session_.motion))
+        .add("next", scene.page.next)
         .json("notes", json_list(notes))
         .json("panels", panels_text())
         .json("chapters", json_list(chapters))

@@ -37,8 +37,8 @@ void add_moment(const Panel& panel, const TextCache& text, const std::string& fo
     number.type = text.set_live(
         with_decimal_mark(formula, decimal_mark_in_formula(panel.stage->scene.language)),
         {.size_px = label_em_px(panel)}, builder.view);
-    // Long numbers end at the panel's edge.
-    const double last_px = panel.box.width_px - 0.6 * number.type.width_px();
+    // Long numbers end before the panel's edge; labels begin near their anchors.
+    const double last_px = panel.box.width_px - 0.87 * number.type.width_px();
     number.anchor_px = {panel.box.x_px + std::min(0.76 * panel.box.width_px, last_px),
                         panel.box.y_px + 0.5 * panel.box.height_px};
     number.away = {0.0, 0.0};
