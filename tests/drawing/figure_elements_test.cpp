@@ -144,9 +144,9 @@ TEST(FigureElements, DirectionTracesTheEllipsoidUntilItFadesOut) {
         // The colatitude of n grows evenly from 0 to π.
         EXPECT_NEAR(std::acos(std::clamp(n.z(), -1.0, 1.0)), std::numbers::pi * film_s / 4.0, 3e-8)
             << film_s;
-        const auto trace_at = std::find_if(
-            view.curves.begin(), view.curves.end(),
-            [](const Curve& curve) { return curve.name.element == "direction-trace"; });
+        const auto trace_at =
+            std::find_if(view.curves.begin(), view.curves.end(),
+                         [](const Curve& curve) { return curve.name.element == "trace"; });
         ASSERT_NE(trace_at, view.curves.end());
         const Curve& trace = *trace_at;
         const auto last = static_cast<std::size_t>(trace.last);

@@ -525,7 +525,7 @@ check('fits windows, screens and zoom', async (browser) => {
         seen: box.width > 100 && box.height > 50 && box.bottom <= innerHeight + 1,
         hit: [...document.querySelectorAll('#bar > button')].filter((b) => b.offsetParent).every((b) => b.offsetWidth >= (innerWidth <= 440 && innerHeight < 400 ? 30 : 44) && b.getBoundingClientRect().right <= innerWidth),
         all: ['previous', 'play', 'next', 'speed', 'say', 'options'].every((id) => document.getElementById(id).offsetParent),
-        line: innerHeight >= 400 || document.getElementById('bar').offsetHeight <= 56, rail: document.getElementById('rail').offsetWidth >= 34};
+        line: innerHeight >= 400 || document.getElementById('bar').offsetHeight <= 56, rail: document.getElementById('rail').offsetWidth >= 30};
     });
     assert.deepEqual(fits, {sharp: true, inside: true, seen: true, hit: true, all: true, line: true, rail: true}, JSON.stringify(size));
   }

@@ -192,6 +192,7 @@ Drawer make_spin_direction(const Panel& panel, StageStore& store) {
             arrow_between(panel, end, end + 0.75 * AxisSweep::beyond * n, theme.text, 0.9);
         builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, builder);
+        name_shapes("spin-direction", builder);
         add_moment(panel, text,
                    fmt::format("I(\\mathbf{{n}}) = 2T/\\omega^2 = {:.3g}~\\mathrm{{kg\\,m^2}}",
                                least_kg_m2 / rho.squaredNorm()),
