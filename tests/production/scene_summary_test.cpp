@@ -66,15 +66,15 @@ TEST(SceneSummary, OfASleepingTopSayWhetherItIsStable) {
               "\"sleeping, unstable\"");
 }
 
-// The sentence about a free motion begins with whether the body turns over, and the interval is that
-// of the changes of sign of ω along the middle axis, counted in the motion.
+// The sentence about a free motion begins with whether the body turns over, and the interval is
+// that of the changes of sign of ω along the middle axis, counted in the motion.
 TEST(SceneSummary, OfAFreeBodySayFirstWhetherItTurnsOver) {
     const auto words_of = [](const std::string& moments, const std::string& omega) {
-        const Session session = session_of(
-            parse_scene("[body]\nmoments_kg_m2 = " + moments + "\n[start]\nomega_rad_s = " + omega +
-                            "\n",
-                        "scene.toml"),
-            {installed_fonts()});
+        const Session session =
+            session_of(parse_scene("[body]\nmoments_kg_m2 = " + moments +
+                                       "\n[start]\nomega_rad_s = " + omega + "\n",
+                                   "scene.toml"),
+                       {installed_fonts()});
         int n_changes = 0;
         double sign = 0.0;
         for (int k = 0; k <= 20000; ++k) {

@@ -47,7 +47,9 @@ std::string motion_in_words(const Motion& motion) {
     if (!std::holds_alternative<NoTorque>(problem.torque)) return kind;
     const FreeRotationConstants constants = motion.free_constants();
     const auto flips = flips_of(problem, constants);
-    if (!flips) return constants.polhode_period_s ? "does not turn over: " + kind : kind;
+    const bool is_elliptic = motion.regime() == Regime::elliptic_about_lowest ||
+                             motion.regime() == Regime::elliptic_about_highest;
+    if (!flips) return is_elliptic ? "does not turn over: " + kind : kind;
     return (flips->interval_s ? fmt::format("turns over every {:.3g} s: ", *flips->interval_s)
                               : "turns over once: ") +
            kind;
