@@ -14,6 +14,8 @@ function type_scale_of(width, height) {
   return Math.min(1.6, Math.max(12 / caption_px, most));
 }
 
+const most_enlarged = 2; // type of more than twice its size leaves no room for the figure
+
 /** What went wrong, in words. @param {unknown} error */
 function message_of(error) {
   if (error && typeof error === 'object' && 'message' in error) return String(error.message);
@@ -55,6 +57,10 @@ class Figure {
     this.frame = 0;
     this.last_ms = 0;
     this.is_resized = false;
+    /** How far the browser has enlarged the page since it was opened. */
+    this.enlarged = 1;
+    /** That of the picture that is seen. */
+    this.type_scale = 0;
     /** Whether the module has started anew and not drawn yet. */
     this.is_revived = false;
     /** Whether the module is starting anew; drawing fails until it has started. */
@@ -70,8 +76,12 @@ class Figure {
 
   /** A window that moves to another screen gets other pixels. */
   #watch_ratio() {
-    const same = window.matchMedia(`(resolution: ${window.devicePixelRatio}dppx)`);
+    const before = {ratio: window.devicePixelRatio, px: window.innerWidth * window.devicePixelRatio};
+    const same = window.matchMedia(`(resolution: ${before.ratio}dppx)`);
     same.addEventListener('change', () => {
+      // An enlarged page has the same pixels and a smaller layout; on another screen, the same layout.
+      const {devicePixelRatio: ratio, innerWidth} = window;
+      if (Math.abs((innerWidth * ratio) / before.px - 1) < 0.03) this.enlarged *= ratio / before.ratio;
       this.is_resized = true;
       this.invalidate();
       this.#watch_ratio();
@@ -93,7 +103,7 @@ class Figure {
     const fit = Math.sqrt(most_pixels / Math.max(1, clientWidth * clientHeight));
     const ratio = Math.min(window.devicePixelRatio || 1, Math.max(fit, 0.1));
     return {width: Math.max(16, Math.round(clientWidth * ratio)), height: Math.max(16, Math.round(clientHeight * ratio)),
-      type_scale: type_scale_of(Math.max(16, clientWidth), Math.max(16, clientHeight))};
+      type_scale: Math.min(most_enlarged, Math.max(1, this.enlarged) * type_scale_of(Math.max(16, clientWidth), Math.max(16, clientHeight)))};
   }
 
   /** Starts the program and draws the first picture. @param {() => SceneData} data_now */
@@ -272,7 +282,8 @@ class Figure {
     if (this.is_resized) {
       const {width, height, type_scale} = this.size();
       this.is_resized = false;
-      if (width !== this.canvas.width || height !== this.canvas.height) {
+      if (width !== this.canvas.width || height !== this.canvas.height || type_scale !== this.type_scale) {
+        this.type_scale = type_scale;
         this.canvas.width = width;
         this.canvas.height = height;
         this.loaded.panels = program.resize(width, height, type_scale);

@@ -25,6 +25,8 @@ class Grips {
     this.before = null;
     /** Those of the picture that is seen; null: not asked for. @type {Grip[]|null} */
     this.seen = null;
+    /** Whether the film goes on when the drag ends. */
+    this.goes_on = false;
     /** From the pointer to the point that it moves, in pixels of the canvas. */
     this.offset = {x: 0, y: 0};
     /** The second of film at which cameras are held since a drag; null: they are not. @type {number|null} */
@@ -38,7 +40,7 @@ class Grips {
   /** @returns {Grip[]} */
   #list() {
     const {program, film, time_s} = this.figure;
-    if (!program || film.playing || !(this.events.drags('omega') || this.events.drags('plane'))) return [];
+    if (!program || !(this.events.drags('omega') || this.events.drags('plane'))) return [];
     this.seen ??= program.grips(time_s, film.at_s).filter((grip) => this.events.drags(grip.thing));
     return this.seen;
   }
@@ -46,12 +48,11 @@ class Grips {
   /** After a picture was drawn: puts a ring around each grip while the film stands. */
   show() {
     this.seen = null;
-    if (this.figure.film.playing) this.before = null;
     if (this.held_at_s !== null && this.figure.film.at_s !== this.held_at_s) this.let_go();
     const {ratio} = this.figure;
     // Rings do not overlap; the contact point comes first.
     const near = (/** @type {Grip} */ a, /** @type {Grip} */ b) => Math.hypot(a.x - b.x, a.y - b.y) < 2 * grip_reach_px * ratio;
-    const order = [...this.#list()].sort((a, b) => Number(a.thing === 'plane') - Number(b.thing === 'plane'));
+    const order = this.figure.film.playing ? [] : [...this.#list()].sort((a, b) => Number(a.thing === 'plane') - Number(b.thing === 'plane'));
     /** @type {Grip[]} */
     const grips = [];
     for (const grip of order)
@@ -106,7 +107,9 @@ class Grips {
     const {program, film, time_s} = this.figure;
     this.held = grip;
     this.offset = {x: grip.moved_x - x, y: grip.moved_y - y};
+    if (film.playing) this.before = null;
     this.before ??= new Map(this.figure.choices.values);
+    this.goes_on = film.playing;
     film.pause();
     program?.hold(true, time_s, film.at_s);
     this.held_at_s = film.at_s;
@@ -147,6 +150,9 @@ class Grips {
 
   drop() {
     this.held = null;
+    this.figure.film.playing ||= this.goes_on;
+    this.goes_on = false;
+    this.figure.invalidate();
   }
 
   /** Undoes the drags since the film stood still. @returns {boolean} whether there was one */

@@ -151,14 +151,18 @@ class Page {
     }
     this.#colour(loaded.theme.background, loaded.theme.text);
     this.bar.mark();
+    if (loaded.next && !this.embedded) {
+      part('onward').setAttribute('href', encodeURIComponent(loaded.next));
+      part('onward').textContent = `${this.words.of('next')}: ${loaded.next.slice(0, -5).replaceAll('_', ' ')}`;
+    }
     this.views.place(loaded.panels, this.figure.ratio);
     this.controls.show(loaded.controls);
     this.films.show();
     this.#show_elements();
-    const said = [loaded.regime, ...loaded.notes].filter(Boolean).join('\n');
+    const said = [loaded.motion, ...loaded.notes].filter(Boolean).join('\n');
     if (said !== this.regime) {
       const strong = document.createElement('strong');
-      strong.textContent = loaded.regime;
+      strong.textContent = loaded.motion;
       part('regime').replaceChildren(strong, ...loaded.notes.map((note) => `\n${note}`));
     }
     this.regime = said;
@@ -175,11 +179,18 @@ class Page {
     this.said();
   }
 
+  /** Whether the film is over and another page follows. */
+  #at_end() {
+    const {loaded, film} = this.figure;
+    return Boolean(loaded?.next) && !this.embedded && !film.playing && film.at_s >= film.plan.length_s;
+  }
+
   #drawn() {
     document.body.classList.add('drawn');
     const {loaded, film} = this.figure;
     if (loaded && this.views.panels !== loaded.panels) this.views.place(loaded.panels, this.figure.ratio);
     this.bar.show();
+    part('onward').hidden = !this.#at_end();
     this.notes.show(film);
     this.grips.show();
     document.body.classList.toggle('playing', film.playing);
@@ -598,7 +609,7 @@ class Page {
       ArrowLeft: () => film.step(-1),
       ArrowUp: () => film.previous(),
       ArrowDown: () => film.next(),
-      PageDown: () => film.next(),
+      PageDown: () => { if (this.#at_end()) part('onward').click(); else film.next(); },
       PageUp: () => film.previous(),
       Home: () => film.seek(0),
       End: () => film.seek(film.plan.length_s),

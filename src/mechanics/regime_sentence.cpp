@@ -49,9 +49,9 @@ std::string regime_in_words(const MotionProblem& problem, Regime regime,
 std::string_view meaning_of(TopRegime regime) {
     switch (regime) {
         case TopRegime::sleeping:
-            return "upright, and stable since (Cω₃)² ≥ 4A·Mgl";
+            return "upright, and stable since (I₃ω₃)² ≥ 4I₁·Mgl";
         case TopRegime::sleeping_unstable:
-            return "upright by symmetry alone, since (Cω₃)² < 4A·Mgl";
+            return "upright by symmetry alone, since (I₃ω₃)² < 4I₁·Mgl";
         case TopRegime::hanging:
             return "vertical, with the centre of mass below the fixed point";
         case TopRegime::steady_slow:

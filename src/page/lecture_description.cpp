@@ -17,6 +17,7 @@
 #include "drawing/stage/stage_store.h"
 #include "mechanics/regime_sentence.h"
 #include "page/lecture.h"
+#include "production/session/motion_hints.h"
 #include "scene/scene_keys.h"
 #include "text/json_text.h"
 #include "text/numbers.h"
@@ -165,8 +166,10 @@ std::string Lecture::description() const {
         .add("height", scene.film.height_px)
         .add("film_width", film_size_.width_px)
         .add("film_height", film_size_.height_px)
+        .add("motion", motion_in_words(session_.motion))
         .add("regime", regime_sentence(session_.motion))
         .json("flips", flips_text(session_.motion))
+        .add("next", scene.page.next)
         .json("notes", json_list(notes))
         .json("panels", panels_text())
         .json("chapters", json_list(chapters))

@@ -201,6 +201,7 @@ struct StopSpec {
 struct PageSpec {
     std::optional<std::vector<std::string>> controls;  // keys as in --set; absent: controls_of()
     std::optional<std::vector<std::string>> elements;  // absent: all that are shown
+    std::string next;  // file of the page that follows, in the same folder; empty: none
 };
 
 // [[captions]]: text shown for some seconds of the film.

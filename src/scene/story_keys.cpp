@@ -1,12 +1,14 @@
 // Keys of the events of the film (keyframes, fades, captions, chapters and stops) and of its page.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <array>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
+#include "error/error.h"
 #include "scene/camera_views.h"
 #include "scene/easing.h"
 #include "scene/scene_error.h"
@@ -44,6 +46,23 @@ bool is_controllable(const ValueType& type) {
     const bool is_list = type.size && type.size->least != type.size->most;
     const bool is_text = type.kind == ValueType::Kind::text;
     return !is_list && type.n_rows == 0 && (!is_text || (!type.names.empty() && !type.size));
+}
+
+// Throws InputError for a name that is no page in the same folder.
+void check_page_name(std::string_view name) {
+    if (name.empty()) return;
+    constexpr std::string_view suffix = ".html";
+    const bool is_page = name.size() > suffix.size() && name.ends_with(suffix) &&
+                         name.front() != '.' && name.size() <= 255;
+    const bool is_plain = std::none_of(name.begin(), name.end(), [](char c) {
+        return static_cast<unsigned char>(c) < 0x20 || c == 0x7f ||
+               std::string_view("/\\:*?\"<>|").find(c) != std::string_view::npos;
+    });
+    if (!is_page || !is_plain)
+        throw InputError(
+            fmt::format("\"{}\" is no page in the same folder; give the name of its "
+                        "file without a folder, as in \"sphere.html\"",
+                        printable(name)));
 }
 
 // Throws SceneError for a name that is no key, or whose values no control can hold.
@@ -172,6 +191,11 @@ std::span<const SceneKey> story_keys() {
               "elements and overlays that the viewers of a page can show and hide")
             .from_list("elements")
             .default_is("all"),
+        text("page.next", in(&Scene::page, &PageSpec::next), R"("sphere.html")",
+             "file of the page that follows, in the same folder; at the end of the film a button "
+             "and Page Down lead to it")
+            .checked_by(check_page_name)
+            .default_is("none"),
     };
     return rows;
 }

@@ -9,6 +9,8 @@
 #include <numbers>
 #include <set>
 #include <string>
+#include <string_view>
+#include <vector>
 
 #include "construction/montgomery_phase.h"
 #include "drawing/figures/charts/plot_frame.h"
@@ -123,11 +125,11 @@ TEST(FigureElements, HalfAxesHaveTheirLengths) {
 // n takes all directions from the film's beginning until the element fades out; ρ = n/√I(n) is the
 // end of its trace, and the number beside it is I(n).
 TEST(FigureElements, DirectionTracesTheEllipsoidUntilItFadesOut) {
-    Scene scene = showing({"ellipsoid", "axes", "direction"});
+    Scene scene = showing({"ellipsoid", "axes", "direction", "direction-trace"});
     scene.keyframes.emplace_back().speed = 0.0;  // at rest
     scene.film.duration_s = {};
     scene.film.length_s = 10.0;
-    scene.fades = {{.at_s = 4.0, .elements = {"direction"}, .opacity = 0.0}};
+    scene.fades = {{.at_s = 4.0, .elements = {"direction", "direction-trace"}, .opacity = 0.0}};
     const StagedScene staged(scene, 1.0);
     for (const double film_s : {0.0, 1.7, 3.1, 4.0}) {
         const Drawing drawing = staged.stage.at(FilmTime{0.0, film_s});
@@ -142,7 +144,11 @@ TEST(FigureElements, DirectionTracesTheEllipsoidUntilItFadesOut) {
         // The colatitude of n grows evenly from 0 to π.
         EXPECT_NEAR(std::acos(std::clamp(n.z(), -1.0, 1.0)), std::numbers::pi * film_s / 4.0, 3e-8)
             << film_s;
-        const Curve& trace = view.curves.front();
+        const auto trace_at =
+            std::find_if(view.curves.begin(), view.curves.end(),
+                         [](const Curve& curve) { return curve.name.element == "trace"; });
+        ASSERT_NE(trace_at, view.curves.end());
+        const Curve& trace = *trace_at;
         const auto last = static_cast<std::size_t>(trace.last);
         ASSERT_LT(last, trace.geometry->points.size());
         const double step =
@@ -164,21 +170,99 @@ TEST(FigureElements, DirectionTracesTheEllipsoidUntilItFadesOut) {
 
 // A film may show the element late: the sweep then begins at e3 when the element fades in.
 TEST(FigureElements, DirectionStartsItsSweepWhenItFadesIn) {
-    Scene scene = showing({"ellipsoid", "axes", "direction"});
+    Scene scene = showing({"ellipsoid", "axes", "direction", "direction-trace"});
     scene.keyframes.emplace_back().speed = 0.0;  // at rest
     scene.film.duration_s = {};
     scene.film.length_s = 10.0;
     scene.fades = {{.at_s = 3.0, .elements = {"direction"}},
+                   {.at_s = 4.0, .over_s = 0.5, .elements = {"direction-trace"}},
                    {.at_s = 7.0, .elements = {"direction"}, .opacity = 0.0}};
     const StagedScene staged(scene, 1.0);
     for (const double film_s : {3.5, 5.0, 6.9}) {
         const Drawing drawing = staged.stage.at(FilmTime{0.0, film_s});
         const View& view = drawing.views.front();
-        ASSERT_EQ(view.arrows.size(), 5u);
-        const double cosine = view.arrows[2].tip.normalized().dot(view.arrows[4].tip.normalized());
+        // n comes first; ρ and its path later, at the same instant of the sweep.
+        ASSERT_EQ(view.arrows.size(), film_s < 4.0 ? 4u : 5u);
+        const double cosine =
+            view.arrows[2].tip.normalized().dot(view.arrows.back().tip.normalized());
         EXPECT_NEAR(std::acos(std::clamp(cosine, -1.0, 1.0)),
                     std::numbers::pi * (film_s - 3.0) / 4.0, 3e-8)
             << film_s;
+    }
+}
+
+// n is along ω, and I(n) = Σ I_i n_i² is 2T/ω².
+TEST(FigureElements, SpinDirectionIsAlongOmegaWithItsMoment) {
+    const StagedScene staged(showing({"omega", "radius", "spin-direction"}), 10.0);
+    for (const double time_s : {0.0, 2.3, 7.1}) {
+        const Drawing drawing = staged.stage.at(time_s);
+        const View& view = drawing.views.front();
+        ASSERT_EQ(view.arrows.size(), 3u);
+        const auto arrow_of = [&view](std::string_view element) {
+            return *std::find_if(view.arrows.begin(), view.arrows.end(),
+                                 [&](const Arrow& arrow) { return arrow.name.element == element; });
+        };
+        const Arrow n = arrow_of("spin-direction"), omega = arrow_of("omega");
+        EXPECT_LT((n.tail - omega.tip).norm(), 1e-14);
+        EXPECT_LT(n.tip.normalized().cross(omega.tip.normalized()).norm(), 1e-14);
+        EXPECT_GT(n.tip.dot(omega.tip), 0.0);
+        const Eigen::Vector3d w = staged.motion.at(time_s).omega_body;
+        const double moment = moments.dot(w.normalized().cwiseAbs2());
+        const std::string wanted = fmt::format("= {:.3g}~", moment);
+        EXPECT_TRUE(std::any_of(view.labels.begin(), view.labels.end(),
+                                [&wanted](const Label& label) {
+                                    return label.mask->source.text.find(wanted) !=
+                                           std::string::npos;
+                                }))
+            << time_s << wanted;
+    }
+}
+
+// A right angle that is seen as a line is left out: from above, that at the foot of L.
+TEST(FigureElements, RightAngleFadesWhereItIsSeenEdgeOn) {
+    for (const auto& [elevation_deg, n_lines] : {std::pair{20.0, 2}, std::pair{89.9, 0}}) {
+        Scene scene = showing({"plane", "momentum"});
+        scene.camera.elevation_deg = elevation_deg;
+        const StagedScene staged(scene, 10.0);
+        const View view = staged.stage.at(0.0).views.front();
+        EXPECT_EQ(
+            std::count_if(view.curves.begin(), view.curves.end(),
+                          [](const Curve& curve) { return curve.name.element == "momentum"; }),
+            n_lines)
+            << elevation_deg;
+    }
+}
+
+// ∇F and the tangent plane enclose a right angle, drawn at ρ with the plane.
+TEST(FigureElements, GradientHasItsRightAngleWithTheTangentPlane) {
+    for (const bool has_plane : {false, true}) {
+        Scene scene = has_plane ? showing({"gradient", "tangent"}) : showing({"gradient"});
+        const StagedScene staged(scene, 10.0);
+        const View view = staged.stage.at(1.0).views.front();
+        const Eigen::Vector3d rho = view.arrows.front().tail;
+        ASSERT_EQ(view.curves.size(), has_plane ? 2u : 0u);
+        for (const Curve& curve : view.curves)
+            for (const Eigen::Vector3d& point : curve.geometry->points)
+                EXPECT_LT((curve.placement * point - rho).norm(), 0.13);
+    }
+}
+
+// The body beside its ellipsoid is turned as this is, and clear of it in the picture.
+TEST(FigureElements, BodyBesideTurnsWithTheEllipsoid) {
+    const StagedScene staged(showing({"ellipsoid", "axes", "body-beside"}), 10.0);
+    for (const double time_s : {0.0, 2.3, 7.1}) {
+        const View view = staged.stage.at(time_s).views.front();
+        std::vector<Arrow> axes, beside;
+        for (const Arrow& arrow : view.arrows)
+            (arrow.name.element == "axes" ? axes : beside).push_back(arrow);
+        ASSERT_EQ(axes.size(), 3u);
+        ASSERT_EQ(beside.size(), 3u);
+        for (std::size_t i = 0; i < 3; ++i) {
+            const Eigen::Vector3d along = (beside[i].tip - beside[i].tail).normalized();
+            EXPECT_LT((along - axes[i].tip.normalized()).norm(), 1e-14) << time_s;
+            EXPECT_GT(beside[i].tip.norm(), 1.0) << time_s;
+        }
+        ASSERT_FALSE(view.meshes.empty());
     }
 }
 

@@ -8,13 +8,16 @@
 #include <cmath>
 #include <numbers>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "drawing/figures/charts/plot_quantity.h"
 #include "drawing/stage/live_values.h"
 #include "places.h"
 #include "scene/files/load_scene.h"
+#include "scene/film_clock.h"
 #include "scenes_by_hand.h"
+#include "shapes/projection.h"
 
 namespace poinsot {
 namespace {
@@ -82,6 +85,74 @@ Matrix3d axes_of(const View& view, const Theme& theme) {
 // F(ρ) = ρ·Iρ of a point in picture lengths.
 double form(const Ellipsoid& ellipsoid, const Vector3d& point) {
     return (ellipsoid.half_axes.inverse() * point).squaredNorm();
+}
+
+// Whether a label of a view has a text.
+bool says(const View& view, std::string_view text) {
+    return std::any_of(view.labels.begin(), view.labels.end(), [text](const Label& label) {
+        return label.mask->source.text.find(text) != std::string::npos;
+    });
+}
+
+bool shows(const View& view, std::string_view element) {
+    const auto is_one = [element](const auto& shape) {
+        return shape.name.element == element && shape.opacity > 0.5;
+    };
+    return std::any_of(view.arrows.begin(), view.arrows.end(), is_one) ||
+           std::any_of(view.curves.begin(), view.curves.end(), is_one) ||
+           std::any_of(view.planes.begin(), view.planes.end(), is_one);
+}
+
+// Stops of the lecture show what their titles name.
+TEST(LectureClaims, StopsShowWhatTheyName) {
+    const Lecture lecture("lecture");
+    const FilmClock clock(lecture.scene);
+    const auto at_stop = [&](std::size_t number) {
+        const double film_s = lecture.scene.stops.at(number - 1).at_s;
+        return lecture.staged.stage.at(FilmTime{clock.time_at(film_s), film_s});
+    };
+    // 3: an axis n with I(n), before ρ is defined; 4: ρ and its path.
+    Drawing drawing = at_stop(3);
+    EXPECT_TRUE(says(drawing.views.front(), "\\mathbf{n}"));
+    EXPECT_FALSE(says(drawing.views.front(), "rho"));
+    EXPECT_FALSE(shows(drawing.views.front(), "trace"));
+    drawing = at_stop(4);
+    EXPECT_TRUE(says(drawing.views.front(), "rho"));
+    EXPECT_TRUE(shows(drawing.views.front(), "trace"));
+    // 6: n along ω with its moment.
+    drawing = at_stop(6);
+    EXPECT_TRUE(shows(drawing.views.front(), "spin-direction"));
+    EXPECT_TRUE(says(drawing.views.front(), "2T/"));
+    // 7 and 8: the tangent plane, and ∇F at right angles to it.
+    for (const std::size_t number : {7u, 8u}) {
+        drawing = at_stop(number);
+        EXPECT_TRUE(says(drawing.views.front(), "tangent plane")) << number;
+        EXPECT_TRUE(shows(drawing.views.front(), "tangent")) << number;
+        const auto& curves = drawing.views.front().curves;
+        EXPECT_EQ(
+            std::count_if(curves.begin(), curves.end(),
+                          [](const Curve& curve) { return curve.name.element == "gradient"; }),
+            2)
+            << number;
+    }
+    // 14: the herpolhode fills more than half of the picture's height, and all of it is seen.
+    drawing = at_stop(14);
+    const View& view = drawing.views.front();
+    double top = 1e9, bottom = -1e9;
+    for (const Curve& curve : view.curves) {
+        if (curve.name.element != "herpolhode") continue;
+        for (const Vector3d& point : curve.geometry->points) {
+            const double y = project(view, curve.placement * point).px.y();
+            top = std::min(top, y), bottom = std::max(bottom, y);
+        }
+    }
+    EXPECT_GT(bottom - top, 0.55 * view.height_px);
+    EXPECT_GT(top, 0.0);
+    EXPECT_LT(bottom, 0.92 * view.height_px);
+    // 15 and 16: the body turns beside the construction.
+    for (const std::size_t number : {15u, 16u})
+        EXPECT_TRUE(shows(at_stop(number).views.front(), "body-beside"));
+    EXPECT_FALSE(shows(at_stop(13).views.front(), "body-beside"));
 }
 
 TEST(LectureClaims, PrincipalAxesMakeTheTensorDiagonal) {  // pages 2–5

@@ -515,7 +515,7 @@ check('a link sets no other keys', async (browser) => {
 check('fits windows, screens and zoom', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);
-  for (const size of [{width: 1280, height: 720}, {width: 390, height: 844, deviceScaleFactor: 2}, {width: 320, height: 180, deviceScaleFactor: 4}]) {
+  for (const size of [{width: 1280, height: 720}, {width: 390, height: 844, deviceScaleFactor: 2}, {width: 480, height: 270, deviceScaleFactor: 4}, {width: 320, height: 180, deviceScaleFactor: 4}]) {
     await tab.setViewport(size);
     await settled(tab);
     const fits = await tab.evaluate(() => {
@@ -523,10 +523,86 @@ check('fits windows, screens and zoom', async (browser) => {
       const box = canvas.getBoundingClientRect();
       return {sharp: Math.abs(canvas.width - box.width * devicePixelRatio) <= 2, inside: document.documentElement.scrollWidth <= innerWidth,
         seen: box.width > 100 && box.height > 50 && box.bottom <= innerHeight + 1,
-        hit: [...document.querySelectorAll('#bar button')].filter((b) => b.offsetParent).every((b) => b.offsetWidth >= 44 && b.getBoundingClientRect().right <= innerWidth)};
+        hit: [...document.querySelectorAll('#bar > button')].filter((b) => b.offsetParent).every((b) => b.offsetWidth >= (innerWidth <= 440 && innerHeight < 400 ? 30 : 44) && b.getBoundingClientRect().right <= innerWidth),
+        all: ['previous', 'play', 'next', 'speed', 'say', 'options'].every((id) => document.getElementById(id).offsetParent),
+        line: innerHeight >= 400 || document.getElementById('bar').offsetHeight <= 56, rail: document.getElementById('rail').offsetWidth >= 30};
     });
-    assert.deepEqual(fits, {sharp: true, inside: true, seen: true, hit: true}, JSON.stringify(size));
+    assert.deepEqual(fits, {sharp: true, inside: true, seen: true, hit: true, all: true, line: true, rail: true}, JSON.stringify(size));
   }
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('enlarges the letters of the picture with the page, and not on another screen', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 1280, height: 720}});
+  await ready(tab);
+  await settled(tab);
+  const scale = () => tab.evaluate(() => the_page.figure.program.last.type_scale);
+  const usual = await scale();
+  // The browser's zoom by 200 %: half of the layout, the same pixels of the screen.
+  await tab.setViewport({width: 640, height: 360, deviceScaleFactor: 2});
+  await until(tab, `the_page.figure.program.last.type_scale > ${1.5 * usual}`);
+  await tab.setViewport({width: 1280, height: 720});
+  await until(tab, `Math.abs(the_page.figure.program.last.type_scale / ${usual} - 1) < 1e-9`);
+  // A screen of finer pixels: the same layout.
+  await tab.setViewport({width: 1284, height: 720, deviceScaleFactor: 2});
+  await settled(tab);
+  assert.ok(Math.abs((await scale()) / usual - 1) < 1e-9);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('keeps the strip of its bar in full screen', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 1280, height: 720}});
+  await ready(tab);
+  await tab.evaluate(() => document.documentElement.requestFullscreen().catch(() => {}));
+  const boxes = await tab.evaluate(() => [document.getElementById('stage').getBoundingClientRect().bottom, document.getElementById('bar').getBoundingClientRect().top]);
+  assert.ok(boxes[0] <= boxes[1] + 0.5, `the picture ends at ${boxes[0]}, the bar begins at ${boxes[1]}`);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('takes hold of the construction while it moves, and goes on from there', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 800, height: 560}});
+  await ready(tab);
+  await tab.evaluate(() => {
+    the_page.figure.film.to_stop(2);
+    the_page.changed();
+  });
+  // A film of slow motion, so that the grip does not run away from the pointer.
+  await tab.evaluate(() => { the_page.figure.film.speed = 0.01; });
+  const grip = await place_of(tab, 'omega');
+  assert.ok(grip, 'the tip of ω is in sight');
+  assert.ok(await tab.evaluate(() => the_page.figure.film.is_looping));
+  await tab.mouse.move(grip[0], grip[1]);
+  await tab.mouse.down();
+  assert.equal(await tab.evaluate(() => the_page.figure.film.playing), false, 'it stands while it is held');
+  await tab.mouse.move(grip[0] + 14, grip[1] - 8, {steps: 3});
+  await until(tab, 'the_page.figure.choices.values.has("start.omega_rad_s")');
+  await tab.mouse.up();
+  assert.ok(await tab.evaluate(() => the_page.figure.film.is_looping), 'and goes on in its loop');
+  await press(tab, 'Escape');
+  await until(tab, '!the_page.figure.choices.values.has("start.omega_rad_s")');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('leads to the page that follows at the end of the film', async (browser) => {
+  const scene = (name, next) => scene_file(name, `title = "${name}"\n[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nomega_rad_s = [0.3, 1.6, 0.6]\n[film]\nlength_s = 2\n${next}`);
+  const [one, two] = [scene('one', '[page]\nnext = "two of it.html"\n'), scene('two', '')];
+  page_of(program, two, path.join(path.dirname(one), 'two of it.html'));
+  const {tab, faults} = await opened_file(browser, page_of(program, one, `${one}.html`));
+  await ready(tab);
+  assert.equal(await tab.$eval('#onward', (link) => link.hidden), true);
+  await press(tab, 'End');
+  await until(tab, '!document.getElementById("onward").hidden');
+  assert.equal(await tab.$eval('#onward', (link) => link.textContent), 'Next: two of it');
+  await Promise.all([tab.waitForNavigation(), press(tab, 'PageDown')]);
+  assert.match(decodeURIComponent(tab.url()), /two of it\.html/);
+  await ready(tab);
+  assert.equal(await tab.evaluate(() => the_page.figure.loaded.title), 'two');
+  await press(tab, 'End');
+  assert.equal(await tab.$eval('#onward', (link) => link.hidden), true);
   assert.deepEqual(faults, []);
   await tab.close();
 });

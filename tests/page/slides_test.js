@@ -114,6 +114,22 @@ check('plays forwards to each stop, and loops until the viewer goes on', async (
   assert.deepEqual(faults, []);
 });
 
+check('goes on to the loop when the key is pressed before the film has ended', async (browser) => {
+  const {tab} = await opened(browser);
+  await next(tab);
+  await until(tab, 'Reveal.getCurrentSlide().querySelector("video").classList.contains("shown")');
+  assert.equal(await slide_number(tab), 1);
+  await next(tab);
+  const loops = 'Reveal.getCurrentSlide().querySelectorAll("video")[1]';
+  await until(tab, `${loops}.classList.contains("shown") && ${loops}.currentTime > 0.1`, 8000);
+  assert.equal(await slide_number(tab), 1);
+  assert.equal(await tab.evaluate(() => Reveal.getCurrentSlide().querySelector('video').paused), true);
+  // The next press ends the loop at its seam, as always.
+  await next(tab);
+  await until(tab, 'Reveal.getIndices().h === 2', 20000);
+  await tab.close();
+});
+
 check('goes on at once when the key is pressed twice', async (browser) => {
   const {tab} = await opened(browser);
   await next(tab);

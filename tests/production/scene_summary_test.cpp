@@ -7,7 +7,9 @@
 #include <cmath>
 #include <map>
 #include <string>
+#include <utility>
 
+#include "production/session/motion_hints.h"
 #include "scene/files/load_scene.h"
 #include "scene/scene.h"
 #include "typeset/files/installed_fonts.h"
@@ -62,6 +64,32 @@ TEST(SceneSummary, OfASleepingTopSayWhetherItIsStable) {
     EXPECT_EQ(top("theta_rad = 0.0\nomega3_rad_s = 4.0").at("top_regime"), "\"sleeping\"");
     EXPECT_EQ(top("theta_rad = 0.0\nomega3_rad_s = 3.9").at("top_regime"),
               "\"sleeping, unstable\"");
+}
+
+// The sentence about a free motion begins with whether the body turns over, and the interval is
+// that of the changes of sign of ω along the middle axis, counted in the motion.
+TEST(SceneSummary, OfAFreeBodySayFirstWhetherItTurnsOver) {
+    const auto words_of = [](const std::string& moments, const std::string& omega) {
+        const Session session =
+            session_of(parse_scene("[body]\nmoments_kg_m2 = " + moments +
+                                       "\n[start]\nomega_rad_s = " + omega + "\n",
+                                   "scene.toml"),
+                       {installed_fonts()});
+        int n_changes = 0;
+        double sign = 0.0;
+        for (int k = 0; k <= 20000; ++k) {
+            const double along = session.motion.at(0.01 * k).omega_body[1];
+            if (along * sign < 0.0) ++n_changes;
+            if (along != 0.0) sign = along;
+        }
+        return std::pair(motion_in_words(session.motion), n_changes);
+    };
+    const auto [flips, n_changes] = words_of("[4.0, 3.0, 1.5]", "[0.3, 2.0, 0.5]");
+    ASSERT_TRUE(flips.starts_with("turns over every ")) << flips;
+    EXPECT_NEAR(200.0 / std::stod(flips.substr(17)), n_changes, 1.0) << flips;
+    EXPECT_NE(flips.find("(elliptic)"), std::string::npos) << flips;
+    EXPECT_TRUE(words_of("[4.0, 3.0, 1.5]", "[0.1, 0.1, 2.0]").first.starts_with("does not turn"));
+    EXPECT_TRUE(words_of("[2.0, 2.0, 1.5]", "[0.1, 0.1, 2.0]").first.starts_with("symmetric"));
 }
 
 // For a body without two equal moments no closed form is reported.

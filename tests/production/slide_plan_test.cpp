@@ -49,6 +49,15 @@ TEST(SlidePlan, EachSlideBeginsWithTheLastFrameOfTheOneBefore) {
     EXPECT_FALSE(slides[2].is_stop);
 }
 
+// What follows the last stop has its title and note, so that no slide is without.
+TEST(SlidePlan, TheLastSlideHasTheTitleOfTheLastStop) {
+    const std::vector<Slide> slides =
+        slides_with("[[stops]]\nat_s = 1.0\ntitle = \"One\"\nnote = \"Ask.\"\n");
+    ASSERT_EQ(slides.size(), 2u);
+    EXPECT_EQ(slides[1].title, "One");
+    EXPECT_EQ(slides[1].note, "Ask.");
+}
+
 // The frame before the loop is that of the stop a repetition earlier.
 TEST(SlidePlan, ALoopLastsItsSecondsAndEndsWithItsStop) {
     const std::vector<Slide> slides =

@@ -20,6 +20,22 @@ TEST(SceneValues, DefaultsAreThoseOfTheStructs) {
     EXPECT_TRUE(scene.notes.empty());
 }
 
+// The page that follows is a file of the same folder.
+TEST(SceneValues, TheNextPageIsInTheSameFolder) {
+    const auto with_next = [](const std::string& name) {
+        return a_scene + "[page]\nnext = '" + name + "'\n";
+    };
+    EXPECT_EQ(scene_of(with_next("the top_2.html")).page.next, "the top_2.html");
+    EXPECT_EQ(scene_of(with_next("")).page.next, "");
+    EXPECT_EQ(scene_of(with_next("Präzession.html")).page.next, "Präzession.html");
+    for (const char* name : {"top", ".html", "..html", "a/top.html", "../top.html", "a\\top.html",
+                             "https://example.org/top.html", "javascript:alert(1)//.html",
+                             "top.html?x=1", "\"top.html"})
+        EXPECT_NE(refusal(with_next(name)).find("is no page in the same folder; give"),
+                  std::string::npos)
+            << name;
+}
+
 TEST(SceneValues, TopStartsFromItsEulerAngles) {
     const Scene scene = scene_of(
         "[body]\nmoments_kg_m2 = [1.0, 1.0, 0.5]\n[start]\ntheta_rad = 0.7\ntheta_dot_rad_s = "

@@ -110,6 +110,9 @@ inline const Claims claims_of_rows{
           // Half a cube of 2 m.
           return s.body.density_kg_m3 == 3.0 && std::abs(s.body.mass_kg - 12.0) < 1e-13;
       }}},
+    {"page.next",
+     {with("page", "next = \"the top.html\""),
+      [](const Scene& s) { return s.page.next == "the top.html"; }}},
     {"object.name",
      {with("object", "name = \"coin\""),
       [](const Scene& s) { return s.object.name == "coin" && s.surfaces.size() > 1; }}},

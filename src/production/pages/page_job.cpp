@@ -135,6 +135,14 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
     write_whole(place.path(), page);
     const std::string name = printable(place.path().string());
     progress.say(fmt::format("{}\n{:.2f} MB", name, 1e-6 * static_cast<double>(page.size())));
+    const std::string& next = session.scene.page.next;
+    std::error_code unknown;
+    if (!next.empty() && !std::filesystem::exists(place.path().parent_path() / next, unknown))
+        progress.say(
+            fmt::format("note: at its end the page leads to {}, which is not in its "
+                        "folder; make that page, too, or leave it out by --set "
+                        "'page.next=\"\"'",
+                        printable(next)));
     std::size_t n_file_bytes = 0;
     for (const auto& file : contents.files) n_file_bytes += file.second.size();
     if (page.size() > most_page_bytes)

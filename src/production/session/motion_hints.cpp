@@ -4,9 +4,13 @@
 
 #include <algorithm>
 #include <string>
+#include <variant>
 
 #include "construction/flips.h"
 #include "construction/near_closures.h"
+#include "mechanics/free/free_rotation.h"
+#include "mechanics/motion.h"
+#include "mechanics/regime_sentence.h"
 #include "scene/loop_text.h"
 #include "text/json_text.h"
 
@@ -36,6 +40,20 @@ std::string json_times(const std::vector<double>& times) {
 }
 
 }  // namespace
+
+std::string motion_in_words(const Motion& motion) {
+    std::string kind = regime_sentence(motion);
+    const MotionProblem& problem = motion.problem();
+    if (!std::holds_alternative<NoTorque>(problem.torque)) return kind;
+    const FreeRotationConstants constants = motion.free_constants();
+    const auto flips = flips_of(problem, constants);
+    const bool is_elliptic = motion.regime() == Regime::elliptic_about_lowest ||
+                             motion.regime() == Regime::elliptic_about_highest;
+    if (!flips) return is_elliptic ? "does not turn over: " + kind : kind;
+    return (flips->interval_s ? fmt::format("turns over every {:.3g} s: ", *flips->interval_s)
+                              : "turns over once: ") +
+           kind;
+}
 
 void add_flips(const Session& session, const FilmPlan& film, std::vector<SummaryLine>& lines) {
     const auto flips = flips_of(session.motion.problem(), session.motion.free_constants());

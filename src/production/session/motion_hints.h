@@ -1,12 +1,17 @@
-// What `check` says about a torque-free motion beyond its constants: when the body flips, and which
-// loops are near.
+// What `check` says about a torque-free motion beyond its constants: whether and when the body
+// flips, and which loops are near.
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "production/session/scene_summary.h"
 
 namespace poinsot {
+
+// The kind of a motion, for a free body with three different moments after whether it flips: "turns
+// over every 13.4 s: polhode about e3, the axis of the smallest moment (elliptic)".
+std::string motion_in_words(const Motion& motion);
 
 // The instants within the film at which ω along the middle axis changes its sign, if the body
 // flips.

@@ -37,7 +37,7 @@ void add_free_motion(const Session& session, std::vector<SummaryLine>& lines) {
     const MotionProblem& problem = session.motion.problem();
     const FreeRotationConstants constants = session.motion.free_constants();
     lines.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",
-                     regime_sentence(session.motion)});
+                     motion_in_words(session.motion)});
     add_number(lines, "kinetic_energy_J", "T", constants.kinetic_energy_J, "J");
     add_number(lines, "momentum_kg_m2_s", "L", constants.momentum_kg_m2_s, "kg m²/s");
     if (session.motion.regime() == Regime::at_rest) return;
@@ -99,7 +99,7 @@ void add_heavy_top(const HeavyTop& top, std::vector<SummaryLine>& lines) {
                      regime_sentence(top)});
     const TopInvariants& kept = top.invariants();
     add_number(lines, "p_phi_kg_m2_s", "p_φ, along the vertical", kept.p_phi_kg_m2_s, "kg m²/s");
-    add_number(lines, "p_psi_kg_m2_s", "p_ψ = Cω₃, along the axis", kept.p_psi_kg_m2_s, "kg m²/s");
+    add_number(lines, "p_psi_kg_m2_s", "p_ψ = I₃ω₃, along the axis", kept.p_psi_kg_m2_s, "kg m²/s");
     add_number(lines, "energy_J", "E = T + Mgl cos θ", kept.energy_J, "J");
     const TopNutation& nutation = top.nutation();
     const double least = nutation.theta_min_rad, most = nutation.theta_max_rad;

@@ -66,7 +66,11 @@ std::vector<Slide> slides_of(const Scene& scene, const FilmPlan& film, std::stri
     std::vector<Slide> slides = stops_of(scene, film, option);
     const std::int64_t last = slides.back().last_frame;
     if (!scene.stops.empty() && last < film.n_frames - 1)
-        slides.push_back({.first_frame = last, .last_frame = film.n_frames - 1, .is_stop = false});
+        slides.push_back({.title = slides.back().title,
+                          .note = slides.back().note,
+                          .first_frame = last,
+                          .last_frame = film.n_frames - 1,
+                          .is_stop = false});
     return slides;
 }
 

@@ -13,7 +13,7 @@ namespace poinsot {
 
 // A slide plays its frames and stops at the last one, which is the first frame of the next slide.
 struct Slide {
-    std::string title{}, note{};  // of the stop
+    std::string title{}, note{};  // of the stop; after the last stop, of that one
     std::int64_t first_frame = 0, last_frame = 0;
     // The slide repeats this many frames before it goes on; they end with the last one. 0: it
     // stands still.

@@ -53,13 +53,18 @@ Reveal.on('fragmentshown', ({fragment}) => {
   const slide = fragment.closest('section.film');
   const loop = slide && slide.querySelectorAll('video')[1];
   if (!loop) return;
-  if (loop.paused) leave(slide), show(slide, slide.querySelector('img'));
+  if (loop.paused) {
+    // Pressed before the loop: on to the loop, and the fragment is there for the next press.
+    setTimeout(() => Reveal.prevFragment(), 0);
+    return;
+  }
   loop.loop = false;
 });
 Reveal.on('fragmenthidden', ({fragment}) => {
   const slide = fragment.closest('section.film');
   const loop = slide && slide.querySelectorAll('video')[1];
   if (!loop) return;
+  leave(slide);
   enter(slide, false);
   play(slide, loop);
 });

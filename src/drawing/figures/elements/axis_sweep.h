@@ -1,6 +1,6 @@
 // The definition of the inertia ellipsoid as it is drawn: an axis n takes all directions in turn,
-// and the tip of ρ = n/√I(n) leaves a trace on the ellipsoid. For the sweep panel and the element
-// "direction".
+// and the tip of ρ = n/√I(n) leaves a trace on the ellipsoid. For the sweep panel and the elements
+// "direction" and "direction-trace".
 #pragma once
 
 #include <Eigen/Core>
@@ -18,10 +18,12 @@ class AxisSweep {
     // `half_axes`: 1/√I in units of the largest.
     AxisSweep(const Panel& panel, StageStore& store, const Eigen::Vector3d& half_axes);
 
-    // Adds the trace up to a fraction of the sweep, 0…1, and there n, ρ along it and the number
-    // I(n). `picture_from_principal`: the body's attitude, a rotation.
-    void add_to(const Eigen::Matrix3d& picture_from_principal, double share,
-                ViewBuilder& builder) const;
+    // At a fraction of the sweep, 0…1. `picture_from_principal`: the body's attitude, a rotation.
+    // add_trace: ρ = n/√I(n) and the path of its tip so far; add_direction: n and the number I(n).
+    void add_trace(const Eigen::Matrix3d& picture_from_principal, double share,
+                   ViewBuilder& builder) const;
+    void add_direction(const Eigen::Matrix3d& picture_from_principal, double share,
+                       ViewBuilder& builder) const;
 
  private:
     // Index of a fraction of the sweep among the points of the trace.

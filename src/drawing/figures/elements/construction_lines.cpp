@@ -10,7 +10,6 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <span>
 #include <string_view>
 #include <vector>
 
@@ -18,6 +17,7 @@
 #include "drawing/stage/marks.h"
 #include "numerics/smooth_step.h"
 #include "shapes/projection.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
@@ -49,14 +49,21 @@ Eigen::Vector3d right_of(const ViewBuilder& builder) {
     return right.normalized();
 }
 
-// The corner of a square in the right angle between two directions (unit vectors).
+// The corner of a square in the right angle between two directions (unit vectors). Where it is seen
+// edge-on and would be a mere line, it fades.
 void add_right_angle(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& a,
-                     const Eigen::Vector3d& b, const LineStyle& colour, ViewBuilder& builder) {
+                     const Eigen::Vector3d& b, const LineStyle& colour, double presence,
+                     ViewBuilder& builder) {
     constexpr double side = 0.085;
+    const Eigen::Vector3d sight = (builder.view.camera.eye - at).stableNormalized();
+    const double opened = std::abs(sight.dot(a.cross(b)));
+    const double opacity = presence * smooth_step((opened - 0.05) / 0.2);
+    if (!(opacity > 0.0)) return;
     const Eigen::Vector3d corner = at + side * (a + b);
     for (const Eigen::Vector3d& leg : {a, b}) {
         Curve line = line_between(panel, at + side * leg, corner, colour, 1.8);
         line.hidden_opacity = 0.7;
+        line.opacity *= opacity;
         builder.view.curves.push_back(line);
     }
 }
@@ -141,11 +148,8 @@ Drawer make_momentum(const Panel& panel, StageStore& store) {
             here.at = picture_of(panel).foot(instant);
             here.opacity *= presence;
             // On the side where the plane is visible: away from the camera's right.
-            const std::size_t n_curves = builder.view.curves.size();
             add_right_angle(panel, here.at, -right_of(builder), -picture_of(panel).normal,
-                            arrow.colour, builder);
-            for (Curve& side : std::span(builder.view.curves).subspan(n_curves))
-                side.opacity *= presence;
+                            arrow.colour, presence, builder);
             builder.view.dots.push_back(here);
         }
         wish_at_tip(panel, arrow, type, builder);
@@ -212,32 +216,49 @@ Drawer make_radius(const Panel& panel, StageStore& store) {
 }
 
 // The plane that touches the ellipsoid at ρ: a patch of the invariable plane.
-Drawer make_tangent(const Panel& panel, StageStore&) {
+Drawer make_tangent(const Panel& panel, StageStore& store) {
+    static constexpr Phrase words{"tangent plane",  "Tangentialebene", "plan tangent",
+                                  "plano tangente", "piano tangente",  "接平面"};
+    const TextBlock type =
+        store.set(phrase_in(panel.stage->scene.language, words),
+                  {.size_px = 0.85 * label_em_px(panel), .mode = TypeMode::text});
     Plane plane;
-    plane.radius = 0.75;
-    plane.fade_from = 0.6;
+    plane.radius = 0.9;
+    plane.fade_from = 0.9;
     plane.grid_spacing = 0.15;
     plane.grid_px = 0.8 * panel.px;
     plane.colour = panel.stage->theme.plane;
     plane.grid_colour = panel.stage->theme.grid;
-    plane.opacity = 0.45;
-    return [&panel, plane](const FrameInput& instant, ViewBuilder& builder) {
+    plane.opacity = 0.6;
+    return [&panel, plane, type](const FrameInput& instant, ViewBuilder& builder) {
         builder.view.planes.push_back(plane);
-        builder.view.planes.back().centre = picture_of(panel).contact(instant);
+        Plane& here = builder.view.planes.back();
+        here.centre = picture_of(panel).contact(instant);
+        // At the edge of the patch, on the left and towards us.
+        const Eigen::Vector3d right = right_of(builder);
+        const Eigen::Vector3d away = Eigen::Vector3d::UnitZ().cross(right);
+        const Eigen::Vector3d edge = here.centre - 0.85 * plane.radius * (0.6 * right + 0.8 * away);
+        wish_beside(panel, edge, edge + right, type, panel.stage->theme.text, builder);
     };
 }
 
 // ∇F at ρ: it points along L, as ∇F = 2 I ρ.
 Drawer make_gradient(const Panel& panel, StageStore& store) {
     const TextBlock type = set_label(panel, store, "\\nabla F");
-    return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
+    const bool has_tangent = is_shown(*panel.stage, "tangent");
+    return [&panel, type, has_tangent](const FrameInput& instant, ViewBuilder& builder) {
         constexpr double length = 0.55;
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
-        Arrow arrow = arrow_between(panel, rho, rho + length * picture_of(panel).normal,
-                                    panel.stage->theme.gradient, 1.1);
+        const Eigen::Vector3d& normal = picture_of(panel).normal;
+        Arrow arrow =
+            arrow_between(panel, rho, rho + length * normal, panel.stage->theme.gradient, 1.1);
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         wish_at_tip(panel, arrow, type, builder);
+        // The right angle with the tangent plane, which it fades with.
+        if (!has_tangent) return;
+        add_right_angle(panel, rho, right_of(builder), normal, arrow.colour,
+                        panel.stage->timeline.opacity_of("tangent", instant.film_s), builder);
     };
 }
 

@@ -19,12 +19,15 @@ Drawer make_inertial_forces(const Panel& panel, StageStore& store);
 Drawer make_half_axes(const Panel& panel, StageStore& store);
 Drawer make_precession(const Panel& panel, StageStore& store);
 Drawer make_body(const Panel& panel, StageStore& store);
+Drawer make_body_beside(const Panel& panel, StageStore& store);
 Drawer make_momentum(const Panel& panel, StageStore& store);
 Drawer make_omega(const Panel& panel, StageStore& store);
 Drawer make_spin_axis(const Panel& panel, StageStore& store);
 Drawer make_contact(const Panel& panel, StageStore& store);
 Drawer make_radius(const Panel& panel, StageStore& store);
 Drawer make_direction(const Panel& panel, StageStore& store);
+Drawer make_direction_trace(const Panel& panel, StageStore& store);
+Drawer make_spin_direction(const Panel& panel, StageStore& store);
 Drawer make_tangent(const Panel& panel, StageStore& store);
 Drawer make_gradient(const Panel& panel, StageStore& store);
 Drawer make_projection(const Panel& panel, StageStore& store);
@@ -54,6 +57,9 @@ inline constexpr Element element_rows[] = {
     {"ellipsoid", "the inertia ellipsoid with body-fixed lines", always_shown, attitude_too,
      make_ellipsoid},
     {"body", "the body itself, inside its ellipsoid", never_shown, attitude_too, make_body},
+    {"body-beside",
+     "the body itself with its principal axes, to the left of its ellipsoid and turned as this is",
+     never_shown, attitude_too, make_body_beside},
     {"annulus", "the ring that the herpolhode fills", never_shown, omega_alone, make_annulus},
     {"polhode", "path of the contact point on the ellipsoid", has_curves, attitude_too,
      make_polhode},
@@ -81,8 +87,14 @@ inline constexpr Element element_rows[] = {
      make_half_axes},
     {"direction",
      "an axis n that sweeps through all directions until this element fades out, with its moment "
-     "I(n) and the path of ρ = n/√I(n)",
+     "I(n)",
      never_shown, attitude_too, make_direction},
+    {"direction-trace",
+     "ρ = n/√I(n) along the axis n of direction, and the path of its tip, which fills the "
+     "ellipsoid",
+     never_shown, attitude_too, make_direction_trace},
+    {"spin-direction", "the axis n along ω, with its moment I(n) = 2T/ω²", never_shown,
+     attitude_too, make_spin_direction},
     {"radius", "the radius vector ρ = ω/√(2T), whose tip lies on the ellipsoid F(ρ) = 1",
      always_shown, attitude_too, make_radius},
     {"gradient", "the gradient ∇F at the tip of ρ, parallel to L", never_shown, attitude_too,

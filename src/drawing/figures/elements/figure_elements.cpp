@@ -225,4 +225,30 @@ Drawer make_body(const Panel& panel, StageStore& store) {
     };
 }
 
+// At the height of the centre, so far to the left that it is clear of the ellipsoid, whose largest
+// half-axis is 1.
+Drawer make_body_beside(const Panel& panel, StageStore& store) {
+    const BodyShape shape = body_shape(panel, store);
+    const std::array<TextBlock, 3> types = set_axis_labels(panel, store);
+    return [&panel, shape, types](const FrameInput& instant, ViewBuilder& builder) {
+        constexpr double aside = 1.75, reach = 0.5, beyond = 0.16;
+        Eigen::Vector3d left = -camera_axes(builder.view.camera).col(0);
+        left.z() = 0.0;
+        const Eigen::Vector3d middle = aside * left.stableNormalized();
+        Eigen::Affine3d placed = Eigen::Affine3d::Identity();
+        placed.linear() = reach * picture_of(panel).picture_from_body(instant).toRotationMatrix();
+        placed.translation() = middle;
+        add_body(shape, placed, false, builder);
+        const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
+        for (int i = 0; i < 3; ++i) {
+            const Eigen::Vector3d end = (reach * shape.extents[i] + beyond) * axes.col(i);
+            const Arrow arrow =
+                arrow_between(panel, middle, middle + end, panel.stage->theme.axes[i], 0.8);
+            builder.view.arrows.push_back(arrow);
+            wish_beside(panel, arrow.tip, middle, types[static_cast<std::size_t>(i)], arrow.colour,
+                        builder);
+        }
+    };
+}
+
 }  // namespace poinsot

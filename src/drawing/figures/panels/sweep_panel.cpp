@@ -124,7 +124,8 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
         name_shapes("axes", builder);
         add_half_axes(panel, Eigen::Matrix3d::Identity(), half_axes, half_types, builder);
         name_shapes("half-axes", builder);
-        axis_sweep.add_to(Eigen::Matrix3d::Identity(), swept, builder);
+        axis_sweep.add_trace(Eigen::Matrix3d::Identity(), swept, builder);
+        axis_sweep.add_direction(Eigen::Matrix3d::Identity(), swept, builder);
     };
 }
 
