@@ -28,13 +28,13 @@ using Keys = std::vector<std::string>;
 TEST(IdleKeys, TrailsNeedAPanelWithPaths) {
     const std::string trails =
         "[trail]\npolhode = \"history\"\nherpolhode = \"whole\"\nlength_s = 2.0\n"
-        "direction_marks = true\n";
+        "direction_marks = true\nticks = true\n";
     EXPECT_EQ(idle_in(trails), Keys{"trail.length_s"});
-    EXPECT_EQ(
-        idle_in(trails + "[[panels]]\nkind = \"plot\"\n"),
-        (Keys{"trail.polhode", "trail.herpolhode", "trail.length_s", "trail.direction_marks"}));
+    EXPECT_EQ(idle_in(trails + "[[panels]]\nkind = \"plot\"\n"),
+              (Keys{"trail.polhode", "trail.herpolhode", "trail.length_s", "trail.direction_marks",
+                    "trail.ticks"}));
     EXPECT_EQ(idle_in(trails + "[[panels]]\nkind = \"plan\"\n"),
-              (Keys{"trail.polhode", "trail.length_s"}));
+              (Keys{"trail.polhode", "trail.length_s", "trail.ticks"}));
     // With friction, the panels in body axes show the trail, too.
     EXPECT_EQ(idle_in("[trail]\npolhode = \"history\"\n[torque]\nkind = \"dissipation\"\n"
                       "half_life_s = 3.0\n[motion]\nmethod = \"dopri5\"\n"

@@ -4,7 +4,7 @@
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
-const {is_firefox, opened_file, page_of, ready, run_checks, until, write_page} = require('./browsers.js');
+const {is_firefox, opened_file, page_of, ready, run_checks, scene_text, until, write_page, write_scene} = require('./browsers.js');
 const {assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, probed, psnr, rgb_of, run, said, size, spoiled, verified} =
   require('./film_checks.js');
 
@@ -242,6 +242,38 @@ check('makes the presentation that the program makes', async (browser) => {
     else if (name.endsWith('.mp4')) assert.equal(probed(ours).streams[0].nb_read_frames, probed(theirs).streams[0].nb_read_frames);
     else assert.equal(fs.readFileSync(ours, 'utf8'), fs.readFileSync(theirs, 'utf8'));
   }
+});
+
+// As a new user does who has the workbench alone: the guide's section "On a Mac, on Windows".
+check('leads from New to a film of a changed scene', async (browser) => {
+  const began_ms = Date.now();
+  const workbench = process.env['POINSOT_WORKBENCH'] ?? path.join(folder, 'first.html');
+  const starts = ['moments', 'shape', 'mesh', 'top', 'measured'].map((name) => path.join(__dirname, '../../page/starts', `${name}.toml`));
+  if (!process.env['POINSOT_WORKBENCH'])
+    write_page(make_workbench, [workbench, path.join(__dirname, '../../scenes/scene.schema.json'), path.join(__dirname, '../../scenes/generic.toml'), '--new', ...starts]);
+  const {tab, faults} = await opened_file(browser, workbench, {size: {width: 1440, height: 900}});
+  await ready(tab);
+  await tab.click('#new-open');
+  await tab.evaluate(() => document.querySelector('#starts button').click());
+  await write_scene(tab, (await scene_text(tab)).replace('"My body"', '"A first film"').replace(/omega_rad_s = .*/, 'omega_rad_s = [0.1, 2.0, 0.1]')
+    .replace(/duration_s = .*/, 'duration_s = 2.0'));
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  await tab.click('#options');
+  await tab.evaluate(() => {
+    window.showSaveFilePicker = undefined;
+    the_page.save = async (blob, suffix) => { window.first_film = {name: `${the_page.data.name}${suffix}`, bytes: await blob.arrayBuffer()}; };
+  });
+  await tab.select('#film-kind', 'mp4');
+  await tab.click('#film-make');
+  await until(tab, 'window.first_film', 120000);
+  const base64 = await tab.evaluate(() => base64_of_bytes(new Uint8Array(window.first_film.bytes)));
+  fs.writeFileSync(path.join(folder, 'first.mp4'), Buffer.from(base64, 'base64'));
+  assert.equal(await tab.evaluate(() => window.first_film.name), 'a_first_film.mp4');
+  assert.match(poinsot('explain', path.join(folder, 'first.mp4')), /A first film/);
+  assert.equal(Number(probed(path.join(folder, 'first.mp4')).streams[0].nb_read_frames), 60);
+  assert.deepEqual(faults, []);
+  console.log(`      from the page's opening to the film: ${Math.round((Date.now() - began_ms) / 1000)} s`);
+  await tab.close();
 });
 
 check('can be cancelled, stays usable, and saves nothing then', async (browser) => {

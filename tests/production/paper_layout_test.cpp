@@ -129,7 +129,7 @@ TEST(PaperLayout, TallPanelsStandAboveTheOthers) {
     }
     EXPECT_NE(session.as_read.find("grid.rows"), std::string::npos) << session.as_read;
     EXPECT_TRUE(std::any_of(session.notes.begin(), session.notes.end(), [](const auto& note) {
-        return note.find("tall panels have a row of their own") != std::string::npos;
+        return note.find("large panels have a row of their own") != std::string::npos;
     }));
 
     // A page of two columns, or one whose height is given, keeps the grid of the scene.

@@ -389,6 +389,7 @@ inline void write_cameras_and_panels(Dice& dice, Text& text) {
     write_camera(dice, "camera.", text);
     if (dice.one_in(2)) text.set_number("trail.length_s", dice.magnitude(-40, 40));
     if (dice.one_in(2)) text.set("trail.direction_marks", "true");
+    if (dice.one_in(2)) text.set("trail.ticks", "true");
 
     const int n_panels = dice.below(4);
     for (int k = 0; k < n_panels; ++k) {

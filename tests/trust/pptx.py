@@ -26,12 +26,12 @@ WIDTH, HEIGHT = 640, 360
 SAME_LEVELS = 0.8
 
 # Title, note, film and whether it repeats, of each slide. The second stop's title and note are hostile, its film is followed by its
-# loop; the frames after the last stop have the scene's title.
+# loop; the frames after the last stop have the title and note of that stop.
 TITLE, NOTE = 'Is a < b > c & "d"?', "One line & <b>\nand another"
 SLIDES = [("Which way does the axis go?", "Let them vote before you go on.", "01.mp4", False),
           (TITLE, NOTE, "02.mp4", False),
           (TITLE, NOTE, "02-loop.mp4", True),
-          ("A thrown disc wobbles", None, "03.mp4", False)]
+          (TITLE, NOTE, "03.mp4", False)]
 
 n_failed = 0
 

@@ -13,6 +13,7 @@
 #include "drawing/figures/charts/chart_fit.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
+#include "drawing/stage/panel_kind.h"
 
 namespace poinsot {
 
@@ -21,9 +22,26 @@ namespace {
 // The height of a stacked panel in units of its width.
 constexpr double wide_share = 0.62, half_share = 0.85;
 
-// Whether a panel is a column of the grid beside others that share one.
+// The share of the grid's width that a panel has.
+double share_of(const Scene& scene, const PanelSpec& panel) {
+    const std::vector<double>& columns = scene.grid.columns;
+    const double all = std::accumulate(columns.begin(), columns.end(), 0.0);
+    const auto first =
+        columns.begin() + std::min<std::ptrdiff_t>(panel.column, std::ssize(columns));
+    const auto last = first + std::min<std::ptrdiff_t>(panel.columns, columns.end() - first);
+    return std::accumulate(first, last, 0.0) / all;
+}
+
+// Whether a panel is a column of the grid beside others that share one, or one of two drawings or
+// of a drawing and a chart side by side, in which a body would be smaller than half of the page.
 bool is_tall(const Scene& scene, const PanelSpec& panel) {
-    return panel.rows > 1 && panel.columns < static_cast<int>(scene.grid.columns.size());
+    const PanelKind& kind = panel_kind_named(panel.kind);
+    const bool is_drawing = kind.camera != CameraUse::none || (kind.takes & takes_azimuth) != 0;
+    constexpr double enough = 0.7;
+    const bool is_small = scene.panels.size() == 2 && is_drawing && share_of(scene, panel) < enough;
+    const bool is_column =
+        panel.rows > 1 && panel.columns < static_cast<int>(scene.grid.columns.size());
+    return is_small || is_column;
 }
 
 // Whether the page is a column of text: then half of its width is enough for a panel, but a panel
@@ -80,15 +98,8 @@ double stack_panels(const PrintSize& paper, Scene& scene) {
 
 // The width of the narrowest panel in pixels.
 double narrowest_panel(const Scene& scene, const PrintSize& paper) {
-    const std::vector<double>& columns = scene.grid.columns;
-    const double all = std::accumulate(columns.begin(), columns.end(), 0.0);
     double least = 1.0;
-    for (const PanelSpec& panel : scene.panels) {
-        const auto first =
-            columns.begin() + std::min<std::ptrdiff_t>(panel.column, std::ssize(columns));
-        const auto last = first + std::min<std::ptrdiff_t>(panel.columns, columns.end() - first);
-        least = std::min(least, std::accumulate(first, last, 0.0) / all);
-    }
+    for (const PanelSpec& panel : scene.panels) least = std::min(least, share_of(scene, panel));
     return least * paper.width_px;
 }
 
@@ -125,7 +136,7 @@ void lay_out_on_paper(const PrintChoices& print, const FontSource& fonts, Scene&
     if (wants_stack(scene, *paper)) {
         height_px = overlays_px + static_cast<int>(std::ceil(stack_panels(*paper, scene)));
         notes.push_back(fmt::format(
-            "on a page {:g} mm wide, tall panels have a row of their own, and the others stand in "
+            "on a page {:g} mm wide, large panels have a row of their own, and the others stand in "
             "pairs; --height-mm keeps the scene's grid",
             *print.width_mm));
     } else {

@@ -123,6 +123,8 @@ class UnusedKeys {
             add("trail.direction_marks",
                 fmt::format("only panels {} show direction marks",
                             panels_that_take(takes_direction_marks, "and")));
+        if (!any(takes_elements))
+            add("trail.ticks", "only panel \"space\" shows two curves that roll on each other");
     }
 
     void add_elements() {

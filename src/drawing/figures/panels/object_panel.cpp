@@ -230,10 +230,16 @@ void make_object_panel(Panel& panel, StageStore& store) {
     const Drawer elements = make_shown_elements(panel, store, takes_forces);
 
     const TorqueScale torque_scale(stage);
-    // The names of forces are long.
-    const double names_em = is_shown(stage, "inertial-forces") ? 3.5 : 0.7;
-    aim_around(panel, points_to_frame(stage, shape, arrows, torque_scale),
-               names_em * label_em_px(panel) + 24.0 * panel.px);
+    const auto margin = [&panel](double names_em) {
+        return names_em * label_em_px(panel) + 24.0 * panel.px;
+    };
+    std::vector<Eigen::Vector3d> points = points_to_frame(stage, shape, arrows, torque_scale);
+    if (is_shown(stage, "inertial-forces"))
+        // The names of forces are long.
+        aim_around(panel, std::move(points),
+                   Margins{margin(3.5), margin(1.0), margin(0.7) + panel.header_px, margin(0.7)});
+    else
+        aim_around(panel, std::move(points), margin(0.7));
 
     const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
     const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");

@@ -351,11 +351,8 @@ class TopDrawer {
 void make_top_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = false, .herpolhode = false, .euler_angles = true};
     const HeavyTop& top = *panel.stage->motion.motion().heavy_top();
-    // The part of the sphere below everything that moves is left out.
-    constexpr double below = 0.3;
-    const double lowest = std::min(-below, std::cos(top.nutation().theta_max_rad) - below);
+    // The whole sphere, also where nothing happens: a cut one reads as a fault of the picture.
     std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
-    std::erase_if(points, [&](const Eigen::Vector3d& point) { return point.z() < lowest; });
     points.emplace_back(0.0, 0.0, vertical_length);
     aim_around(panel, std::move(points), 0.7 * label_em_px(panel) + 24.0 * panel.px);
 
