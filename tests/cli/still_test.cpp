@@ -255,7 +255,7 @@ TEST(PrintedStill, FigureKeepsItsShapeWithLargeText) {
     const ScratchFolder folder;
     const auto rows = [&](const std::string& more) {
         const ProgramRun run =
-            run_program_in(folder, "still '" + scene_path("loop_generic") +
+            run_program_in(folder, "still '" + scene_path("sphere") +
                                        "' --time 1 --width-mm 85 --dpi 150 -q -o a.png " + more);
         EXPECT_EQ(run.code, 0) << run.err;
         return read_png(folder.path() / "a.png").height();
