@@ -390,7 +390,7 @@ TEST(FigureElements, InertialForcesBeginAtTheirMasses) {
         }
     }
     EXPECT_GT(per_N, 0.0);
-    EXPECT_NEAR(longest, 0.8, 0.01);
+    EXPECT_NEAR(longest, 1.0, 0.01);
 }
 
 TEST(FigureElements, InertialForcesNeedPointMassesWithoutFriction) {

@@ -13,7 +13,7 @@ namespace poinsot {
 namespace {
 
 // Length of the longest centrifugal force of the film, in units of the body's reach.
-constexpr double longest_force = 0.8;
+constexpr double longest_force = 1.0;
 
 }  // namespace
 

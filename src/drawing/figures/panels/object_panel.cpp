@@ -237,7 +237,7 @@ void make_object_panel(Panel& panel, StageStore& store) {
     if (is_shown(stage, "inertial-forces"))
         // The names of forces are long.
         aim_around(panel, std::move(points),
-                   Margins{margin(3.5), margin(1.0), margin(0.7) + panel.header_px, margin(0.7)});
+                   Margins{margin(4.6), margin(1.0), margin(0.7) + panel.header_px, margin(0.7)});
     else
         aim_around(panel, std::move(points), margin(0.7));
 
