@@ -34,7 +34,7 @@ double share_of(const Scene& scene, const PanelSpec& panel) {
 
 // Whether a panel is a column of the grid beside others that share one, or one of two drawings or
 // of a drawing and a chart side by side, in which a body would be smaller than half of the page.
-bool is_tall(const Scene& scene, const PanelSpec& panel) {
+bool needs_own_row(const Scene& scene, const PanelSpec& panel) {
     const PanelKind& kind = panel_kind_named(panel.kind);
     const bool is_drawing = kind.camera != CameraUse::none || (kind.takes & takes_azimuth) != 0;
     constexpr double enough = 0.7;
@@ -50,14 +50,15 @@ bool wants_stack(const Scene& scene, const PrintSize& paper) {
     constexpr double most_ems = 40.0;  // 120 mm with labels of 8.5 points
     return paper.width_px < most_ems * label_size * paper.line_scale &&
            std::any_of(scene.panels.begin(), scene.panels.end(),
-                       [&](const PanelSpec& panel) { return is_tall(scene, panel); });
+                       [&](const PanelSpec& panel) { return needs_own_row(scene, panel); });
 }
 
-// Gives each tall panel a row of its own and puts the others below in pairs, in reading order.
-// Returns the height of the grid in pixels.
+// Gives each panel that needs it a row of its own and puts the others below in pairs, in reading
+// order. Returns the height of the grid in pixels.
 double stack_panels(const PrintSize& paper, Scene& scene) {
-    std::vector<PanelSpec*> tall, others;
-    for (PanelSpec& panel : scene.panels) (is_tall(scene, panel) ? tall : others).push_back(&panel);
+    std::vector<PanelSpec*> alone, others;
+    for (PanelSpec& panel : scene.panels)
+        (needs_own_row(scene, panel) ? alone : others).push_back(&panel);
     std::stable_sort(others.begin(), others.end(), [](const PanelSpec* a, const PanelSpec* b) {
         return std::pair(a->row, a->column) < std::pair(b->row, b->column);
     });
@@ -72,7 +73,7 @@ double stack_panels(const PrintSize& paper, Scene& scene) {
         panel.columns = columns;
         panel.rows = 1;
     };
-    for (PanelSpec* panel : tall) {
+    for (PanelSpec* panel : alone) {
         heights_px.push_back(height_of(*panel, wide_share));
         place(*panel, 0, 2);
     }

@@ -37,6 +37,7 @@ struct Piece {
 
 std::vector<Piece> pieces_of(const CurveGeometry& geometry) {
     const std::vector<Eigen::Vector3d>& points = geometry.points;
+    if (points.empty()) return {};
     const std::size_t n = points.size() - (geometry.closed ? 0 : 1);
     std::vector<Piece> pieces;
     for (std::size_t i = 0; i < n; ++i) {
