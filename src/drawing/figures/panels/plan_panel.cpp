@@ -161,7 +161,8 @@ HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanS
     // Spacing of direction marks, in radii of the outer circle.
     constexpr double mark_spacing = 1.1;
     std::optional<DirectionMarks> marks;
-    if (wants_marks(panel)) marks.emplace(panel, store, *curve.geometry, Marking{.spacing = mark_spacing});
+    if (wants_marks(panel))
+        marks.emplace(panel, store, *curve.geometry, Marking{.spacing = mark_spacing});
     std::optional<RingCurve> ring = ring_of(
         panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
     return {curve, std::move(timed.trail), std::move(marks), std::move(ring)};
