@@ -220,6 +220,20 @@ void wish_at_tip(const Panel& panel, const Arrow& arrow, const TextBlock& type,
     builder.requests.back().side = turn_rad < 0.0 ? -1 : 1;
 }
 
+void add_named_arrow(const Panel& panel, const Arrow& arrow, const TextBlock& type,
+                     ViewBuilder& builder, double turn_rad) {
+    builder.view.arrows.push_back(arrow);
+    wish_at_tip(panel, arrow, type, builder, turn_rad);
+}
+
+void add_principal_axes(const Panel& panel, const Eigen::Matrix3d& tips, double weight,
+                        const std::array<TextBlock, 3>& types, ViewBuilder& builder,
+                        double turn_rad) {
+    for (int i = 0; i < 3; ++i)
+        add_named_arrow(panel, arrow_to(panel, tips.col(i), panel.stage->theme.axes[i], weight),
+                        types[static_cast<std::size_t>(i)], builder, turn_rad);
+}
+
 void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,
                  const TextBlock& type, const Colour& colour, ViewBuilder& builder) {
     const Eigen::Vector2d anchor = project(builder.view, at).px;

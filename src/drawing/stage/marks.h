@@ -92,6 +92,17 @@ constexpr double omega_label_turn_rad = 0.8;
 constexpr double axis_label_turn_rad = -0.5;
 void wish_at_tip(const Panel& panel, const Arrow& arrow, const TextBlock& type,
                  ViewBuilder& builder, double turn_rad = 0.0);
+// Adds an arrow with its label.
+void add_named_arrow(const Panel& panel, const Arrow& arrow, const TextBlock& type,
+                     ViewBuilder& builder, double turn_rad = 0.0);
+// Tips of principal axes that extend beyond an ellipsoid with these half-axes, as columns.
+inline Eigen::DiagonalMatrix<double, 3> beyond_half_axes(const Eigen::Vector3d& half_axes) {
+    return Eigen::DiagonalMatrix<double, 3>((half_axes.array() + axis_overhang).matrix());
+}
+// Adds the principal axes up to these tips, the columns, with their names.
+void add_principal_axes(const Panel& panel, const Eigen::Matrix3d& tips, double weight,
+                        const std::array<TextBlock, 3>& types, ViewBuilder& builder,
+                        double turn_rad = 0.0);
 
 // Requests a label beside a point of the view's axes, on the side away from another point.
 void wish_beside(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& away_from,

@@ -113,9 +113,8 @@ void AxisSweep::add_direction(const Eigen::Matrix3d& picture_from_principal, dou
     Curve axis = line_between(panel, -rho - beyond * n, rho, theme.text, 2.0);
     axis.hidden_opacity = 0.5;
     builder.view.curves.push_back(axis);
-    const Arrow n_arrow = arrow_between(panel, rho, rho + beyond * n, theme.text, 0.9);
-    builder.view.arrows.push_back(n_arrow);
-    wish_at_tip(panel, n_arrow, n_type_, builder);
+    add_named_arrow(panel, arrow_between(panel, rho, rho + beyond * n, theme.text, 0.9), n_type_,
+                    builder);
     name_shapes("direction", builder);
     const double kg_m2 =
         moment * panel.stage->motion.motion().problem().inertia.moments_kg_m2().minCoeff();
@@ -188,10 +187,9 @@ Drawer make_spin_direction(const Panel& panel, StageStore& store) {
         Curve axis = line_between(panel, -end, Eigen::Vector3d::Zero(), theme.text, 2.0);
         axis.hidden_opacity = 0.5;
         builder.view.curves.push_back(axis);
-        const Arrow arrow =
-            arrow_between(panel, end, end + 0.75 * AxisSweep::beyond * n, theme.text, 0.9);
-        builder.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, type, builder);
+        add_named_arrow(
+            panel, arrow_between(panel, end, end + 0.75 * AxisSweep::beyond * n, theme.text, 0.9),
+            type, builder);
         name_shapes("spin-direction", builder);
         add_moment(panel, text,
                    fmt::format("I(\\mathbf{{n}}) = 2T/\\omega^2 = {:.3g}~\\mathrm{{kg\\,m^2}}",

@@ -253,8 +253,7 @@ Drawer make_gradient(const Panel& panel, StageStore& store) {
         Arrow arrow =
             arrow_between(panel, rho, rho + length * normal, panel.stage->theme.gradient, 1.1);
         arrow.hidden_opacity = seen_through;
-        builder.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, type, builder);
+        add_named_arrow(panel, arrow, type, builder);
         // The right angle with the tangent plane, which it fades with.
         if (!has_tangent) return;
         add_right_angle(panel, rho, right_of(builder), normal, arrow.colour,

@@ -28,16 +28,10 @@ Drawer make_axes(const Panel& panel, StageStore& store) {
     // The arcs of the turn end on the principal axes.
     const double least_length = is_shown(*panel.stage, "turn") ? given_axis_length : 0.0;
     return [&panel, types, least_length](const FrameInput& instant, ViewBuilder& builder) {
-        const Eigen::Matrix3d axes = picture_of(panel).principal_axes(instant);
-        for (int i = 0; i < 3; ++i) {
-            const double length =
-                std::max(picture_of(panel).half_axes[i] + axis_overhang, least_length);
-            const Arrow arrow =
-                arrow_to(panel, axes.col(i) * length, panel.stage->theme.axes[i], 0.85);
-            builder.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], builder,
-                        axis_label_turn_rad);
-        }
+        const Eigen::Vector3d lengths =
+            (picture_of(panel).half_axes.array() + axis_overhang).max(least_length);
+        add_principal_axes(panel, picture_of(panel).principal_axes(instant) * lengths.asDiagonal(),
+                           0.85, types, builder, axis_label_turn_rad);
     };
 }
 

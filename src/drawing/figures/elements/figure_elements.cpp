@@ -35,8 +35,7 @@ Drawer make_given_axes(const Panel& panel, StageStore& store) {
             Arrow arrow = arrow_to(panel, given_axis_length * axes.col(i),
                                    panel.stage->theme.potential, 0.65);
             arrow.opacity = 0.85;
-            builder.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, types[static_cast<std::size_t>(i)], builder);
+            add_named_arrow(panel, arrow, types[static_cast<std::size_t>(i)], builder);
         }
     };
 }

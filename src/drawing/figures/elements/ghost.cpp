@@ -96,9 +96,7 @@ TextBlock set_ghost_label(const Panel& panel, StageStore& store, std::string_vie
 void add_ghost_arrow(const Panel& panel, const Eigen::Vector3d& tip, const TextBlock& type,
                      ViewBuilder& builder) {
     if (!(tip.norm() <= out_of_picture)) return;
-    const Arrow arrow = arrow_to(panel, tip, panel.stage->theme.ghost, 0.95);
-    builder.view.arrows.push_back(arrow);
-    wish_at_tip(panel, arrow, type, builder);
+    add_named_arrow(panel, arrow_to(panel, tip, panel.stage->theme.ghost, 0.95), type, builder);
 }
 
 Drawer make_ghost(const Panel& panel, StageStore& store) {

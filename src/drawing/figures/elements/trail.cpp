@@ -198,6 +198,15 @@ CurveFlow polhode_flow(const StageContext& stage, double time_s) {
 
 }  // namespace
 
+Drawer traversed(Curve curve, Trail trail) {
+    return [curve = std::move(curve), trail = std::move(trail)](const FrameInput& instant,
+                                                                ViewBuilder& builder) {
+        Curve shown = curve;
+        trail.at(instant.time_s).apply_to(shown);
+        builder.view.curves.push_back(shown);
+    };
+}
+
 TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double width) {
     const PoinsotConstruction& construction = stage.rolling->construction;
     const StageOptions& options = stage.options;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "construction/timed_path.h"
+#include "drawing/stage/drawer.h"
 #include "drawing/stage/panel.h"
 #include "drawing/stage/stage_context.h"
 #include "shapes/smooth_form.h"
@@ -66,6 +67,9 @@ struct TimedCurve {
     SmoothMaker smooth{};  // of motions in closed form
     std::optional<RingFromThen> ring{};
 };
+
+// Draws the part of the curve that the trail shows at an instant.
+Drawer traversed(Curve curve, Trail trail);
 
 // The path of the contact point on the plane, measured from the foot of L in the ellipsoid's
 // lengths, to a tolerance in them; in the space axes that the stage's instants are given in.

@@ -177,12 +177,7 @@ Drawer make_spiral(const Panel& panel, StageStore& store) {
         panel.stage->theme.polhode, 4.0);
     curve.hidden_opacity = 0.5;
     curve.on_surface = first_ellipsoid;
-    return
-        [curve, trail = std::move(timed.trail)](const FrameInput& instant, ViewBuilder& builder) {
-            Curve shown = curve;
-            trail.at(instant.time_s).apply_to(shown);
-            builder.view.curves.push_back(shown);
-        };
+    return traversed(std::move(curve), std::move(timed.trail));
 }
 
 // ρ = ω/√(2T) of the comparison motion, with the T of the start: a drift moves it off its polhode
@@ -336,32 +331,26 @@ void make_body_panel(Panel& panel, StageStore& store) {
                   omega_type, momentum_type, comparison,
                   measured](const FrameInput& instant, ViewBuilder& builder) {
         const Theme& theme = panel.stage->theme;
-        const auto add_arrow = [&](const Eigen::Vector3d& tip, const LineStyle& colour,
-                                   double weight, const TextBlock& type, double turn_rad = 0.0) {
-            builder.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
-            wish_at_tip(panel, builder.view.arrows.back(), type, builder, turn_rad);
-        };
         builder.view.ellipsoids.push_back(ellipsoid);
         name_shapes("ellipsoid", builder);
         builder.view.curves = curves;
         if (spiral) spiral(instant, builder);
         name_shapes("polhode", builder);
         measured(instant, builder);
-        for (int i = 0; i < 3; ++i) {
-            add_arrow((picture.half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
-                      theme.axes[i], 0.85, axis_types[static_cast<std::size_t>(i)],
-                      axis_label_turn_rad);
-        }
+        add_principal_axes(panel, beyond_half_axes(picture.half_axes), 0.85, axis_types, builder,
+                           axis_label_turn_rad);
         name_shapes("axes", builder);
 
         // L is the normal of the ellipsoid at the tip of ρ, where ω pierces it.
         const Eigen::Vector3d rho = rho_in_principal_axes(panel, instant);
         const Eigen::Vector3d momentum =
             picture.construction.inertia().moments_kg_m2().cwiseProduct(rho).stableNormalized();
-        add_arrow(momentum * body_momentum_length, theme.momentum, 1.15, momentum_type);
+        add_named_arrow(panel,
+                        arrow_to(panel, momentum * body_momentum_length, theme.momentum, 1.15),
+                        momentum_type, builder);
         name_shapes("momentum", builder);
-        add_arrow(omega_share * omega_tip(rho), theme.omega, 1.15, omega_type,
-                  omega_label_turn_rad);
+        add_named_arrow(panel, arrow_to(panel, omega_share * omega_tip(rho), theme.omega, 1.15),
+                        omega_type, builder, omega_label_turn_rad);
         name_shapes("omega", builder);
         precession(instant, builder);
         name_shapes("precession", builder);

@@ -114,12 +114,7 @@ Drawer make_momentum_spiral(const Panel& panel, StageStore& store) {
                  panel.stage->theme.polhode, 4.0);
     curve.on_surface = first_ellipsoid;
     curve.hidden_opacity = 0.5;
-    return
-        [curve, trail = std::move(timed.trail)](const FrameInput& instant, ViewBuilder& builder) {
-            Curve shown = curve;
-            trail.at(instant.time_s).apply_to(shown);
-            builder.view.curves.push_back(shown);
-        };
+    return traversed(std::move(curve), std::move(timed.trail));
 }
 
 Eigen::Vector3d energy_half_axes(const Panel& panel) {
@@ -244,20 +239,14 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         }
         name_shapes("momentum-sphere", builder);
         elements(instant, builder);
-        for (int i = 0; i < 3; ++i) {
-            const Arrow arrow =
-                arrow_to(panel, axis_lengths[i] * Eigen::Vector3d::Unit(i), theme.axes[i], 0.85);
-            builder.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
-        }
+        add_principal_axes(panel, axis_lengths.asDiagonal(), 0.85, axis_types, builder);
         name_shapes("axes", builder);
         const PoinsotConstruction& construction = panel.stage->rolling->construction;
         const Eigen::Vector3d contact = construction.contact_body(instant.state.omega_body);
         const Eigen::Vector3d momentum = momentum_direction(panel, contact);
         const auto add_arrow = [&](Arrow arrow, const TextBlock& type, double turn_rad) {
             arrow.hidden_opacity = 0.7;
-            builder.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, type, builder, turn_rad);
+            add_named_arrow(panel, arrow, type, builder, turn_rad);
         };
         add_arrow(arrow_to(panel, omega_at(panel, contact), theme.omega, 1.15), omega_type,
                   omega_label_turn_rad);

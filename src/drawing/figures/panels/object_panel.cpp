@@ -124,8 +124,7 @@ Drawer make_torque(const Panel& panel, StageStore& store, const TorqueScale& tor
         Arrow arrow = arrow_between(panel, tail, tail + torque.along(instant.state),
                                     panel.stage->theme.torque, 1.15);
         arrow.hidden_opacity = 0.85;
-        builder.view.arrows.push_back(arrow);
-        wish_at_tip(panel, arrow, type, builder, -omega_label_turn_rad);
+        add_named_arrow(panel, arrow, type, builder, -omega_label_turn_rad);
     };
 }
 
@@ -263,22 +262,18 @@ void make_object_panel(Panel& panel, StageStore& store) {
         elements(instant, builder);
         marks(instant, builder);
         name_shapes("marks", builder);
-        const auto add_arrow = [&](const Eigen::Vector3d& tip, const LineStyle& colour,
-                                   double weight, const TextBlock& type, double turn_rad = 0.0) {
-            builder.view.arrows.push_back(arrow_to(panel, tip, colour, weight));
-            wish_at_tip(panel, builder.view.arrows.back(), type, builder, turn_rad);
-        };
         const Eigen::Matrix3d axes =
             attitude * panel.stage->scene.body.inertia.body_from_principal();
-        for (int i = 0; i < 3; ++i) {
-            add_arrow(axes.col(i) * (shape.extents[i] + axis_beyond), theme.axes[i], 0.8,
-                      axis_types[static_cast<std::size_t>(i)], axis_label_turn_rad);
-        }
+        const Eigen::Vector3d lengths = shape.extents.array() + axis_beyond;
+        add_principal_axes(panel, axes * lengths.asDiagonal(), 0.8, axis_types, builder,
+                           axis_label_turn_rad);
         name_shapes("axes", builder);
         if (!arrows.turns()) return;
-        add_arrow(arrows.momentum_tip(instant), theme.momentum, 1.15, momentum_type);
+        add_named_arrow(panel, arrow_to(panel, arrows.momentum_tip(instant), theme.momentum, 1.15),
+                        momentum_type, builder);
         name_shapes("momentum", builder);
-        add_arrow(arrows.omega_tip(instant), theme.omega, 1.15, omega_type, omega_label_turn_rad);
+        add_named_arrow(panel, arrow_to(panel, arrows.omega_tip(instant), theme.omega, 1.15),
+                        omega_type, builder, omega_label_turn_rad);
         name_shapes("omega", builder);
     };
 }

@@ -96,7 +96,6 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
     panel.draw = [&panel, half_axes, axis_sweep, body, axis_types, half_types, ellipsoid](
                      const FrameInput& instant, ViewBuilder& builder) {
         const StageContext& stage = *panel.stage;
-        const Theme& theme = stage.theme;
         const double share = share_at(stage, instant);
         const double swept = std::min(share / swept_share, 1.0);
         const double stands =
@@ -114,13 +113,7 @@ void make_axis_sweep(Panel& panel, StageStore& store) {
         shown.ruling_px *= stands;
         name_shapes("ellipsoid", builder);
 
-        for (int i = 0; i < 3; ++i) {
-            const Arrow arrow =
-                arrow_to(panel, (half_axes[i] + axis_overhang) * Eigen::Vector3d::Unit(i),
-                         theme.axes[i], 0.75);
-            builder.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder);
-        }
+        add_principal_axes(panel, beyond_half_axes(half_axes), 0.75, axis_types, builder);
         name_shapes("axes", builder);
         add_half_axes(panel, Eigen::Matrix3d::Identity(), half_axes, half_types, builder);
         name_shapes("half-axes", builder);
@@ -243,21 +236,15 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
             name_shapes("polhode", builder);
         }
 
-        for (int i = 0; i < 3; ++i) {
-            const Arrow arrow = arrow_to(
-                panel, state.picture_from_principal.col(i) * (sweep.half_axes()[i] + axis_overhang),
-                theme.axes[i], 0.85);
-            builder.view.arrows.push_back(arrow);
-            wish_at_tip(panel, arrow, axis_types[static_cast<std::size_t>(i)], builder,
-                        axis_label_turn_rad);
-        }
+        add_principal_axes(panel,
+                           state.picture_from_principal * beyond_half_axes(sweep.half_axes()), 0.85,
+                           axis_types, builder, axis_label_turn_rad);
         name_shapes("axes", builder);
         Arrow momentum = arrow_to(panel, (state.distance + momentum_beyond_plane) * normal,
                                   theme.momentum, 1.15);
         Arrow omega = arrow_to(panel, contact, theme.omega, 1.15);
         momentum.hidden_opacity = omega.hidden_opacity = 0.9;
-        builder.view.arrows.push_back(momentum);
-        wish_at_tip(panel, momentum, momentum_type, builder);
+        add_named_arrow(panel, momentum, momentum_type, builder);
         name_shapes("momentum", builder);
         builder.view.arrows.push_back(omega);
         // The axis continues beyond the contact, where its label is.
