@@ -57,23 +57,39 @@ int run(const ApproveChoices& choices) {
     return 0;
 }
 
-CommandLine approve_line(std::any& storage) {
-    auto& c = storage.emplace<ApproveChoices>();
-    return {
-        &c.names,
-        {{"--results", "folder of the new pictures", &c.results, "", "FOLDER", false, "folder"},
-         {"--baselines", "folder of the baselines and their manifest", &c.baselines, "", "FOLDER",
-          false, "folder"},
-         {"--why", "the reason for the change, kept in the manifest", &c.why, "", "REASON"},
-         {"--any-renderer", "also accept pictures of another renderer or profile", &c.any_renderer},
-         {"--foreign", "also accept files of other programs; the manifest says so", &c.foreign},
-         {"--all", "approve everything that is new or has changed", &c.all},
-         {"--remove",
-          "instead remove these baselines, and their lines in the manifest; --results is not "
-          "needed",
-          &c.remove},
-         quiet_option(c.quiet)},
-        [&c] { return run(c); }};
+CommandLine approve_line() {
+    const auto choices = std::make_shared<ApproveChoices>();
+    ApproveChoices& c = *choices;
+    return {&c.names,
+            {{.flags = "--results",
+              .takes = "FOLDER",
+              .help = "folder of the new pictures",
+              .value = &c.results,
+              .completes = "folder"},
+             {.flags = "--baselines",
+              .takes = "FOLDER",
+              .help = "folder of the baselines and their manifest",
+              .value = &c.baselines,
+              .completes = "folder"},
+             {.flags = "--why",
+              .takes = "REASON",
+              .help = "the reason for the change, kept in the manifest",
+              .value = &c.why},
+             {.flags = "--any-renderer",
+              .help = "also accept pictures of another renderer or profile",
+              .value = &c.any_renderer},
+             {.flags = "--foreign",
+              .help = "also accept files of other programs; the manifest says so",
+              .value = &c.foreign},
+             {.flags = "--all",
+              .help = "approve everything that is new or has changed",
+              .value = &c.all},
+             {.flags = "--remove",
+              .help = "instead remove these baselines, and their lines in the manifest; --results "
+                      "is not needed",
+              .value = &c.remove},
+             quiet_option(c.quiet)},
+            [choices] { return run(*choices); }};
 }
 
 }  // namespace

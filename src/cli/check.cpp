@@ -126,8 +126,9 @@ int run(const CheckChoices& choices) {
     return choices.sweeps.empty() ? check_alone(choices, progress) : check_sweep(choices, progress);
 }
 
-CommandLine check_line(std::any& storage) {
-    auto& c = storage.emplace<CheckChoices>();
+CommandLine check_line() {
+    const auto choices = std::make_shared<CheckChoices>();
+    CheckChoices& c = *choices;
     return {
         &c.scenes,
         {set_option(c.scene),
@@ -138,27 +139,24 @@ CommandLine check_line(std::any& storage) {
          json_option(c.json,
                      "print JSON: one object, with --sweep an array of one object per value"),
          quiet_option(c.quiet),
-         {"--against",
-          "FILE.csv: compare the motion in this table with the scene's",
-          &c.against.file,
-          "",
-          {},
-          false,
-          "file"},
-         {"--tolerance",
-          "TOL: with --against, the error of the attitude that passes: pixels of the picture, as "
-          "0.5px, or an angle, as 0.01rad; default: the scene's accuracy_px",
-          &c.against.tolerance},
-         {"--chart",
-          "FILE.png: with --against, draw the errors against time",
-          &c.against.chart,
-          "",
-          {},
-          false,
-          "file"},
-         {"--plan", "explain what is modelled and why", &c.plan},
+         {.flags = "--against",
+          .takes = "FILE.csv",
+          .help = "compare the motion in this table with the scene's",
+          .value = &c.against.file,
+          .completes = "file"},
+         {.flags = "--tolerance",
+          .takes = "TOL",
+          .help = "with --against, the error of the attitude that passes: pixels of the picture, "
+                  "as 0.5px, or an angle, as 0.01rad; default: the scene's accuracy_px",
+          .value = &c.against.tolerance},
+         {.flags = "--chart",
+          .takes = "FILE.png",
+          .help = "with --against, draw the errors against time",
+          .value = &c.against.chart,
+          .completes = "file"},
+         {.flags = "--plan", .help = "explain what is modelled and why", .value = &c.plan},
          allow_outside_option(c.scene.allow_outside)},
-        [&c] { return run(c); }};
+        [choices] { return run(*choices); }};
 }
 
 }  // namespace

@@ -1,9 +1,9 @@
 // The table of commands: one file each, one row each.
 #pragma once
 
-#include <any>
 #include <array>
 #include <functional>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
@@ -16,7 +16,7 @@ namespace poinsot {
 // Value of most_arguments without a limit, as CLI11 defines it.
 inline constexpr int any_number = 1 << 29;
 
-// The parsed command line of one command.
+// The command line of one command. `run` owns the variables that receive arguments and options.
 struct CommandLine {
     std::vector<std::string>* arguments = nullptr;
     std::vector<Option> options;
@@ -35,8 +35,7 @@ struct Command {
     int least_arguments;
     int most_arguments;
     std::string_view summary;
-    // `storage` holds the command's own options until it has run.
-    CommandLine (*line)(std::any& storage);
+    CommandLine (*line)();
     std::array<Example, 2> examples{};  // that its help ends with
     std::string_view needs{};           // its arguments in words, where they are more than one
 };

@@ -357,58 +357,68 @@ Option option_of(const NumberLimit& limit, Gates& gates) {
             return limit.kind == LimitKind::share ? parse_share(text) : limit.checked(number);
         });
     };
-    return {option, std::string(limit.help), ReadText{read}, "", std::string(limit.takes)};
+    return {.flags = option,
+            .takes = std::string(limit.takes),
+            .help = std::string(limit.help),
+            .value = ReadText{read}};
 }
 
-CommandLine compare_line(std::any& storage) {
-    auto& c = storage.emplace<CompareChoices>();
-    std::vector<Option> options{
-        {"--profile",
-         "portable: no pixel may differ; native: pixels may differ by rounding; default: chosen "
-         "by the renderer that the baselines' manifest names, portable without a manifest",
-         &c.profile, "", "NAME", false, "portable|native"}};
+CommandLine compare_line() {
+    const auto choices = std::make_shared<CompareChoices>();
+    CompareChoices& c = *choices;
+    std::vector<Option> options{{.flags = "--profile",
+                                 .takes = "NAME",
+                                 .help = "portable: no pixel may differ; native: pixels may differ "
+                                         "by rounding; default: chosen by the renderer that the "
+                                         "baselines' manifest names, portable without a manifest",
+                                 .value = &c.profile,
+                                 .completes = "portable|native"}};
     for (const NumberLimit& limit : number_limits()) options.push_back(option_of(limit, c.gates));
     options.insert(
         options.end(),
-        {{"--antialiasing",
-          "allow differences at edges that anti-aliasing explains: edges that move by less than a "
-          "pixel; not for textures, which are edges everywhere",
-          &c.antialiasing},
-         {"--ignore",
-          "do not compare a rectangle (left,top,width,height in pixels or %), or what the "
-          "pictures' records name: labels, clock, caption, title, or an element such as polhode; "
-          "repeatable",
-          Repeated{&c.ignore}, "", "REGION"},
-         {"--measures",
-          "also measure SSIM and FLIP of pictures that differ and are not limited by them; takes "
-          "seconds per pair",
-          &c.measures},
+        {{.flags = "--antialiasing",
+          .help = "allow differences at edges that anti-aliasing explains: edges that move by less "
+                  "than a pixel; not for textures, which are edges everywhere",
+          .value = &c.antialiasing},
+         {.flags = "--ignore",
+          .takes = "REGION",
+          .help = "do not compare a rectangle (left,top,width,height in pixels or %), or what the "
+                  "pictures' records name: labels, clock, caption, title, or an element such as "
+                  "polhode; repeatable",
+          .value = Repeated{&c.ignore}},
+         {.flags = "--measures",
+          .help = "also measure SSIM and FLIP of pictures that differ and are not limited by them; "
+                  "takes seconds per pair",
+          .value = &c.measures},
          json_option(c.json),
-         {"--report",
-          "FILE.html: write a report that shows the pictures, with their files beside it in "
-          "FILE_pictures",
-          &c.report,
-          "",
-          {},
-          false,
-          "file"},
-         {"--single-file", "embed small pictures in the report instead", &c.single_file},
-         {"--junit", "FILE.xml: write test results (JUnit)", &c.junit, "", {}, false, "file"},
-         {"--github",
-          "print annotations for GitHub Actions (not with --json), and add to the job's summary",
-          &c.github},
-         {"--diff",
-          "FILE.png: write expected | difference × 16 | actual; of films, a row for each of the "
-          "worst frames",
-          &c.diff,
-          "",
-          {},
-          false,
-          "file"},
+         {.flags = "--report",
+          .takes = "FILE.html",
+          .help =
+              "write a report that shows the pictures, with their files beside it in FILE_pictures",
+          .value = &c.report,
+          .completes = "file"},
+         {.flags = "--single-file",
+          .help = "embed small pictures in the report instead",
+          .value = &c.single_file},
+         {.flags = "--junit",
+          .takes = "FILE.xml",
+          .help = "write test results (JUnit)",
+          .value = &c.junit,
+          .completes = "file"},
+         {.flags = "--github",
+          .help = "print annotations for GitHub Actions (not with --json), and add to the job's "
+                  "summary",
+          .value = &c.github},
+         {.flags = "--diff",
+          .takes = "FILE.png",
+          .help = "write expected | difference × 16 | actual; of films, a row for each of the "
+                  "worst frames",
+          .value = &c.diff,
+          .completes = "file"},
          quiet_option(c.quiet)});
-    return {&c.pictures, std::move(options), [&c] {
-                if (c.antialiasing) c.gates.antialiasing = true;
-                return run(c);
+    return {&c.pictures, std::move(options), [choices] {
+                if (choices->antialiasing) choices->gates.antialiasing = true;
+                return run(*choices);
             }};
 }
 

@@ -87,9 +87,10 @@ int run(const DoctorChoices& choices) {
     return draws && encodes && sets_type ? 0 : 1;
 }
 
-CommandLine doctor_line(std::any& storage) {
-    auto& c = storage.emplace<DoctorChoices>();
-    return {&c.arguments, {json_option(c.json)}, [&c] { return run(c); }};
+CommandLine doctor_line() {
+    const auto choices = std::make_shared<DoctorChoices>();
+    DoctorChoices& c = *choices;
+    return {&c.arguments, {json_option(c.json)}, [choices] { return run(*choices); }};
 }
 
 }  // namespace

@@ -94,16 +94,17 @@ int run(const ExplainChoices& choices) {
     return redraw->obstacle.empty() ? 0 : 1;
 }
 
-CommandLine explain_line(std::any& storage) {
-    auto& c = storage.emplace<ExplainChoices>();
+CommandLine explain_line() {
+    const auto choices = std::make_shared<ExplainChoices>();
+    ExplainChoices& c = *choices;
     return {&c.files,
             {json_option(c.json),
-             {"--verify",
-              "read the whole file and check that it is unchanged and can be drawn again here; "
-              "exit code 0 if both hold; detects accidents, not forgery",
-              &c.verify},
+             {.flags = "--verify",
+              .help = "read the whole file and check that it is unchanged and can be drawn again "
+                      "here; exit code 0 if both hold; detects accidents, not forgery",
+              .value = &c.verify},
              allow_outside_option(c.allow_outside)},
-            [&c] { return run(c); }};
+            [choices] { return run(*choices); }};
 }
 
 }  // namespace

@@ -334,39 +334,47 @@ int run(const FitChoices& choices) {
     return is_joint ? fit_all(choices, tables, known) : fit_one(choices, tables.front(), known);
 }
 
-CommandLine fit_line(std::any& storage) {
-    auto& c = storage.emplace<FitChoices>();
-    return {&c.files,
-            {output_option(c.output,
-                           "FILE.toml: write a scene of the fitted body and motion, with "
-                           "the measured points"),
-             {"--moments",
-              "I,I,I: the principal moments in kg m², if they are known; then only the axes, the "
-              "start and the drag are fitted",
-              &c.moments},
-             {"--drag",
-              "MODEL: none, linear, axes, quadratic or growing, the torque of the air, −γL, −γ_i "
-              "I_i ω_i or −γ_i I_i |ω_i| ω_i along the principal axes, or −γ e^(κt) L; default: "
-              "linear where this describes the rows to their noise, else the best of the three "
-              "others",
-              &c.drag},
-             {"--flight",
-              "N: of a recording with several free flights, fit this one, or `all` of them as "
-              "flights of one body; default: the one that says most about the body",
-              &c.flight},
-             {"--share-drag",
-              "all flights have the same drag coefficients; default: each flight its own",
-              &c.share_drag},
-             {"--predict",
-              "N: fit the first N rows of a flight and say how far the other rows depart; with "
-              "several flights, by the body of the others",
-              &c.predict, "rows"},
-             {"--chart",
-              "FILE.svg: draw measured and fitted ω, the residuals and, for several flights, the "
-              "ratios of the moments; also as .pdf or .png",
-              &c.chart},
-             json_option(c.json)},
-            [&c] { return run(c); }};
+CommandLine fit_line() {
+    const auto choices = std::make_shared<FitChoices>();
+    FitChoices& c = *choices;
+    return {
+        &c.files,
+        {output_option(c.output,
+                       "write a scene (.toml) of the fitted body and motion, with "
+                       "the measured points"),
+         {.flags = "--moments",
+          .takes = "I,I,I",
+          .help = "the principal moments in kg m², if they are known; then only the axes, the "
+                  "start and the drag are fitted",
+          .value = &c.moments},
+         {.flags = "--drag",
+          .takes = "MODEL",
+          .help =
+              "none, linear, axes, quadratic or growing, the torque of the air, −γL, −γ_i I_i ω_i "
+              "or −γ_i I_i |ω_i| ω_i along the principal axes, or −γ e^(κt) L; default: linear "
+              "where this describes the rows to their noise, else the best of the three others",
+          .value = &c.drag},
+         {.flags = "--flight",
+          .takes = "N",
+          .help = "of a recording with several free flights, fit this one, or `all` of them as "
+                  "flights of one body; default: the one that says most about the body",
+          .value = &c.flight},
+         {.flags = "--share-drag",
+          .help = "all flights have the same drag coefficients; default: each flight its own",
+          .value = &c.share_drag},
+         {.flags = "--predict",
+          .takes = "N",
+          .help = "fit the first N rows of a flight and say how far the other rows depart; with "
+                  "several flights, by the body of the others",
+          .value = &c.predict,
+          .wanted = "rows"},
+         {.flags = "--chart",
+          .takes = "FILE.svg",
+          .help = "draw measured and fitted ω, the residuals and, for several flights, the ratios "
+                  "of the moments; also as .pdf or .png",
+          .value = &c.chart},
+         json_option(c.json)},
+        [choices] { return run(*choices); }};
 }
 
 }  // namespace

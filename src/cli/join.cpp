@@ -25,9 +25,12 @@ int run(const JoinChoices& choices) {
     return 0;
 }
 
-CommandLine join_line(std::any& storage) {
-    auto& c = storage.emplace<JoinChoices>();
-    return {&c.parts, {output_option(c.output), quiet_option(c.quiet)}, [&c] { return run(c); }};
+CommandLine join_line() {
+    const auto choices = std::make_shared<JoinChoices>();
+    JoinChoices& c = *choices;
+    return {&c.parts, {output_option(c.output), quiet_option(c.quiet)}, [choices] {
+                return run(*choices);
+            }};
 }
 
 }  // namespace

@@ -149,9 +149,11 @@ int run(const ListChoices& choices) {
                                  choose_instead(what, names)));
 }
 
-CommandLine list_line(std::any& storage) {
-    auto& c = storage.emplace<ListChoices>();
-    return {&c.what, {json_option(c.json, "print a JSON array")}, [&c] { return run(c); }};
+CommandLine list_line() {
+    const auto choices = std::make_shared<ListChoices>();
+    ListChoices& c = *choices;
+    return {
+        &c.what, {json_option(c.json, "print a JSON array")}, [choices] { return run(*choices); }};
 }
 
 }  // namespace

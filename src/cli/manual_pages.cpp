@@ -101,7 +101,7 @@ std::string command_manual(std::string_view page) {
             for (const std::string& flag : option.flags)
                 heading += (heading.empty() ? "" : ", ") + bold(flag);
             if (!option.takes.empty()) heading += " " + italic(option.takes);
-            text += paragraph(heading, roff(option.help) + (option.required ? "; required" : ""));
+            text += paragraph(heading, roff(option.help));
         }
         text += std::string(exit_status) + ".SH EXAMPLES\n" + examples_of(command);
         return text + see_also(fmt::format("{}(1), {}(5)", bold("poinsot"), bold("poinsot-scene")));

@@ -25,13 +25,11 @@ using OptionValue =
                  std::optional<std::string>*, Repeated, ReadText>;
 
 struct Option {
-    std::string flags;  // "-o,--output"
+    std::string flags;    // "-o,--output"
+    std::string takes{};  // name of the value in the help: "WxH"; empty: by its kind
     std::string help;
     OptionValue value;
     std::string wanted{};  // of a number: its meaning, such as "millimetres", for messages
-    // Name of the value in the help: "WxH". Absent: the text before ": " in the help, or its kind.
-    std::optional<std::string> type{};
-    bool required = false;
     // What shells complete the value with: a list of `poinsot list`, "file", "folder", or the words
     // themselves, "auto|osmesa|egl".
     std::string completes{};

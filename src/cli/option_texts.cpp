@@ -4,7 +4,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <any>
 #include <variant>
 
 #include "cli/catalogue.h"
@@ -36,20 +35,11 @@ struct KindName {
     }
 };
 
-// In "A-B: only these frames", the value's name is the text before the colon; it has no space.
 OptionText text_of(const Option& option) {
-    OptionText text{split(option.flags, ','), "", option.help, option.completes, option.required};
+    OptionText text{split(option.flags, ','), option.takes, option.help, option.completes};
     std::sort(text.flags.begin(), text.flags.end(),
               [](const auto& a, const auto& b) { return a.size() < b.size(); });
-    const std::size_t colon = option.help.find(": ");
-    if (option.type) {
-        text.takes = *option.type;
-    } else if (!std::holds_alternative<bool*>(option.value) && colon < option.help.find(' ')) {
-        text.takes = option.help.substr(0, colon);
-        text.help = option.help.substr(colon + 2);
-    } else {
-        text.takes = std::visit(KindName{}, option.value);
-    }
+    if (text.takes.empty()) text.takes = std::visit(KindName{}, option.value);
     return text;
 }
 
@@ -60,10 +50,9 @@ std::string OptionText::heading() const {
 }
 
 std::vector<OptionText> option_texts(const Command& command) {
-    std::any storage;
     std::vector<OptionText> texts;
-    for (const Option& option : command.line(storage).options) texts.push_back(text_of(option));
-    texts.push_back({{"-h", "--help"}, "", "print this help", "", false});
+    for (const Option& option : command.line().options) texts.push_back(text_of(option));
+    texts.push_back({{"-h", "--help"}, "", "print this help", ""});
     return texts;
 }
 
@@ -83,8 +72,7 @@ std::string help_of(const Command& command) {
     std::size_t width = 0;
     for (const OptionText& option : options) width = std::max(width, option.heading().size());
     for (const OptionText& option : options)
-        text += fmt::format("  {:{}}  {}{}\n", option.heading(), width, option.help,
-                            option.required ? "; required" : "");
+        text += fmt::format("  {:{}}  {}\n", option.heading(), width, option.help);
     text += "\nExamples:\n";
     for (const Example& example : command.examples)
         text += fmt::format("  {}\n      {}\n", example.line, example.does);

@@ -15,7 +15,6 @@ struct OptionText {
     std::string takes;               // "FILE"; empty for a switch
     std::string help;
     std::string completes;  // like Option::completes
-    bool required = false;
 
     // "-o, --output FILE"
     std::string heading() const;

@@ -17,15 +17,13 @@ namespace {
 Option override_option(SceneOptions& scene, const char* flag, const char* key,
                        const std::string& help, const char* takes, const char* completes = "") {
     return {
-        flag,
-        help,
-        ReadText{[&scene, flag, key](const std::string& value) {
+        .flags = flag,
+        .takes = takes,
+        .help = help,
+        .value = ReadText{[&scene, flag, key](const std::string& value) {
             scene.overrides.push_back(fmt::format("{} {}={}", flag, key, parse_text(flag, value)));
         }},
-        "",
-        takes,
-        false,
-        completes};
+        .completes = completes};
 }
 
 // Joins the names of a table's rows: "light, dark or print".
@@ -44,13 +42,11 @@ std::string listed(const Rows& rows) {
 }  // namespace
 
 Option set_option(SceneOptions& scene) {
-    return {"--set",
-            "set any scene key; repeatable",
-            Repeated{&scene.overrides},
-            "",
-            "KEY=VALUE",
-            false,
-            "keys"};
+    return {.flags = "--set",
+            .takes = "KEY=VALUE",
+            .help = "set any scene key; repeatable",
+            .value = Repeated{&scene.overrides},
+            .completes = "keys"};
 }
 
 Option size_option(SceneOptions& scene) {
@@ -73,7 +69,9 @@ Option theme_option(SceneOptions& scene) {
 }
 
 Option allow_outside_option(bool& allow_outside) {
-    return {"--allow-outside", "allow the scene to name files outside its folder", &allow_outside};
+    return {.flags = "--allow-outside",
+            .help = "allow the scene to name files outside its folder",
+            .value = &allow_outside};
 }
 
 SceneRequest scene_request_of(const std::string& file, const SceneOptions& options,
@@ -91,17 +89,17 @@ OutsideFiles outside_files(bool allow_outside) {
 }
 
 Option backend_option(ContextOptions& context) {
-    return {"--backend",
-            "auto, osmesa or egl (software), or gpu",
-            &context.backend,
-            "",
-            "NAME",
-            false,
-            "auto|osmesa|egl|gpu"};
+    return {.flags = "--backend",
+            .takes = "NAME",
+            .help = "auto, osmesa or egl (software), or gpu",
+            .value = &context.backend,
+            .completes = "auto|osmesa|egl|gpu"};
 }
 
 Option portable_option(ContextOptions& context) {
-    return {"--portable", "write the same bytes on every x86-64 processor", &context.portable};
+    return {.flags = "--portable",
+            .help = "write the same bytes on every x86-64 processor",
+            .value = &context.portable};
 }
 
 ContextChoice context_choice_of(const ContextOptions& options) {
@@ -109,13 +107,19 @@ ContextChoice context_choice_of(const ContextOptions& options) {
 }
 
 Option output_option(std::string& output, std::string_view help) {
-    return {"-o,--output", std::string(help), &output, "", "FILE", false, "file"};
+    return {.flags = "-o,--output",
+            .takes = "FILE",
+            .help = std::string(help),
+            .value = &output,
+            .completes = "file"};
 }
 
 Option json_option(bool& json, std::string_view help) {
-    return {"--json", std::string(help), &json};
+    return {.flags = "--json", .help = std::string(help), .value = &json};
 }
 
-Option quiet_option(bool& quiet) { return {"--quiet,-q", "hide progress and notes", &quiet}; }
+Option quiet_option(bool& quiet) {
+    return {.flags = "--quiet,-q", .help = "hide progress and notes", .value = &quiet};
+}
 
 }  // namespace poinsot

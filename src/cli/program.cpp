@@ -5,7 +5,6 @@
 
 #include <CLI/CLI.hpp>
 #include <algorithm>
-#include <any>
 #include <array>
 #include <cerrno>
 #include <cstdio>
@@ -78,9 +77,8 @@ struct Binder {
     CLI::Option* operator()(std::optional<double>* value) const {
         return read_by([value, name = long_name(option.flags),
                         wanted = option.wanted](const std::string& given) {
-                   *value = parse_number(name, given, wanted);
-               })
-            ->type_name("NUMBER");
+            *value = parse_number(name, given, wanted);
+        });
     }
     CLI::Option* operator()(const Repeated& repeated) const {
         const auto append = [to = repeated.values](const std::vector<std::string>& values) {
@@ -103,17 +101,12 @@ struct Binder {
     }
     template <typename Whole>
     CLI::Option* whole(Whole* value) const {
-        return read_by([value, name = long_name(option.flags), wanted = option.wanted](
-                           const std::string& given) { *value = parse_whole(name, given, wanted); })
-            ->type_name("N");
+        return read_by([value, name = long_name(option.flags),
+                        wanted = option.wanted](const std::string& given) {
+            *value = parse_whole(name, given, wanted);
+        });
     }
 };
-
-void bind(CLI::App& app, const Option& option) {
-    CLI::Option* bound = std::visit(Binder{app, option}, option.value);
-    if (option.type) bound->type_name(*option.type);
-    if (option.required) bound->required();
-}
 
 // CLI11 parses "--set a=b" correctly, but its messages differ from ours; this throws ours.
 // `command` is the command whose help is named, empty for the program's.
@@ -259,7 +252,7 @@ std::span<const Command> commands() {
     return table;
 }
 
-CommandToRun read_command_line(int argc, const char* const* argv) {
+std::function<int()> read_command_line(int argc, const char* const* argv) {
     CLI::App app(
         "Draws exact pictures and films of a rotating rigid body (Poinsot's construction).",
         "poinsot");
@@ -278,28 +271,25 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
         refuse(fmt::format("unknown option \"{}\"; name a command first", printable(argv[1])));
     }
 
-    // The options of all commands; CLI11 fills them in, and the chosen command reads its own.
-    CommandToRun chosen;
-    chosen.rooms.resize(commands().size());
+    // CLI11 fills in the options of a command, which its `run` owns.
+    std::function<int()> chosen;
     std::string_view named;
-    for (std::size_t i = 0; i < commands().size(); ++i) {
-        const Command& command = commands()[i];
-        const CommandLine line = command.line(chosen.rooms[i]);
+    for (const Command& command : commands()) {
+        const CommandLine line = command.line();
         CLI::App* sub = app.add_subcommand(std::string(command.name), std::string(command.summary));
         auto* arguments = sub->add_option(argument_name(command.arguments), *line.arguments);
         arguments->expected(command.least_arguments, command.most_arguments);
         if (command.least_arguments > 0) arguments->required();
-        for (const Option& option : line.options) bind(*sub, option);
+        for (const Option& option : line.options) std::visit(Binder{*sub, option}, option.value);
         sub->formatter_fn([&command](const CLI::App*, const std::string&, CLI::AppFormatMode) {
             return help_of(command);
         });
-        sub->callback([&chosen, run = line.run] { chosen.run = run; });
+        sub->callback([&chosen, run = line.run] { chosen = run; });
         if (argc > 1 && command.name == argv[1]) {
             named = command.name;
             if (!LineCheck(command, line.options).check({argv + 2, argv + argc})) {
                 fmt::print("{}", sub->help());
-                chosen.run = [] { return 0; };
-                return chosen;
+                return [] { return 0; };
             }
         }
     }
@@ -309,7 +299,7 @@ CommandToRun read_command_line(int argc, const char* const* argv) {
     } catch (const CLI::Success& success) {
         // Prints the requested help or version.
         app.exit(success);
-        chosen.run = [] { return 0; };
+        return [] { return 0; };
     } catch (const CLI::ParseError& error) {
         refuse(error.what(), named);
     }
@@ -323,8 +313,8 @@ void prepare_process() {
 }
 
 int run_program(int argc, const char* const* argv) {
-    const CommandToRun command = read_command_line(argc, argv);
-    const int code = command.run();
+    const std::function<int()> command = read_command_line(argc, argv);
+    const int code = command();
     flush_stdout();
     return code;
 }

@@ -1,24 +1,13 @@
 // The program: parses the command line and runs one command.
 #pragma once
 
-#include <any>
 #include <functional>
-#include <vector>
 
 namespace poinsot {
 
-// A parsed command line. Move-only.
-struct CommandToRun {
-    CommandToRun() = default;
-    CommandToRun(CommandToRun&&) = default;
-
-    std::vector<std::any> rooms;  // the options of every command; `run` refers to them
-    std::function<int()> run;     // returns the exit code; throws Error
-};
-
 // Parses a command line without running the command; prints the help or version if requested.
-// Throws InputError.
-CommandToRun read_command_line(int argc, const char* const* argv);
+// Returns what runs the command and returns the exit code; it throws Error. Throws InputError.
+std::function<int()> read_command_line(int argc, const char* const* argv);
 
 // To be called before any file is opened: occupies closed standard streams, and checks the limit of
 // the stack. Throws EnvironmentError.

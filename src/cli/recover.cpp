@@ -25,9 +25,10 @@ int run(const RecoverChoices& choices) {
     return 0;
 }
 
-CommandLine recover_line(std::any& storage) {
-    auto& c = storage.emplace<RecoverChoices>();
-    return {&c.films, {quiet_option(c.quiet)}, [&c] { return run(c); }};
+CommandLine recover_line() {
+    const auto choices = std::make_shared<RecoverChoices>();
+    RecoverChoices& c = *choices;
+    return {&c.films, {quiet_option(c.quiet)}, [choices] { return run(*choices); }};
 }
 
 }  // namespace

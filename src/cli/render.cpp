@@ -147,42 +147,47 @@ int run(const RenderChoices& choices) {
                           [&](const SceneJob& job) { return render(job, choices, renderer); });
 }
 
-CommandLine render_line(std::any& storage) {
-    auto& c = storage.emplace<RenderChoices>();
+CommandLine render_line() {
+    const auto choices = std::make_shared<RenderChoices>();
+    RenderChoices& c = *choices;
     return {
         &c.scenes,
         {output_option(c.output, "output file; default output/SCENE.mp4"),
-         {"--slides",
-          "FOLDER: write a film, a PNG and a PDF for each stop (without stops: for each chapter) "
-          "and "
-          "slides.json into this folder",
-          ReadText{[&c](const std::string& text) { c.slides = parse_text("--slides", text); }},
-          "",
-          {},
-          false,
-          "folder"},
+         {.flags = "--slides",
+          .takes = "FOLDER",
+          .help = "write a film, a PNG and a PDF for each stop (without stops: for each chapter) "
+                  "and slides.json into this folder",
+          .value =
+              ReadText{[&c](const std::string& text) { c.slides = parse_text("--slides", text); }},
+          .completes = "folder"},
          set_option(c.scene),
          sweep_option(c.sweeps),
          size_option(c.scene),
          fps_option(c.scene),
          theme_option(c.scene),
          quality_option(c.scene),
-         {"--frames", "A-B: draw only frames A to B, counted from 0",
-          ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
-         {"--part",
-          "K/N: draw only part K of N, K from 1, for poinsot join; #### in a film's name becomes K",
-          ReadText{[&c](const std::string& text) { c.part = parse_part(text); }}},
-         {"--jobs",
-          "number of processes that draw parts at the same time; the output is byte-identical; "
-          "default: chosen for this machine, see check --plan",
-          &c.n_jobs, "a number of processes"},
+         {.flags = "--frames",
+          .takes = "A-B",
+          .help = "draw only frames A to B, counted from 0",
+          .value = ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
+         {.flags = "--part",
+          .takes = "K/N",
+          .help =
+              "draw only part K of N, K from 1, for poinsot join; #### in a film's name becomes K",
+          .value = ReadText{[&c](const std::string& text) { c.part = parse_part(text); }}},
+         {.flags = "--jobs",
+          .help = "number of processes that draw parts at the same time; the output is "
+                  "byte-identical; default: chosen for this machine, see check --plan",
+          .value = &c.n_jobs,
+          .wanted = "a number of processes"},
          quiet_option(c.quiet),
          backend_option(c.context),
          portable_option(c.context),
-         {"--certify", "measure over all frames how well the motion fulfils Poinsot's construction",
-          &c.certify},
+         {.flags = "--certify",
+          .help = "measure over all frames how well the motion fulfils Poinsot's construction",
+          .value = &c.certify},
          allow_outside_option(c.scene.allow_outside)},
-        [&c] { return run(c); }};
+        [choices] { return run(*choices); }};
 }
 
 }  // namespace

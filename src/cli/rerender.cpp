@@ -29,12 +29,13 @@ int run(const RerenderChoices& choices) {
     return 0;
 }
 
-CommandLine rerender_line(std::any& storage) {
-    auto& c = storage.emplace<RerenderChoices>();
+CommandLine rerender_line() {
+    const auto choices = std::make_shared<RerenderChoices>();
+    RerenderChoices& c = *choices;
     return {&c.files,
             {output_option(c.output), quiet_option(c.quiet), backend_option(c.context),
              allow_outside_option(c.allow_outside)},
-            [&c] { return run(c); }};
+            [choices] { return run(*choices); }};
 }
 
 }  // namespace

@@ -164,48 +164,46 @@ std::vector<std::string> names_in(const std::string& text) {
     return names;
 }
 
-CommandLine sample_line(std::any& storage) {
-    auto& c = storage.emplace<SampleChoices>();
-    return {&c.scenes,
-            {set_option(c.scene),
-             sweep_option(c.sweeps),
-             {"--times",
-              "T,T,…: instants in seconds, or ranges first:last:step, first:last/n; - reads them "
-              "from standard input",
-              ReadText{[&c](const std::string& text) {
-                  // Errors in it are reported before the scene is read.
-                  if (text != "-") parse_times(text);
-                  c.times = text;
-              }}},
-             {"--times-file",
-              "FILE: instants, one per line; - is standard input",
-              ReadText{[&c](const std::string& file) {
-                  c.times_file = parse_text("--times-file", file);
-              }},
-              "",
-              {},
-              false,
-              "file"},
-             {"--columns",
-              "A,B,…: columns instead of the default ones, see list columns; the headings carry "
-              "the units",
-              ReadText{[&c](const std::string& text) {
-                  c.columns = names_in(parse_text("--columns", text));
-              }},
-              "",
-              {},
-              false,
-              "columns"},
-             {"-o,--output",
-              "FILE: write .csv, .jsonl, .npy or .json (keyframes) instead of CSV to stdout",
+CommandLine sample_line() {
+    const auto choices = std::make_shared<SampleChoices>();
+    SampleChoices& c = *choices;
+    return {
+        &c.scenes,
+        {set_option(c.scene),
+         sweep_option(c.sweeps),
+         {.flags = "--times",
+          .takes = "T,T,…",
+          .help = "instants in seconds, or ranges first:last:step, first:last/n; - reads them from "
+                  "standard input",
+          .value = ReadText{[&c](const std::string& text) {
+              // Errors in it are reported before the scene is read.
+              if (text != "-") parse_times(text);
+              c.times = text;
+          }}},
+         {.flags = "--times-file",
+          .takes = "FILE",
+          .help = "instants, one per line; - is standard input",
+          .value = ReadText{[&c](const std::string& file) {
+              c.times_file = parse_text("--times-file", file);
+          }},
+          .completes = "file"},
+         {.flags = "--columns",
+          .takes = "A,B,…",
+          .help =
+              "columns instead of the default ones, see list columns; the headings carry the units",
+          .value = ReadText{[&c](const std::string& text) {
+              c.columns = names_in(parse_text("--columns", text));
+          }},
+          .completes = "columns"},
+         {.flags = "-o,--output",
+          .takes = "FILE",
+          .help = "write .csv, .jsonl, .npy or .json (keyframes) instead of CSV to stdout",
+          .value =
               ReadText{[&c](const std::string& text) { c.output = parse_text("--output", text); }},
-              "",
-              {},
-              false,
-              "file"},
-             quiet_option(c.quiet),
-             allow_outside_option(c.scene.allow_outside)},
-            [&c] { return run(c); }};
+          .completes = "file"},
+         quiet_option(c.quiet),
+         allow_outside_option(c.scene.allow_outside)},
+        [choices] { return run(*choices); }};
 }
 
 }  // namespace

@@ -89,9 +89,10 @@ int run(const StatusChoices& choices) {
     return 0;
 }
 
-CommandLine status_line(std::any& storage) {
-    auto& c = storage.emplace<StatusChoices>();
-    return {&c.folders, {json_option(c.json)}, [&c] { return run(c); }};
+CommandLine status_line() {
+    const auto choices = std::make_shared<StatusChoices>();
+    StatusChoices& c = *choices;
+    return {&c.folders, {json_option(c.json)}, [choices] { return run(*choices); }};
 }
 
 }  // namespace

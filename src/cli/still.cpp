@@ -242,8 +242,9 @@ int run(const StillChoices& choices) {
     return code;
 }
 
-CommandLine still_line(std::any& storage) {
-    auto& c = storage.emplace<StillChoices>();
+CommandLine still_line() {
+    const auto choices = std::make_shared<StillChoices>();
+    StillChoices& c = *choices;
     return {
         &c.scenes,
         {output_option(c.output,
@@ -251,46 +252,64 @@ CommandLine still_line(std::any& storage) {
          set_option(c.scene),
          sweep_option(c.sweeps),
          size_option(c.scene),
-         {"--width-mm", "width on paper in millimetres", &c.print.width_mm, "millimetres"},
-         {"--height-mm", "height on paper in millimetres; default: the scene's shape",
-          &c.print.height_mm, "millimetres"},
-         {"--dpi", "dots per inch on paper; default 300", &c.print.dpi, "dots per inch"},
-         {"--type-pt", "size of labels on paper in points; default 8.5; line widths scale with it",
-          &c.print.type_pt, "points"},
-         {"--journal",
-          "NAME: width, type and line sizes of the journal's author pages, theme print, letters "
-          "(a), "
-          "(b), … on panels, and no title, captions and clock; reports the figure's sizes and "
-          "contrasts",
-          &c.print.journal,
-          "",
-          {},
-          false,
-          "journals"},
-         {"--keep-text", "with --journal: draw title, captions and clock, too", &c.keeps_text},
-         {"--shading",
-          "how vector figures fill surfaces: tone (shaded by the light, the default), none (lines "
-          "only) or picture (pixels at 600 dpi within the exact outlines)",
-          &c.vectors.shading, "", "tone|none|picture", false, "tone|none|picture"},
-         {"--text",
-          "text in vector figures: font (real text, the default), paths, or latex (your own LaTeX "
-          "sets it, from a .tex file beside the figure)",
-          &c.vectors.text, "", "font|paths|latex", false, "font|paths|latex"},
-         {"--depth", "bits per colour component: 8 or 16", &c.bit_depth, "8 or 16"},
-         {"--sheet",
-          "CxR: draw all pictures on one sheet of C columns and R rows, each with its values",
-          ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
-         {"--chapters",
-          "draw a picture at each stop of the scene, or without stops at the end of each chapter; "
-          "#### in the output becomes the picture's number, from 1",
-          &c.chapters},
+         {.flags = "--width-mm",
+          .help = "width on paper in millimetres",
+          .value = &c.print.width_mm,
+          .wanted = "millimetres"},
+         {.flags = "--height-mm",
+          .help = "height on paper in millimetres; default: the scene's shape",
+          .value = &c.print.height_mm,
+          .wanted = "millimetres"},
+         {.flags = "--dpi",
+          .help = "dots per inch on paper; default 300",
+          .value = &c.print.dpi,
+          .wanted = "dots per inch"},
+         {.flags = "--type-pt",
+          .help = "size of labels on paper in points; default 8.5; line widths scale with it",
+          .value = &c.print.type_pt,
+          .wanted = "points"},
+         {.flags = "--journal",
+          .takes = "NAME",
+          .help = "width, type and line sizes of the journal's author pages, theme print, letters "
+                  "(a), (b), … on panels, and no title, captions and clock; reports the figure's "
+                  "sizes and contrasts",
+          .value = &c.print.journal,
+          .completes = "journals"},
+         {.flags = "--keep-text",
+          .help = "with --journal: draw title, captions and clock, too",
+          .value = &c.keeps_text},
+         {.flags = "--shading",
+          .takes = "tone|none|picture",
+          .help = "how vector figures fill surfaces: tone (shaded by the light, the default), none "
+                  "(lines only) or picture (pixels at 600 dpi within the exact outlines)",
+          .value = &c.vectors.shading,
+          .completes = "tone|none|picture"},
+         {.flags = "--text",
+          .takes = "font|paths|latex",
+          .help = "text in vector figures: font (real text, the default), paths, or latex (your "
+                  "own LaTeX sets it, from a .tex file beside the figure)",
+          .value = &c.vectors.text,
+          .completes = "font|paths|latex"},
+         {.flags = "--depth",
+          .help = "bits per colour component: 8 or 16",
+          .value = &c.bit_depth,
+          .wanted = "8 or 16"},
+         {.flags = "--sheet",
+          .takes = "CxR",
+          .help = "draw all pictures on one sheet of C columns and R rows, each with its values",
+          .value = ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
+         {.flags = "--chapters",
+          .help = "draw a picture at each stop of the scene, or without stops at the end of each "
+                  "chapter; #### in the output becomes the picture's number, from 1",
+          .value = &c.chapters},
          quality_option(c.scene),
          theme_option(c.scene),
-         {"--time",
-          "T|auto: instant of the motion in seconds, or auto, the instant of the film at which the "
-          "arrows are farthest apart; default: film.still_s of the scene, else auto (on a sheet: "
-          "the film's last instant)",
-          ReadText{[&c](const std::string& text) {
+         {.flags = "--time",
+          .takes = "T|auto",
+          .help = "instant of the motion in seconds, or auto, the instant of the film at which the "
+                  "arrows are farthest apart; default: film.still_s of the scene, else auto (on a "
+                  "sheet: the film's last instant)",
+          .value = ReadText{[&c](const std::string& text) {
               c.clearest = text == "auto";
               if (!c.clearest)
                   c.time_s = parse_number("--time", text, "an instant in seconds, or auto");
@@ -299,7 +318,7 @@ CommandLine still_line(std::any& storage) {
          backend_option(c.context),
          portable_option(c.context),
          allow_outside_option(c.scene.allow_outside)},
-        [&c] { return run(c); }};
+        [choices] { return run(*choices); }};
 }
 
 }  // namespace

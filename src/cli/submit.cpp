@@ -133,28 +133,40 @@ int run(const SubmitChoices& choices) {
     return 0;
 }
 
-CommandLine submit_line(std::any& storage) {
-    auto& c = storage.emplace<SubmitChoices>();
+CommandLine submit_line() {
+    const auto choices = std::make_shared<SubmitChoices>();
+    SubmitChoices& c = *choices;
     return {&c.scenes,
             {output_option(c.output),
-             {"--parts", "N: number of parts of each film", &c.n_parts, "a number of parts"},
-             {"--slurm", "options for sbatch, as \"--partition=short --time=10\"; repeatable",
-              Repeated{&c.slurm}, "", "OPTIONS"},
-             {"--dry-run", "write the folder with the scripts, but submit nothing", &c.dry_run},
-             {"--native", "draw without --portable: faster, but the bytes depend on the processor",
-              &c.native},
+             {.flags = "--parts",
+              .takes = "N",
+              .help = "number of parts of each film",
+              .value = &c.n_parts,
+              .wanted = "a number of parts"},
+             {.flags = "--slurm",
+              .takes = "OPTIONS",
+              .help = "options for sbatch, as \"--partition=short --time=10\"; repeatable",
+              .value = Repeated{&c.slurm}},
+             {.flags = "--dry-run",
+              .help = "write the folder with the scripts, but submit nothing",
+              .value = &c.dry_run},
+             {.flags = "--native",
+              .help = "draw without --portable: faster, but the bytes depend on the processor",
+              .value = &c.native},
              set_option(c.scene),
              sweep_option(c.sweeps),
              size_option(c.scene),
              fps_option(c.scene),
              theme_option(c.scene),
              quality_option(c.scene),
-             {"--frames", "A-B: draw only frames A to B, counted from 0",
-              ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
+             {.flags = "--frames",
+              .takes = "A-B",
+              .help = "draw only frames A to B, counted from 0",
+              .value = ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
              backend_option(c.context),
              quiet_option(c.quiet),
              allow_outside_option(c.scene.allow_outside)},
-            [&c] { return run(c); }};
+            [choices] { return run(*choices); }};
 }
 
 }  // namespace

@@ -121,10 +121,12 @@ std::string formula_of(std::string_view key, const std::string& value) {
 }  // namespace
 
 Option sweep_option(std::vector<std::string>& sweeps) {
-    return {
-        "--sweep",
-        "KEY=a,b,c or KEY=from:to:n: one run for each value; several --sweep give all combinations",
-        Repeated{&sweeps}, "", "KEY=VALUES"};
+    return {.flags = "--sweep",
+            .takes = "KEY=VALUES",
+            .help =
+                "KEY=a,b,c or KEY=from:to:n: one run for each value; several --sweep give all "
+                "combinations",
+            .value = Repeated{&sweeps}};
 }
 
 Sweep parse_sweep(std::string_view text) {

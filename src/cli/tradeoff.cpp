@@ -57,18 +57,20 @@ int run(const TradeoffChoices& choices) {
     return 0;
 }
 
-CommandLine tradeoff_line(std::any& storage) {
-    auto& c = storage.emplace<TradeoffChoices>();
-    return {&c.scenes,
-            {output_option(c.output),
-             set_option(c.scene),
-             size_option(c.scene),
-             json_option(c.json),
-             quiet_option(c.quiet),
-             {"--all", "print every row, not only the Pareto front", &c.all},
-             backend_option(c.context),
-             allow_outside_option(c.scene.allow_outside)},
-            [&c] { return run(c); }};
+CommandLine tradeoff_line() {
+    const auto choices = std::make_shared<TradeoffChoices>();
+    TradeoffChoices& c = *choices;
+    return {
+        &c.scenes,
+        {output_option(c.output),
+         set_option(c.scene),
+         size_option(c.scene),
+         json_option(c.json),
+         quiet_option(c.quiet),
+         {.flags = "--all", .help = "print every row, not only the Pareto front", .value = &c.all},
+         backend_option(c.context),
+         allow_outside_option(c.scene.allow_outside)},
+        [choices] { return run(*choices); }};
 }
 
 }  // namespace

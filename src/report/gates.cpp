@@ -64,12 +64,13 @@ constexpr NumberLimit limit_rows[] = {
      "threshold of --max-over in levels of 255; default 2", "N", "a level from 0 to 255",
      checked_level},
     {"max_flip", &Gates::max_flip, LimitKind::number,
-     "most visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of pixels may "
-     "differ unless another option limits it",
+     "largest visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of pixels "
+     "may differ unless another option limits it",
      "FLIP", "a number from 0 to 1", checked_flip},
     {"min_ssim", &Gates::min_ssim, LimitKind::number,
-     "least structural similarity (SSIM, 1: equal) that passes, as 0.99; likewise", "SSIM",
-     "a number of at most 1", checked_ssim},
+     "least structural similarity (SSIM, 1: equal) that passes, as 0.99; then any number of pixels "
+     "may differ unless another option limits it",
+     "SSIM", "a number of at most 1", checked_ssim},
 };
 
 }  // namespace
