@@ -1,4 +1,6 @@
 // poinsot still SCENE -o OUT.png: renders one picture.
+#include "work/still.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -19,7 +21,6 @@
 #include "error/error.h"
 #include "output/frame_name.h"
 #include "production/jobs/contact_sheet.h"
-#include "production/jobs/journal_request.h"
 #include "production/jobs/output_place.h"
 #include "production/jobs/still_job.h"
 #include "production/slides/slide_plan.h"
@@ -110,24 +111,19 @@ int draw_sheet_of(const StillChoices& choices) {
     return 0;
 }
 
-SceneRequest request_of(const SceneJob& job, const StillChoices& choices,
-                        const ProgressSink& progress) {
-    SceneRequest request = scene_request_of(job.scene, choices.scene, job.overrides);
-    request.print = choices.print;
-    if (!choices.print.journal.empty()) follow_journal(choices.keeps_text, request, progress);
-    // Vector output is for paper, with or without a print option.
-    if (is_vector_name(job.output) && !request.print.dpi) request.print.dpi = default_dpi;
-    if (choices.time_s) request.times_s = {*choices.time_s};
-    return request;
+StillOrder order_of(const SceneJob& job, const StillChoices& choices,
+                    const ProgressSink& progress) {
+    return still_order(
+        scene_request_of(job.scene, choices.scene, job.overrides),
+        {job.output, choices.time_s, choices.print, choices.bit_depth, choices.vectors,
+         choices.clearest ? StillTime::clearest : StillTime::of_scene},
+        choices.keeps_text, progress);
 }
 
 std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
                                    const ProgressSink& progress) {
-    const SceneRequest request = request_of(job, choices, progress);
-    return std::make_unique<StillJob>(
-        open_session(request, progress),
-        StillRequest{job.output, choices.time_s, request.print, choices.bit_depth, choices.vectors,
-                     choices.clearest ? StillTime::clearest : StillTime::of_scene});
+    StillOrder order = order_of(job, choices, progress);
+    return std::make_unique<StillJob>(open_session(order.scene, progress), std::move(order.still));
 }
 
 // Draws a picture at each stop of a scene, numbered from 1.
@@ -140,8 +136,8 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
             choices.scenes.size() > 1 || !choices.sweeps.empty()
                 ? ", and {scene} or {KEY} for the scene or the swept value"
                 : ""));
-    const SceneRequest request = request_of(job, choices, progress);
-    const Session session = open_session(request, progress);
+    const StillOrder order = order_of(job, choices, progress);
+    const Session session = open_session(order.scene, progress);
     const std::vector<Slide> stops = stops_of(session.scene, film_plan(session), "--chapters");
     const OutputPlace place(job.output, session.scene, "_####.png");
     for (std::size_t i = 0; i < stops.size(); ++i)
@@ -152,15 +148,12 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
         if (!line.starts_with("note: ")) say(line);
     };
     for (std::size_t i = 0; i < stops.size(); ++i) {
-        StillRequest still;
+        StillRequest still = order.still;
         still.output = frame_name(place.path(), static_cast<std::int64_t>(i) + 1).string();
         still.frame = stops[i].last_frame;
-        still.print = request.print;
-        still.bit_depth = choices.bit_depth;
-        still.vectors = choices.vectors;
         // A picture of the film's size is the film's frame; one for paper is a figure.
         still.names_fade =
-            !is_vector_name(still.output) && !request.print.width_mm && !request.print.height_mm;
+            !is_vector_name(still.output) && !still.print.width_mm && !still.print.height_mm;
         StillJob(Session(session), std::move(still))
             .draw(renderer, writer, i == 0 ? progress : without_notes);
     }

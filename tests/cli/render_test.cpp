@@ -248,7 +248,7 @@ TEST(Slides, HaveTheSameBytesFromSeveralProcesses) {
 }
 
 TEST_F(RenderMessages, SlidesAreRefusedWithOptionsOfOneFilmAndWithoutStops) {
-    refuses("render scene.toml --slides d -o a.mp4", 2, {"--slides", "leave -o out"});
+    refuses("render scene.toml --slides d -o a.mp4", 2, {"--slides", "leave --output out"});
     refuses("render scene.toml --slides d --part 1/2", 2, {"--slides", "leave --part out"});
     refuses("render scene.toml --slides d --frames 0-1", 2, {"--slides", "leave --frames out"});
     refuses("render scene.toml --slides d", 2,

@@ -43,10 +43,12 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"production",
      {"error", "colour", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "vector", "image", "output"}},
+    // What several doors ask of production/: the command line, the library.
+    {"work", {"error", "text", "output", "production"}},
     // The library for programs in C++.
     {"library",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
-      "typeset", "shapes", "drawing", "render", "vector", "image", "output", "production"}},
+      "typeset", "shapes", "drawing", "render", "vector", "image", "output", "production", "work"}},
     // The module of a page in a browser.
     {"page",
      {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene",
@@ -59,7 +61,8 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"python", {"system", "measured", "image", "report", "production"}},
     {"cli",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
-      "typeset", "shapes", "drawing", "render", "image", "output", "report", "production", "lab"}},
+      "typeset", "shapes", "drawing", "render", "image", "output", "report", "production", "work",
+      "lab"}},
 };
 
 // Subfolder → the other subfolders of its folder that it may include. Files directly in the folder

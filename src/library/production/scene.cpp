@@ -8,19 +8,15 @@
 #include "error/error.h"
 #include "library/production/drawing_thread.h"
 #include "measured/departure.h"
-#include "production/jobs/film_job.h"
-#include "production/jobs/journal_request.h"
 #include "production/jobs/open_session.h"
 #include "production/jobs/still_job.h"
-#include "production/pages/page_job.h"
-#include "production/parts/jobs.h"
 #include "production/sampling/sample_table.h"
 #include "production/session/scene_summary.h"
-#include "production/slides/pptx_deck.h"
-#include "production/slides/slide_deck.h"
 #include "system/interrupt.h"
 #include "text/json_text.h"
 #include "text/printable.h"
+#include "work/film.h"
+#include "work/still.h"
 
 namespace poinsot::library {
 
@@ -30,15 +26,12 @@ ContextChoice choice_of(const ContextOptions& options) {
     return context_choice(options.backend, options.portable);
 }
 
-PrintChoices print_of(const PaperOptions& paper, bool is_vectors) {
-    PrintChoices print;
-    print.width_mm = paper.width_mm;
-    print.height_mm = paper.height_mm;
-    print.dpi = paper.dpi;
-    print.type_pt = paper.type_pt;
-    print.journal = paper.journal;
-    if (is_vectors && !print.dpi) print.dpi = default_dpi;
-    return print;
+PrintChoices print_of(const PaperOptions& paper) {
+    return {.width_mm = paper.width_mm,
+            .height_mm = paper.height_mm,
+            .dpi = paper.dpi,
+            .type_pt = paper.type_pt,
+            .journal = paper.journal};
 }
 
 // A session that says nothing; the caller can stop its stepping.
@@ -96,6 +89,19 @@ struct Scene::Contents {
         SceneRequest longer = request;
         longer.times_s = std::move(times_s);
         return quiet_session(longer, watch);
+    }
+
+    // In this process: several are the command line's.
+    void make(FilmOrder order, const ContextOptions& context, const Watch& watch) const {
+        check_order(order, "");
+        order.n_jobs = 1;
+        // A page is made from the request; what else there is, from a session that the caller's
+        // thread opens, so that it can be stopped.
+        const Session* opened = is_page_name(order.output) ? nullptr : &session(watch);
+        draw(choice_of(context), watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
+            make_output(request, order, {.session = [&]() -> const Session& { return *opened; }},
+                        renderer, progress);
+        });
     }
 };
 
@@ -202,19 +208,17 @@ Table Scene::departure(std::span<const double> times_s, std::span<const double> 
 }
 
 Still Scene::still(const StillOptions& options, const Watch& watch) const {
-    SceneRequest request = contents_->request;
-    StillRequest still;
-    still.time_s = options.time_s;
-    if (options.clearest) still.when = StillTime::clearest;
-    request.print = print_of(options.paper, false);
-    if (options.time_s) request.times_s = {*options.time_s};
-    if (!options.paper.journal.empty()) follow_journal(false, request, {});
-    still.print = request.print;
+    StillOrder order =
+        still_order(contents_->request,
+                    {.time_s = options.time_s,
+                     .print = print_of(options.paper),
+                     .when = options.clearest ? StillTime::clearest : StillTime::of_scene},
+                    false, {});
     // Without a size on paper, the session of the scene serves.
-    const bool is_for_paper = print_size_of(request.print, width_px(), height_px()).has_value();
-    Session session = is_for_paper ? quiet_session(request, watch)
-                                   : contents_->session_at(request.times_s, watch);
-    StillJob job(std::move(session), std::move(still));
+    const bool is_for_paper = print_size_of(order.still.print, width_px(), height_px()).has_value();
+    Session session = is_for_paper ? quiet_session(order.scene, watch)
+                                   : contents_->session_at(order.scene.times_s, watch);
+    StillJob job(std::move(session), std::move(order.still));
     tell(job, watch);
     auto made = std::make_shared<Still::Contents>();
     draw(choice_of(options.context), watch,
@@ -231,18 +235,16 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
     if (options.text == "latex")
         throw InputError(
             "text \"latex\": needs a .tex file beside the figure; write it with poinsot still");
-    SceneRequest request = contents_->request;
-    StillRequest still;
-    still.output = "figure." + options.format;
-    still.time_s = options.time_s;
-    if (options.clearest) still.when = StillTime::clearest;
-    still.vectors = {options.shading, options.text};
-    request.print = print_of(options.paper, true);
-    if (options.time_s) request.times_s = {*options.time_s};
-    if (!options.paper.journal.empty()) follow_journal(false, request, {});
-    still.print = request.print;
-    check_vector_choices(still.vectors);
-    StillJob job(quiet_session(request, watch), std::move(still));
+    StillOrder order =
+        still_order(contents_->request,
+                    {.output = "figure." + options.format,
+                     .time_s = options.time_s,
+                     .print = print_of(options.paper),
+                     .vectors = {options.shading, options.text},
+                     .when = options.clearest ? StillTime::clearest : StillTime::of_scene},
+                    false, {});
+    check_vector_choices(order.still.vectors);
+    StillJob job(quiet_session(order.scene, watch), std::move(order.still));
     tell(job, watch);
     VectorStill drawn;
     if (job.opens_context()) {
@@ -261,47 +263,13 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
 void Scene::render(const std::string& path, const RenderOptions& options,
                    const Watch& watch) const {
     if (path.empty()) throw InputError("the output has no name; give one, as film.mp4");
-    const ContextChoice choice = choice_of(options.context);
-    if (is_page_name(path)) {
-        if (options.frames)
-            throw InputError(
-                fmt::format("{}: a page has no frames, it shows every instant; leave frames out",
-                            printable(path)));
-        draw(choice, watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-            write_page(contents_->request, path, renderer, progress);
-        });
-        return;
-    }
-    if (options.frames &&
-        (options.frames->first < 0 || options.frames->second < options.frames->first))
-        throw InputError(fmt::format(
-            "frames {} to {}: not a range of frames; give the first and the last one, from 0",
-            options.frames->first, options.frames->second));
-    const Session& session = contents_->session(watch);
-    if (is_slides_name(path)) {
-        if (options.frames)
-            throw InputError(fmt::format(
-                "{}: a presentation has a film for each stop; leave frames out", printable(path)));
-        draw(choice, watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-            write_pptx(session, {path, 1}, renderer, progress);
-        });
-        return;
-    }
-    const FilmRequest request{path, options.frames};
-    draw(choice, watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-        make_in_jobs(session, request, 1, renderer, progress);
-    });
+    contents_->make({.output = path, .frames = options.frames}, options.context, watch);
 }
 
 void Scene::slides(const std::string& folder, const ContextOptions& context,
                    const Watch& watch) const {
     if (folder.empty()) throw InputError("the folder of the slides has no name; give one");
-    const Session& session = contents_->session(watch);
-    // One process: those of --jobs are the command line's.
-    const DeckRequest request{contents_->request, folder, 1};
-    draw(choice_of(context), watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-        write_deck(session, request, renderer, progress);
-    });
+    contents_->make({.slides = folder}, context, watch);
 }
 
 }  // namespace poinsot::library
