@@ -1,0 +1,60 @@
+// What follows from the choices of a still.
+#include "work/still.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+#include <vector>
+
+namespace poinsot {
+namespace {
+
+SceneRequest scene() {
+    SceneRequest request;
+    request.file = "scene.toml";
+    request.text = "[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nomega_rad_s = [1, 2, 3]\n";
+    return request;
+}
+
+StillRequest with_dpi(const std::string& output, double dpi) {
+    StillRequest still{.output = output};
+    still.print.dpi = dpi;
+    return still;
+}
+
+StillRequest for_journal(const std::string& journal) {
+    StillRequest still{.output = "a.pdf"};
+    still.print.journal = journal;
+    return still;
+}
+
+TEST(StillOrder, OfVectorsIsForPaperAndOfPixelsIsNot) {
+    for (const std::string output : {"a.pdf", "a.svg", "a.PDF"}) {
+        const StillOrder order = still_order(scene(), {.output = output}, false, {});
+        EXPECT_EQ(order.still.print.dpi, default_dpi) << output;
+        EXPECT_EQ(order.scene.print.dpi, default_dpi) << output;
+        EXPECT_EQ(still_order(scene(), with_dpi(output, 600.0), false, {}).still.print.dpi, 600.0);
+    }
+    for (const std::string output : {"", "a.png"})
+        EXPECT_FALSE(still_order(scene(), {.output = output}, false, {}).still.print.dpi) << output;
+}
+
+// A motion by steps ends with the film unless an instant beyond it is asked for.
+TEST(StillOrder, CoversItsInstant) {
+    EXPECT_EQ(still_order(scene(), {.time_s = 99.0}, false, {}).scene.times_s,
+              std::vector<double>{99.0});
+    EXPECT_TRUE(still_order(scene(), {}, false, {}).scene.times_s.empty());
+}
+
+TEST(StillOrder, FollowsAJournal) {
+    const StillOrder order = still_order(scene(), for_journal("iop"), false, {});
+    EXPECT_EQ(scene_of(order.scene).theme, "print");
+    EXPECT_TRUE(scene_of(order.scene).panel_letters);
+    EXPECT_FALSE(scene_of(order.scene).overlays);
+    EXPECT_EQ(order.still.print.width_mm, 85.0);  // a column, as its author pages say
+    const StillOrder with_text = still_order(scene(), for_journal("iop"), true, {});
+    EXPECT_TRUE(scene_of(with_text.scene).overlays);
+}
+
+}  // namespace
+}  // namespace poinsot
