@@ -238,6 +238,42 @@ def test_a_flip_is_where_omega_along_the_middle_axis_changes_its_sign():
         assert motion.at(instant - 1e-3).omega_body[1] * motion.at(instant + 1e-3).omega_body[1] < 0
 
 
+@pytest.mark.parametrize("motion", [
+    poinsot.Motion([1.0, 2.0, 2.5], [0.1, 2.0, 0.3]),
+    poinsot.Motion([[3.0, 0.1, 0.2], [0.1, 2.0, 0.3], [0.2, 0.3, 1.5]], [1.0, 2.0, 3.0], attitude=[0.5, 0.5, 0.1, 0.2]),
+    poinsot.Motion([1.0, 2.0, 9.0], [0.1, 2.0, 0.3], allow_unphysical=True),
+    poinsot.Motion([1.0, 2.0, 2.5], [0.1, 2.0, 0.3], method="rk4", step_s=0.01, span_s=(0.0, 5.0)),
+    poinsot.Motion.heavy_top(1.0, 0.5, 2.0, theta_rad=0.5, omega3_rad_s=20.0, phi_dot_rad_s=0.1),
+])
+def test_the_scene_of_a_motion_has_its_digits(motion):
+    times = np.linspace(0.0, 5.0, 11)
+    sampled, states = poinsot.Scene(motion).sample(times), motion.at(times)
+    np.testing.assert_array_equal(sampled["omega_body"], states.omega_body)
+    np.testing.assert_array_equal(sampled["q"], states.space_from_body)
+    assert poinsot.Scene(motion).still(size=(64, 36)).pixels.any()
+
+
+def test_motions_are_equal_if_all_that_they_were_made_of_is():
+    given = {"moments": [1.0, 2.0, 3.0], "omega": [0.1, 2.0, 0.0]}
+    motion = poinsot.Motion(**given)
+    assert motion == poinsot.Motion(np.array([1, 2, 3]), (0.1, 2, 0)) and len({motion, poinsot.Motion(**given)}) == 1
+    assert motion == pickle.loads(pickle.dumps(motion))
+    for other in (poinsot.Motion([1.0, 2.0, 3.0], [0.1, 2.0, 1e-300]), poinsot.Motion(**given, attitude=[0.0, 1.0, 0.0, 0.0]),
+                  poinsot.Motion(**given, allow_unphysical=True), "motion", None):
+        assert motion != other
+
+
+def test_an_attitude_may_be_a_rotation_of_scipy():
+    rotation = pytest.importorskip("scipy.spatial.transform").Rotation.from_euler("xyz", [0.1, -0.2, 2.9])
+    start = poinsot.Motion([1.0, 2.0, 3.0], [0.1, 2.0, 0.0], attitude=rotation).at(0.0).space_from_body
+    # SciPy's matrix of the rotation, against that of the quaternion w, x, y, z.
+    w, x, y, z = start
+    matrix = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
+              [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
+              [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
+    np.testing.assert_allclose(rotation.as_matrix(), matrix, atol=1e-15)
+
+
 def test_a_heavy_top_keeps_its_momenta_and_energy():
     transverse, axial, mgl = 1.0, 0.5, 2.0
     top = poinsot.Motion.heavy_top(transverse, axial, mgl, theta_rad=0.5, omega3_rad_s=20.0, phi_dot_rad_s=0.3)

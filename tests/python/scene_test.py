@@ -315,16 +315,18 @@ def test_errors_survive_pickling():
     (lambda s: s.page("page.pdf"), "a page ends in .html"),
     (lambda s: s.set({"film": {"size": "-1x1"}}), "size"),
     (lambda s: s.set({3: 1}), "not a key"),
+    (lambda s: s.set(), "values: is a dict of keys and values"),
+    (lambda s: s.set({"title": None}), "title: None is no value"),
     (lambda s: s.set({"title": object()}), "cannot stand in a scene"),
     (lambda s: s.set({"title": "\ud800"}), "values: not valid Unicode"),
     (lambda s: s.set({"\ud800": 1}), "values: not valid Unicode"),
-    (lambda s: s.set(None), "values: is a dict of dotted keys and values, and this is of type NoneType"),
-    (lambda s: poinsot.Scene("generic", [("a", 1)]), "values: is a dict of dotted keys and values, and this is of type list"),
+    (lambda s: s.set(None), "values: is a dict of keys and values, and this is of type NoneType"),
+    (lambda s: poinsot.Scene("generic", [("a", 1)]), "values: is a dict of keys and values, and this is of type list"),
     (lambda s: poinsot.Scene(os.fsdecode(b"\xff.toml")), "not valid UTF-8"),
     (lambda s: poinsot.Scene("generic\0.toml"), "contains NUL"),
     (lambda s: poinsot.Scene("generik"), 'did you mean "generic"'),
-    (lambda s: poinsot.Scene(3), "a file, a text or a dict"),
-    (lambda s: poinsot.Scene(b"generic"), "a file, a text or a dict"),
+    (lambda s: poinsot.Scene(3), "a file, a text, a dict or a Motion"),
+    (lambda s: poinsot.Scene(b"generic"), "a file, a text, a dict or a Motion"),
     (lambda s: poinsot.Scene({}), "the file is empty"),
     (lambda s: poinsot.Scene("a = \udc80"), "not valid Unicode"),
     (lambda s: poinsot.Scene("a = 1\0"), "control character"),
@@ -378,20 +380,49 @@ def test_numbers_of_any_kind_are_written_as_the_number():
         LAST = 3
 
     values = {"a": Number(7), "b": Real(0.5), "c": Axis.LAST, "d": [Axis.LAST], "e": {"f": Number(7)}}
-    assert poinsot.toml.assignments(values) == ["a=7", "b=0.5", "c=3", "d=[3]", "e={f = 7}"]
+    assert poinsot.toml.assignments(values) == ["a=7", "b=0.5", "c=3", "d=[3]", "e.f=7"]
     assert poinsot.toml.scene_text(values) == "a = 7\nb = 0.5\nc = 3\nd = [3]\n[e]\nf = 7\n"
 
 
 def test_keys_without_a_value_are_left_out_of_every_table():
     tables = {"a": None, "b": {"c": None, "d": 1}, "e": [{"f": None, "g": 2}], "h": [1, {"i": None, "j": 3}]}
     assert poinsot.toml.scene_text(tables) == "h = [1, {j = 3}]\n[b]\nd = 1\n[[e]]\ng = 2\n"
-    assert poinsot.toml.assignments({"film": {"size": None, "fps": 30}}) == ["film={fps = 30}"]
+    assert poinsot.toml.assignments({"film": {"size": None, "fps": 30}}) == ["film.fps=30"]
+
+
+def test_every_form_of_a_change_sets_the_same_values():
+    dotted = poinsot.Scene("generic").set({"theme": "dark", "camera.elevation_deg": 10, "camera.azimuth_deg": 20.0})
+    nested = {"theme": "dark", "camera": {"elevation_deg": 10, "azimuth_deg": 20.0}}
+    for same in (poinsot.Scene("generic").set(nested), poinsot.Scene("generic").set(**nested), poinsot.Scene("generic", nested),
+                 poinsot.Scene("generic").set({"theme": "dark"}, camera=nested["camera"])):
+        assert same.values == dotted.values and same == dotted and hash(same) == hash(dotted)
+    # The other values of the table stay.
+    assert dotted.check()["film_s"] == poinsot.Scene("generic").check()["film_s"]
+
+
+def test_scenes_are_equal_if_all_that_they_were_made_of_is():
+    scene = poinsot.Scene("generic")
+    assert scene == poinsot.Scene("generic") and len({scene, poinsot.Scene("generic")}) == 1
+    for other in (scene.set(theme="dark"), poinsot.Scene("sphere"), poinsot.Scene("generic", allow_outside=True), 3, None):
+        assert scene != other
+
+
+def test_a_range_of_frames_is_its_first_and_last(tmp_path):
+    scene = poinsot.Scene("generic")
+    for frames, folder in (((2, 4), "pair"), (range(2, 5), "range")):
+        (tmp_path / folder).mkdir()
+        scene.render(tmp_path / folder / "f_####.png", size=TINY, frames=frames, progress=False)
+    written = {folder: {file.name: file.read_bytes() for file in (tmp_path / folder).glob("*.png")} for folder in ("pair", "range")}
+    assert len(written["pair"]) == 3 and written["pair"] == written["range"]
+    for frames in (range(0), range(0, 9, 2), range(5, 0, -1)):
+        with pytest.raises(poinsot.InputError, match="not a range of frames"):
+            scene.render(tmp_path / "film.mp4", size=TINY, frames=frames, progress=False)
 
 
 def test_a_scene_can_be_sent_to_another_process():
     scene = poinsot.Scene("generic").set({"start.omega_rad_s": [0.5, 0.6, 0.7]})
     same = pickle.loads(pickle.dumps(scene))
-    assert (same.name, same.text, same.values) == (scene.name, scene.text, scene.values)
+    assert same == scene and (same.name, same.text, same.values) == (scene.name, scene.text, scene.values)
     np.testing.assert_array_equal(same.sample(3.0)["omega_body"], scene.sample(3.0)["omega_body"])
 
 

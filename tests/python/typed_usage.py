@@ -25,7 +25,8 @@ def pictures(folder: Path) -> List[poinsot.Still]:
     film: poinsot.Film = scene.render(folder / "film.mp4", frames=(0, 9), progress=False)
     notes: List[str] = film.notes
     assert pixels.size and notes
-    return [still, scene.set({"theme": "print"}).still("auto")]
+    scene.render(folder / "part.mp4", frames=range(10), progress=False)
+    return [still, scene.set({"theme": "print"}).still("auto"), scene.set(theme="dark", camera={"elevation_deg": 10}).still()]
 
 
 def motion() -> Optional[float]:
@@ -33,7 +34,9 @@ def motion() -> Optional[float]:
     omega: NDArray[np.float64] = turning.at(np.linspace(0, 1, 5)).omega_body
     constants: poinsot.Constants = turning.constants
     claims: List[poinsot.Claim] = turning.certificate([0.0, 1.0])
-    assert omega.shape == (5, 3) and all(claim.holds for claim in claims)
+    assert turning == poinsot.Motion([1.0, 2.0, 3.0], [0.1, 2.0, 0.0])
+    drawn: poinsot.Still = poinsot.Scene(turning).still()
+    assert omega.shape == (5, 3) and drawn.pixels.size and all(claim.holds for claim in claims)
     curve: NDArray[np.float64] = turning.polhode(1e-3)
     return constants.polhode_period_s if len(curve) > 1 else turning.period_s
 

@@ -49,6 +49,11 @@ def numbers(name: str, values: Any) -> Numbers:
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
 
 
+def w_first(attitude: Any) -> Any:
+    """The attitude; of a Rotation of SciPy, whose quaternions are (x, y, z, w), the numbers in the order (w, x, y, z)."""
+    return np.roll(attitude.as_quat(), 1, axis=-1) if hasattr(attitude, "as_quat") else attitude
+
+
 def pixels(name: str, values: Any) -> Pixels:
     """A picture as an array of shape (height, width, 4) of 8-bit values.
 

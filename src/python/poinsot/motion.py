@@ -3,10 +3,12 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, List, NamedTuple, Optional, Tuple, Type
+from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Type
+
+from numpy.typing import ArrayLike
 
 from . import _poinsot
-from .arrays import Numbers, number, numbers
+from .arrays import Numbers, number, numbers, w_first
 
 
 class Constants(NamedTuple):
@@ -106,7 +108,7 @@ class Motion:
 
     moments: the principal moments I1, I2, I3 in kg m², shape (3,), or the inertia tensor in body
     axes, shape (3, 3). omega: ω at t = 0 in body axes, rad/s, shape (3,). attitude: space_from_body
-    at t = 0 as a quaternion (w, x, y, z) of any length.
+    at t = 0 as a quaternion (w, x, y, z) of any length, or a Rotation of SciPy.
 
     method: "exact", or the name of a stepping method (`poinsot list methods`), with step_s,
     tolerance and order as for the scene's [motion]; span_s: the interval that it covers, in s.
@@ -137,8 +139,8 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
 
     def __init__(
         self,
-        moments: Any,
-        omega: Any,
+        moments: ArrayLike,
+        omega: ArrayLike,
         *,
         attitude: Any = (1.0, 0.0, 0.0, 0.0),
         method: str = "exact",
@@ -149,7 +151,7 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         allow_unphysical: bool = False,
     ) -> None:
         # Copies, so that the caller's later changes do not reach a copy of the motion.
-        arrays = (numbers("moments", moments), numbers("omega", omega), numbers("attitude", attitude))
+        arrays = (numbers("moments", moments), numbers("omega", omega), numbers("attitude", w_first(attitude)))
         copies = tuple(array.copy() for array in arrays)
         self._make(False, (*copies, method, step_s, tolerance, order, span_s, allow_unphysical))
 
@@ -194,6 +196,47 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         }
         made._make(True, tuple(number(name, value) for name, value in given.items()))
         return made
+
+    def as_scene(self) -> Dict[str, Any]:
+        """The motion as the tables of a scene, to which a film, panels and a camera can be added; `Scene(motion)` draws it.
+
+        >>> Motion([1.0, 2.0, 3.0], [0.1, 2.0, 0.0]).as_scene()
+        {'body': {'moments_kg_m2': [1.0, 2.0, 3.0]}, 'start': {'omega_rad_s': [0.1, 2.0, 0.0], 'attitude': [1.0, 0.0, 0.0, 0.0]}}
+        """
+        is_top, given = self._made
+        if is_top:
+            transverse, axial, mgl_N_m, *start = given
+            names = ("theta_rad", "theta_dot_rad_s", "phi_dot_rad_s", "omega3_rad_s")
+            return {
+                "body": {"moments_kg_m2": [transverse, transverse, axial]},
+                "torque": {"kind": "gravity", "mgl_N_m": mgl_N_m},
+                "start": dict(zip(names, start)),
+                "panels": [{"kind": "top"}],
+            }
+        moments, omega, attitude, method, step_s, tolerance, order, _, allow_unphysical = given
+        scene: Dict[str, Any] = {
+            "body": {"tensor_kg_m2" if moments.ndim == 2 else "moments_kg_m2": moments.tolist()},
+            "start": {"omega_rad_s": omega.tolist(), "attitude": attitude.tolist()},
+        }
+        if allow_unphysical:
+            scene["body"]["allow_unphysical"] = True
+        chosen = {"method": method, "step_s": step_s, "tolerance": tolerance, "order": order}
+        if method != "exact":
+            scene["motion"] = {key: value for key, value in chosen.items() if value is not None}
+        return scene
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both were made from the same numbers and options: their states are the same bit for bit."""
+        if not isinstance(other, Motion):
+            return NotImplemented
+        return self._key() == other._key()
+
+    def __hash__(self) -> int:
+        return hash(self._key())
+
+    def _key(self) -> Tuple[Any, ...]:
+        is_top, given = self._made
+        return (is_top, *(one.tobytes() if hasattr(one, "tobytes") else one for one in given))
 
     @property
     def regime(self) -> str:
@@ -243,14 +286,14 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         """
         return self._native.polhode(number("tolerance", tolerance))
 
-    def herpolhode(self, times: Any) -> Numbers:
+    def herpolhode(self, times: ArrayLike) -> Numbers:
         """The contact points ρ on the invariable plane, in space axes: shape S + (3,), 1/√(kg m²).
 
         times: in s, of any shape S.
         """
         return self._native.contact(numbers("times", times), True)
 
-    def contact(self, times: Any) -> Numbers:
+    def contact(self, times: ArrayLike) -> Numbers:
         """The contact points ρ = ω/√(2T) on the ellipsoid, in body axes: shape S + (3,), 1/√(kg m²)."""
         return self._native.contact(numbers("times", times), False)
 
@@ -262,7 +305,7 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         """
         return self._native.flips(number("first_s", first_s), number("last_s", last_s))
 
-    def certificate(self, times: Any, attitude_error_rad: float = 1e-6) -> List[Claim]:
+    def certificate(self, times: ArrayLike, attitude_error_rad: float = 1e-6) -> List[Claim]:
         """The residuals of Poinsot's construction at these instants, in s, against their bounds.
 
         attitude_error_rad: how exact a stepping method shall be, which is also compared with the

@@ -6,7 +6,7 @@ import os
 from typing import Any, List, Optional, Tuple
 
 from . import _poinsot
-from .arrays import Numbers, numbers
+from .arrays import Numbers, numbers, w_first
 from .errors import InputError
 from .paths import path_text
 
@@ -80,7 +80,7 @@ def rows_of(times: Any, omega: Any = None, attitude: Any = None) -> Rows:
     if omega is None and attitude is None:
         return _rows_of_table(times)
     measured = None if omega is None else numbers("omega", omega)
-    return numbers("times", times), measured, None if attitude is None else numbers("attitude", attitude)
+    return numbers("times", times), measured, None if attitude is None else numbers("attitude", w_first(attitude))
 
 
 def with_omega(rows: Rows) -> Tuple[Numbers, Numbers, Optional[Numbers]]:

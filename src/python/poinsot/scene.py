@@ -9,9 +9,12 @@ import os
 import tempfile
 from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
+from numpy.typing import ArrayLike
+
 from . import _poinsot, toml
 from .arrays import numbers
 from .errors import InputError
+from .motion import Motion
 from .paths import Path, path_text
 from .pictures import Figure, Film, Page, Still, page_name
 from .progress import Progress
@@ -59,7 +62,7 @@ def _size_text(size: Any) -> str:
 
 
 class Scene:
-    """A scene: from a file, a text of TOML, nested dicts, or the name of a scene of the package.
+    """A scene: from a file, a text of TOML, nested dicts, a Motion, or the name of a scene of the package.
 
     A text has several lines or a "="; `values` are changed values by dotted key, as --set takes
     them. `allow_outside`: whether the scene may name files outside its own folder.
@@ -75,12 +78,14 @@ class Scene:
 
     def __init__(
         self,
-        source: Union[str, "os.PathLike[str]", Mapping[str, Any]],
+        source: Union[str, "os.PathLike[str]", Mapping[str, Any], Motion],
         values: Optional[Mapping[str, Any]] = None,
         *,
         allow_outside: bool = False,
     ) -> None:
         changes = toml.assignments({} if values is None else values)
+        if isinstance(source, Motion):
+            source = source.as_scene()
         if isinstance(source, Mapping):
             text = toml.unicode_text("scene.toml", toml.scene_text(source))
             self._native = _poinsot.Scene.from_text(text, "scene.toml", changes, allow_outside)
@@ -91,17 +96,32 @@ class Scene:
         elif isinstance(source, (str, os.PathLike)):
             self._native = _poinsot.Scene.from_file(_file_of(path_text(source)), changes, allow_outside)
         else:
-            raise InputError(f"a scene is a file, a text or a dict, not {type(source).__name__}")
+            raise InputError(f"a scene is a file, a text, a dict or a Motion, not {type(source).__name__}")
 
-    def set(self, values: Mapping[str, Any]) -> "Scene":
-        """The same scene with other values, by dotted key; this one stays as it is.
+    def set(self, values: Optional[Mapping[str, Any]] = None, **tables: Any) -> "Scene":
+        """The same scene with other values; this one stays as it is.
+
+        values: by dotted key, or in nested dicts. Keys and tables without a dot may also be keywords.
 
         >>> Scene("generic").set({"start.omega_rad_s": [0.2, 2.0, 0.1]}).values
         ['start.omega_rad_s=[0.2, 2.0, 0.1]']
+        >>> Scene("generic").set(theme="dark", camera={"elevation_deg": 10}).values
+        ['theme="dark"', 'camera.elevation_deg=10']
         """
         changed = object.__new__(Scene)
-        changed._native = self._native.with_values(toml.assignments(values))
+        given = [] if values is None and tables else toml.assignments(values)
+        changed._native = self._native.with_values(given + toml.assignments(tables))
         return changed
+
+    def __eq__(self, other: object) -> bool:
+        """Whether both have the same text, changed values and place of files: they give the same bytes."""
+        if not isinstance(other, Scene):
+            return NotImplemented
+        return self.__reduce__() == other.__reduce__()
+
+    def __hash__(self) -> int:
+        native = self._native
+        return hash((native.text, native.file, tuple(native.values), native.allow_outside))
 
     def __reduce__(self) -> Tuple[Any, ...]:
         native = self._native
@@ -140,7 +160,7 @@ class Scene:
         said: Dict[str, Any] = json.loads(self._native.check_json())
         return said
 
-    def sample(self, times: Any, columns: Optional[Sequence[str]] = None) -> Samples:
+    def sample(self, times: ArrayLike, columns: Optional[Sequence[str]] = None) -> Samples:
         """The motion at these instants.
 
         times: seconds, any shape; columns: names as for `poinsot sample --columns`. Returns arrays
@@ -272,7 +292,7 @@ class Scene:
         fps: Any = None,
         theme: Optional[str] = None,
         quality: Optional[str] = None,
-        frames: Optional[Tuple[int, int]] = None,
+        frames: Union[None, Tuple[int, int], range] = None,
         backend: str = "auto",
         portable: bool = False,
         progress: bool = True,
@@ -280,7 +300,7 @@ class Scene:
         """Writes a film (.mp4, .webm, .mov, .gif), a presentation (.pptx) or, with #### in the name, a
         PNG sequence.
 
-        The options are those of `poinsot render`; frames: the first and the last, from 0. A film
+        The options are those of `poinsot render`; frames: the first and the last, from 0, or a range. A film
         that was interrupted, also by Ctrl-C, continues at the next call. `progress` shows a bar.
         Raises InputError, EnvironmentError.
         """
@@ -289,11 +309,11 @@ class Scene:
             raise InputError(f"{name}: .page({name!r}) writes a page")
         if frames is not None:
             try:
-                first, last = frames
+                first, last = (frames[0], frames[-1]) if isinstance(frames, range) and frames.step == 1 else frames
                 frames = operator.index(first), operator.index(last)
                 if max(frames) >= 2**63 or min(frames) < -(2**63):
                     raise ValueError
-            except (TypeError, ValueError):
+            except (IndexError, TypeError, ValueError):
                 raise InputError(f"frames: {frames!r} is not a range of frames; give (first, last), from 0") from None
         scene = self._drawn(size, theme, quality, fps, backend, portable)
         with Progress(progress, scene.name) as shown:

@@ -6,7 +6,7 @@ import json
 import math
 import os
 import re
-from typing import Any, Iterator, List, Mapping
+from typing import Any, Iterator, List, Mapping, Tuple
 
 from .errors import InputError
 
@@ -85,11 +85,22 @@ def scene_text(scene: Mapping[Any, Any]) -> str:
     return "\n".join(_lines(scene, [])) + "\n"
 
 
-def assignments(values: Mapping[str, Any]) -> List[str]:
-    """Values by dotted key, as --set takes them."""
+def assignments(values: Any) -> List[str]:
+    """Values by dotted key or in nested dicts, as --set takes them; keys inside dicts whose value is None are left out."""
     if not isinstance(values, Mapping):
-        raise InputError(f"values: is a dict of dotted keys and values, and this is of type {type(values).__name__}")
-    return [unicode_text("values", f"{_dotted(key)}={value_text(value)}") for key, value in values.items()]
+        raise InputError(f"values: is a dict of keys and values, and this is of type {type(values).__name__}")
+    return [unicode_text("values", f"{key}={value_text(value)}") for key, value in _single(values, "")]
+
+
+def _single(values: Mapping[Any, Any], above: str) -> Iterator[Tuple[str, Any]]:
+    for key, value in values.items():
+        dotted = above + _dotted(key)
+        if value is None and not above:
+            raise InputError(f"{dotted}: None is no value; give the value that the key shall have")
+        if isinstance(value, Mapping):
+            yield from _single(value, dotted + ".")
+        elif value is not None:
+            yield dotted, value
 
 
 def _dotted(key: Any) -> str:
