@@ -293,17 +293,22 @@ class Figure {
     this.hooks.drawn();
   }
 
+  /** The picture of a second of film. @param {number} film_s @param {number} width @param {number} height */
+  image(film_s, width, height) {
+    const pixels = /** @type {Program} */ (this.program).pixels(this.time_of(film_s), width, height, film_s);
+    return new ImageData(new Uint8ClampedArray(pixels), width, height);
+  }
+
   /** A picture of this instant as a file. @param {number} width @param {number} height @param {string} [type] @returns {Promise<Blob>} */
   async png(width, height, type = 'image/png') {
     const {program} = this;
     if (!program) throw new Error('the figure has not started');
     if (![width, height].every((side) => Number.isInteger(side) && side >= 1 && side <= most_side_px))
       throw new RangeError(`a picture of ${width} × ${height} pixels: give two whole numbers from 1 to ${most_side_px}`);
-    const pixels = program.pixels(this.time_s, width, height, this.film.at_s);
+    const image = this.image(this.film.at_s, width, height);
     const canvas = document.createElement('canvas');
     canvas.width = width;
     canvas.height = height;
-    const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
     /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).putImageData(image, 0, 0);
     return new Promise((resolve, reject) => {
       canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the browser made no picture'))), type, 0.85);

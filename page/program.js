@@ -17,7 +17,7 @@
  *   last_time_s: number, film_length_s: number, opens_at_s: number, loops: boolean, frames_per_s: number,
  *   width: number, height: number, film_width: number, film_height: number, motion: string, regime: string, next: string, flips: {one_s: number, interval_s: number|null}|null, notes: string[],
  *   panels: Panel[], chapters: {at_s: number, title: string}[],
- *   stops: {at_s: number, title: string, loop_s: number|null, note: string}[],
+ *   stops: {at_s: number, title: string, loop_s: number|null, note: string, planned_s: number|null}[],
  *   controls: Control[], elements: {name: string, summary: string, overlay: boolean, offered: boolean, shown: boolean}[]}} Loaded
  *   Chapters, stops and opens_at_s are at seconds of the film; the other times are the motion's.
  * @typedef {{time_s: number, omega_body: number[], space_from_body: number[],

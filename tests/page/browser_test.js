@@ -840,6 +840,46 @@ check('the notes have a window of their own', async (browser) => {
   await tab.close();
 });
 
+check('the notes say what is planned, and show the next stop', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'n');
+  const said = (name) => tab.evaluate((name) => the_page.notes.page.querySelector(`.notes-${name}`).textContent, name);
+  await wait(1300);
+  // The lecture has not begun.
+  assert.match(await said('clock'), /Elapsed 0:00 · Planned 1:30 · film 0:00 \/ 0:10$/);
+  assert.equal(await said('next'), 'Next: Which axis is unstable?');
+  await tab.evaluate(() => poinsot.seek_stop(1));
+  await until(tab, 'the_page.notes.page.querySelector(".notes-next").textContent === "Next: 2:30 · Look at the herpolhode"');
+  assert.equal(await said('where'), '1 / 2 · Which axis is unstable?');
+  await until(tab, '/Elapsed 0:0[1-9] · Planned 1:30/.test(the_page.notes.page.querySelector(".notes-clock").textContent)');
+  // The small picture is that of the next stop, and not that of this one.
+  const different = await tab.evaluate(async () => {
+    const small = the_page.notes.page.querySelector('.notes-picture');
+    const {width, height} = small;
+    const shown = small.getContext('2d').getImageData(0, 0, width, height).data;
+    const shares = [];
+    for (const stop of [2, 1]) {
+      poinsot.pause();
+      poinsot.seek_stop(stop);
+      poinsot.pause();
+      const bitmap = await createImageBitmap(await poinsot.png(width, height));
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const {data} = context.getImageData(0, 0, width, height);
+      let n = 0;
+      for (let k = 0; k < data.length; k += 4) n += Number([0, 1, 2].some((c) => Math.abs(data[k + c] - shown[k + c]) > 8));
+      shares.push(n / (width * height));
+    }
+    return {width, height, shares};
+  });
+  assert.deepEqual([different.width, different.height], [480, 270]);
+  assert.ok(different.shares[0] < 1e-3 && different.shares[1] > 1e-2, `${different.shares}`);
+  await press(tab, 'n');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('speaks the language of its scene', async (browser) => {
   const {tab, faults} = await opened_file(browser, page_of(program, lecture, path.join(folder, 'german.html'), ['--set', 'language=de']), {size: {width: 1280, height: 720}});
   await ready(tab);
