@@ -56,6 +56,8 @@ class Figure {
     this.is_lost = false;
     this.frame = 0;
     this.last_ms = 0;
+    /** By how many seconds the body beside the construction is ahead, while it turns alone; null: it does not. @type {number|null} */
+    this.beside_s = null;
     this.is_resized = false;
     /** How far the browser has enlarged the page since it was opened. */
     this.enlarged = 1;
@@ -259,6 +261,7 @@ class Figure {
     this.before_next?.();
     this.before_next = null;
     this.film.advance(step_s);
+    if (this.beside_s !== null) this.beside_s += step_s;
     try {
       this.#draw();
       this.is_revived = false;
@@ -272,8 +275,9 @@ class Figure {
       this.#revive(error);
       this.hooks.failed('draw', message_of(error));
     }
-    this.last_ms = this.film.playing ? ms : 0;
-    if (this.film.playing) this.invalidate();
+    const goes_on = this.film.playing || this.beside_s !== null;
+    this.last_ms = goes_on ? ms : 0;
+    if (goes_on) this.invalidate();
   }
 
   #draw() {
@@ -289,7 +293,7 @@ class Figure {
         this.loaded.panels = program.resize(width, height, type_scale);
       }
     }
-    program.draw(this.time_s, this.film.at_s);
+    program.draw(this.time_s, this.film.at_s, this.beside_s ?? 0);
     this.hooks.drawn();
   }
 

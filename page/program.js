@@ -461,10 +461,11 @@ class Program extends WasmModule {
    * Draws an instant into the canvas. In this and the following functions, `film_s` is the second
    * of the film; without it, the first that shows the instant: a film may halt while elements fade.
    * @param {number} t @param {number} [film_s]
+   * @param {number} [beside_later_s] by which the body beside the construction is ahead
    */
-  draw(t, film_s = NaN) {
+  draw(t, film_s = NaN, beside_later_s = 0) {
     if (!this.gl || this.gl.isContextLost()) return;
-    this.call('draw', t, film_s);
+    this.call('draw', t, film_s, beside_later_s);
   }
 
   /** Computes what `draw` hands to WebGL, and nothing else; for measurements. @param {number} t */
