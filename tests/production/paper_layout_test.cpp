@@ -86,8 +86,15 @@ TEST(PaperLayout, HandOutsOfTheLectureNameTheirArrows) {
             });
         };
         std::set<std::string_view> shown;
+        // Seen along it, an arrow is a dot: L in the view from above, of which the caption speaks.
+        const Projection projection(view);
+        const auto is_seen = [&](const Arrow& arrow) {
+            return arrow.opacity > 0.5 &&
+                   (projection.place(arrow.tip) - projection.place(arrow.tail)).norm() >
+                       0.02 * view.height_px;
+        };
         for (const Arrow& arrow : view.arrows)
-            if (arrow.opacity > 0.5) shown.insert(arrow.name.element);
+            if (is_seen(arrow)) shown.insert(arrow.name.element);
         for (const std::string_view element :
              {"omega", "momentum", "radius", "gradient", "direction", "spin-direction"})
             if (shown.contains(element)) {
