@@ -88,10 +88,11 @@ std::string slide_index(const Session& session, const FilmPlan& film,
         std::string links;
         for (const std::string& file : {files.film, files.loop, files.pdf})
             if (!file.empty()) links += fmt::format(R"( <a href="{0}">{0}</a>)", file);
+        const std::string name = fmt::format("{}. {}", i + 1, escaped_markup(slides[i].title));
         items += fmt::format(
-            R"(<li><a href="{}"><img src="{}" alt="" loading="lazy"></a><p>{}. {}</p><p>{}</p></li>)"
+            R"(<li><a href="{}"><img src="{}" alt="{}" loading="lazy"></a><p>{}</p><p>{}</p></li>)"
             "\n",
-            files.film, files.png, i + 1, escaped_markup(slides[i].title), links.substr(1));
+            files.film, files.png, name, name, links.substr(1));
     }
     return fmt::format(R"(<!DOCTYPE html>
 <html lang="{}">
