@@ -56,6 +56,8 @@ class Figure {
     this.is_lost = false;
     this.frame = 0;
     this.last_ms = 0;
+    /** By how many seconds the body beside the construction is ahead, while it turns alone; null: it does not. @type {number|null} */
+    this.beside_s = null;
     this.is_resized = false;
     /** How far the browser has enlarged the page since it was opened. */
     this.enlarged = 1;
@@ -259,6 +261,7 @@ class Figure {
     this.before_next?.();
     this.before_next = null;
     this.film.advance(step_s);
+    if (this.beside_s !== null) this.beside_s += step_s;
     try {
       this.#draw();
       this.is_revived = false;
@@ -272,8 +275,9 @@ class Figure {
       this.#revive(error);
       this.hooks.failed('draw', message_of(error));
     }
-    this.last_ms = this.film.playing ? ms : 0;
-    if (this.film.playing) this.invalidate();
+    const goes_on = this.film.playing || this.beside_s !== null;
+    this.last_ms = goes_on ? ms : 0;
+    if (goes_on) this.invalidate();
   }
 
   #draw() {
@@ -289,8 +293,14 @@ class Figure {
         this.loaded.panels = program.resize(width, height, type_scale);
       }
     }
-    program.draw(this.time_s, this.film.at_s);
+    program.draw(this.time_s, this.film.at_s, this.beside_s ?? 0);
     this.hooks.drawn();
+  }
+
+  /** The picture of a second of film. @param {number} film_s @param {number} width @param {number} height */
+  image(film_s, width, height) {
+    const pixels = /** @type {Program} */ (this.program).pixels(this.time_of(film_s), width, height, film_s);
+    return new ImageData(new Uint8ClampedArray(pixels), width, height);
   }
 
   /** A picture of this instant as a file. @param {number} width @param {number} height @param {string} [type] @returns {Promise<Blob>} */
@@ -299,11 +309,10 @@ class Figure {
     if (!program) throw new Error('the figure has not started');
     if (![width, height].every((side) => Number.isInteger(side) && side >= 1 && side <= most_side_px))
       throw new RangeError(`a picture of ${width} × ${height} pixels: give two whole numbers from 1 to ${most_side_px}`);
-    const pixels = program.pixels(this.time_s, width, height, this.film.at_s);
+    const image = this.image(this.film.at_s, width, height);
     const canvas = document.createElement('canvas');
     canvas.width = width;
     canvas.height = height;
-    const image = new ImageData(new Uint8ClampedArray(pixels), width, height);
     /** @type {CanvasRenderingContext2D} */ (canvas.getContext('2d')).putImageData(image, 0, 0);
     return new Promise((resolve, reject) => {
       canvas.toBlob((blob) => (blob ? resolve(blob) : reject(new Error('the browser made no picture'))), type, 0.85);

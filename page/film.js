@@ -1,7 +1,7 @@
 // Where the film is: playing, waiting at stops, and stepping. No drawing, no clock of its own.
 
 /**
- * @typedef {{at_s: number, title: string, loop_s: number|null, note: string}} Stop
+ * @typedef {{at_s: number, title: string, loop_s: number|null, note: string, planned_s: number|null}} Stop
  * @typedef {{at_s: number, title: string}} Chapter
  * @typedef {{length_s: number, frames_per_s: number, loops: boolean, stops: Stop[], chapters: Chapter[]}} FilmPlan
  */

@@ -29,6 +29,8 @@ class Grips {
     this.goes_on = false;
     /** From the pointer to the point that it moves, in pixels of the canvas. */
     this.offset = {x: 0, y: 0};
+    /** Where the pointer was when the body beside the construction began to turn. */
+    this.rests = {x: 0, y: 0};
     /** The second of film at which cameras are held since a drag; null: they are not. @type {number|null} */
     this.held_at_s = null;
     /** Those with a ring. @type {Grip[]} */
@@ -98,7 +100,10 @@ class Grips {
   /** Whether the pointer takes something. @param {number} x @param {number} y @param {number} panel */
   take(x, y, panel) {
     const grip = this.at(x, y, panel);
-    if (grip) this.#take(grip, x, y);
+    if (grip) {
+      this.#take(grip, x, y);
+      this.#turn_beside(x, y);
+    }
     return grip !== null;
   }
 
@@ -120,6 +125,15 @@ class Grips {
     this.figure.invalidate();
   }
 
+  /** Where the pointer rests, the body beside the construction begins to turn as it would from here. @param {number} x @param {number} y */
+  #turn_beside(x, y) {
+    const {figure} = this;
+    if (!figure.loaded?.elements.some((element) => element.name === 'body-beside' && element.shown)) return;
+    this.rests = {x, y};
+    figure.beside_s = 0;
+    figure.invalidate();
+  }
+
   /** Frames the figure again after a drag. */
   let_go() {
     if (this.held_at_s === null) return;
@@ -133,6 +147,8 @@ class Grips {
     const {program, time_s, film} = this.figure;
     const {held} = this;
     if (!program || !held) return;
+    if (this.figure.beside_s !== null && Math.hypot(pointer_x - this.rests.x, pointer_y - this.rests.y) > 3 * this.figure.ratio)
+      this.#turn_beside(pointer_x, pointer_y);
     const [x, y] = [pointer_x + this.offset.x, pointer_y + this.offset.y];
     const start = program.startAt(time_s, held, x, y, film.at_s);
     const short = (/** @type {number} */ value) => Number(value.toPrecision(6));
@@ -150,6 +166,7 @@ class Grips {
 
   drop() {
     this.held = null;
+    this.figure.beside_s = null;
     this.figure.film.playing ||= this.goes_on;
     this.goes_on = false;
     this.figure.invalidate();
@@ -159,6 +176,7 @@ class Grips {
   take_back() {
     const {before} = this;
     this.held = null;
+    this.figure.beside_s = null;
     this.before = null;
     if (!before) return false;
     this.let_go();

@@ -48,7 +48,10 @@ class Page {
       take_back: (values) => this.#reload({values}),
     });
     this.films = new FilmPanel(this);
-    this.notes = new Notes(part('notes'), words, (event) => this.#key(event));
+    this.notes = new Notes(part('notes'), words, (event) => this.#key(event), (film_s) => {
+      const {program, loaded, is_lost} = this.figure;
+      return program && loaded && !is_lost ? this.figure.image(film_s, 480, Math.round((480 * loaded.film_height) / loaded.film_width)) : null;
+    });
     /** Called after a scene is loaded. @type {() => void} */
     this.said = () => {};
     /** Values that are set at the next frame. @type {Map<string, string>} */

@@ -13,16 +13,17 @@ async function write_presentation(run, film, codec, maker, zip) {
   const plan = JSON.parse(run.program.filmSlides());
   const title = film.title || plan.slides_of;
   const texts = [title, plan.slides_of, plan.language, String(plan.size[0]), String(plan.size[1])];
-  // Until a film plays, its slide shows the picture with which the slide before ended.
+  // Until a film plays, its slide shows the picture with which the slide before ended; print-outs show the stop.
   /** @type {Map<number, string>} */
   const posters = new Map();
-  const add = (/** @type {SlideRow} */ slide, /** @type {string} */ file, /** @type {number} */ poster, /** @type {number} */ n_frames, /** @type {string} */ loops) => {
-    if (!posters.has(poster)) posters.set(poster, `poster${posters.size + 1}.png`);
-    texts.push(slide.title || title, slide.note, file, posters.get(poster) ?? '', String(Math.round((1000 * n_frames * film.denominator) / film.numerator)), loops);
+  const picture = (/** @type {number} */ frame) => {
+    if (!posters.has(frame)) posters.set(frame, `poster${posters.size + 1}.png`);
+    return posters.get(frame) ?? '';
   };
+  const duration = (/** @type {number} */ n_frames) => String(Math.round((1000 * n_frames * film.denominator) / film.numerator));
   for (const slide of plan.slides) {
-    add(slide, slide.film, slide.first_frame, slide.last_frame - slide.first_frame + 1, '');
-    if (slide.loop) add(slide, slide.loop, slide.last_frame, n_loop_frames(slide, film), 'loops');
+    texts.push(slide.title || title, slide.note, slide.film, picture(slide.first_frame), slide.loop ?? '', picture(slide.last_frame),
+      duration(slide.last_frame - slide.first_frame + 1), duration(slide.loop ? n_loop_frames(slide, film) : 0));
   }
   const parts = await presentation_parts(texts);
   for (let k = 0; k < parts.length; k += 2) await zip.add(parts[k] ?? '', utf8(parts[k + 1] ?? ''));

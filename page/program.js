@@ -17,7 +17,7 @@
  *   last_time_s: number, film_length_s: number, opens_at_s: number, loops: boolean, frames_per_s: number,
  *   width: number, height: number, film_width: number, film_height: number, motion: string, regime: string, next: string, flips: {one_s: number, interval_s: number|null}|null, notes: string[],
  *   panels: Panel[], chapters: {at_s: number, title: string}[],
- *   stops: {at_s: number, title: string, loop_s: number|null, note: string}[],
+ *   stops: {at_s: number, title: string, loop_s: number|null, note: string, planned_s: number|null}[],
  *   controls: Control[], elements: {name: string, summary: string, overlay: boolean, offered: boolean, shown: boolean}[]}} Loaded
  *   Chapters, stops and opens_at_s are at seconds of the film; the other times are the motion's.
  * @typedef {{time_s: number, omega_body: number[], space_from_body: number[],
@@ -461,10 +461,11 @@ class Program extends WasmModule {
    * Draws an instant into the canvas. In this and the following functions, `film_s` is the second
    * of the film; without it, the first that shows the instant: a film may halt while elements fade.
    * @param {number} t @param {number} [film_s]
+   * @param {number} [beside_later_s] by which the body beside the construction is ahead
    */
-  draw(t, film_s = NaN) {
+  draw(t, film_s = NaN, beside_later_s = 0) {
     if (!this.gl || this.gl.isContextLost()) return;
-    this.call('draw', t, film_s);
+    this.call('draw', t, film_s, beside_later_s);
   }
 
   /** Computes what `draw` hands to WebGL, and nothing else; for measurements. @param {number} t */

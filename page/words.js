@@ -41,6 +41,7 @@ const all_words = {
   notes: ['Notes', 'Notizen', 'Notes', 'Notas', 'Note', 'ノート'],
   next: ['Next', 'Als Nächstes', 'Ensuite', 'Después', 'Poi', '次'],
   end: ['End', 'Ende', 'Fin', 'Fin', 'Fine', '終わり'],
+  planned: ['Planned', 'Geplant', 'Prévu', 'Previsto', 'Previsto', '予定'],
   elapsed: ['Elapsed', 'Vergangen', 'Écoulé', 'Transcurrido', 'Trascorso', '経過'],
   keys: ['Keys', 'Tasten', 'Touches', 'Teclas', 'Tasti', 'キー'],
   figure: ['Figure', 'Bild', 'Figure', 'Figura', 'Figura', '図'],

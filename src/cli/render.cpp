@@ -82,8 +82,8 @@ CommandLine render_line() {
         {output_option(c.film.output, "output file; default output/SCENE.mp4"),
          {.flags = "--slides",
           .takes = "FOLDER",
-          .help = "write a film, a PNG and a PDF for each stop (without stops: for each chapter) "
-                  "and slides.json into this folder",
+          .help = "write a film, a PNG and a PDF for each stop (without stops: for each chapter), "
+                  "index.html, which lists them, and slides.json into this folder",
           .value = ReadText{[&c](const std::string& text) {
               c.film.slides = parse_text("--slides", text);
           }},

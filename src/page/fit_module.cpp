@@ -110,9 +110,9 @@ POINSOT_EXPORT(find_flights) int find_flights(const double* given, std::uint32_t
 }
 
 // The parts of a presentation but its media. `texts`: its title, the scene's name, its language,
-// width and height in pixels and, for each slide, the title, the note, the names of film and
-// poster, the duration in ms and "loops" or ""; each followed by a NUL. The answer is a list of
-// names and contents in JSON.
+// width and height in pixels and, for each slide, the title, the note, the names of film, poster,
+// loop (or "") and still, and the durations of film and loop in ms; each followed by a NUL. The
+// answer is a list of names and contents in JSON.
 POINSOT_EXPORT(presentation) int presentation(const char* texts, std::uint32_t texts_size) {
     return answered([&] {
         const std::vector<std::string> given = texts_at(texts, texts_size);
@@ -122,13 +122,15 @@ POINSOT_EXPORT(presentation) int presentation(const char* texts, std::uint32_t t
                       .width_px = std::stoi(given.at(3)),
                       .height_px = std::stoi(given.at(4)),
                       .slides = {}};
-        for (std::size_t i = 5; i + 5 < given.size(); i += 6)
+        for (std::size_t i = 5; i + 7 < given.size(); i += 8)
             text.slides.push_back({.title = given[i],
                                    .note = given[i + 1],
                                    .film = given[i + 2],
                                    .poster = given[i + 3],
-                                   .duration_ms = std::stoll(given[i + 4]),
-                                   .loops = !given[i + 5].empty()});
+                                   .loop = given[i + 4],
+                                   .still = given[i + 5],
+                                   .duration_ms = std::stoll(given[i + 6]),
+                                   .loop_ms = std::stoll(given[i + 7])});
         std::vector<std::string> parts;
         for (const PptxPart& part : pptx_parts(text)) {
             parts.push_back(json_string(part.name));

@@ -5,7 +5,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <numbers>
+#include <type_traits>
 
 #include "drawing/figures/elements/elements.h"
 #include "drawing/stage/live_values.h"
@@ -226,8 +228,33 @@ void Lecture::hold(const std::vector<Camera>& cameras) {
         held_.emplace_back([camera](const Camera&) { return camera; });
 }
 
-Drawing Lecture::drawing_at(const FilmTime& moment) const {
-    return stage_->at(moment, held_.empty() ? cameras_ : held_);
+namespace {
+
+constexpr auto is_beside = [](const auto& shape) { return shape.name.element == "body-beside"; };
+
+// Replaces the shapes of the body beside the construction by those of another instant.
+void exchange_beside(View& view, View& later) {
+    // Both views have the same lists in the same order.
+    std::vector<void*> lists;
+    for_each_list(later, [&lists](auto& list) { lists.push_back(&list); });
+    auto next = lists.begin();
+    for_each_list(view, [&next](auto& list) {
+        auto& from = *static_cast<std::remove_reference_t<decltype(list)>*>(*next++);
+        std::erase_if(list, is_beside);
+        std::copy_if(from.begin(), from.end(), std::back_inserter(list), is_beside);
+    });
+}
+
+}  // namespace
+
+Drawing Lecture::drawing_at(const FilmTime& moment, double beside_later_s) const {
+    const std::vector<CameraChange>& cameras = held_.empty() ? cameras_ : held_;
+    Drawing drawing = stage_->at(moment, cameras);
+    if (!(beside_later_s > 0.0)) return drawing;
+    Drawing later = stage_->at({moment.time_s + beside_later_s, moment.film_s}, cameras);
+    for (std::size_t k = 0; k < drawing.views.size(); ++k)
+        exchange_beside(drawing.views[k], later.views[k]);
+    return drawing;
 }
 
 Drawing Lecture::drawing_of_size(const FilmTime& moment, int width_px, int height_px) {

@@ -66,7 +66,9 @@ class Lecture {
     FilmTime moment_of(double time_s, double film_s = PanelView::none) const;
     double time_at(double film_s) const { return film_.clock.time_at(film_s); }
 
-    Drawing drawing_at(const FilmTime& moment) const;
+    // The body beside the construction is shown this many seconds of the motion later: it turns
+    // while everything else stands.
+    Drawing drawing_at(const FilmTime& moment, double beside_later_s = 0.0) const;
     // The same for a picture of another size. The drawing is valid until the next call.
     Drawing drawing_of_size(const FilmTime& moment, int width_px, int height_px);
 

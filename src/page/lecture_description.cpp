@@ -132,12 +132,14 @@ std::string Lecture::description() const {
             JsonObject().add("at_s", chapter.at_s).add("title", chapter.title).line());
     std::vector<std::string> stops, controls;
     for (const StopSpec& stop : scene.stops)
-        stops.push_back(JsonObject()
-                            .add("at_s", stop.at_s)
-                            .add("title", stop.title)
-                            .json("loop_s", stop.loop_s ? json_number(*stop.loop_s) : "null")
-                            .add("note", stop.note)
-                            .line());
+        stops.push_back(
+            JsonObject()
+                .add("at_s", stop.at_s)
+                .add("title", stop.title)
+                .json("loop_s", stop.loop_s ? json_number(*stop.loop_s) : "null")
+                .add("note", stop.note)
+                .json("planned_s", stop.planned_s ? json_number(*stop.planned_s) : "null")
+                .line());
     for (const std::string& key : controls_of(scene)) controls.push_back(control_of(scene, key));
     // A loop goes on until it meets its beginning.
     const double last_s =

@@ -119,9 +119,11 @@ POINSOT_EXPORT(hold) int hold(double time_s, double film_s, int holds) {
 }
 
 // In all of these, `film_s` is the second of the film, or NaN for the first that shows the instant.
-POINSOT_EXPORT(draw) int draw(double time_s, double film_s) {
+// `beside_later_s`: as for Lecture::drawing_at.
+POINSOT_EXPORT(draw) int draw(double time_s, double film_s, double beside_later_s) {
     return answered([&] {
-        const Drawing drawing = lecture().drawing_at(lecture().moment_of(time_s, film_s));
+        const Drawing drawing =
+            lecture().drawing_at(lecture().moment_of(time_s, film_s), beside_later_s);
         renderer().render_to(drawing, 0, ScreenAlpha::premultiplied);
     });
 }

@@ -193,8 +193,9 @@ struct ChapterSpec {
 struct StopSpec {
     double at_s = 0.0;  // of the film
     std::string title;
-    std::optional<double> loop_s;  // of the film, before the stop: repeated while the page waits
-    std::string note;              // for the lecturer
+    std::optional<double> loop_s;     // of the film, before the stop: repeated while the page waits
+    std::string note;                 // for the lecturer
+    std::optional<double> planned_s;  // of the lecture, when the lecturer begins with this stop
 };
 
 // [page]: what a page lets its viewers change.

@@ -179,6 +179,10 @@ std::span<const SceneKey> story_keys() {
             .default_is("the page stands still"),
         text("stops[].note", stop(&StopSpec::note), R"("Ask before you go on.")",
              "note for the lecturer, shown in a window of its own"),
+        number("stops[].planned_s", stop(&StopSpec::planned_s), film_seconds, "s", "90.0",
+               "planned time at which the lecturer begins with this stop, in seconds of the "
+               "lecture; the notes show it beside the elapsed time")
+            .default_is("none"),
 
         // The page.
         texts("page.controls", in(&Scene::page, &PageSpec::controls), R"(["start.omega_rad_s"])",

@@ -240,7 +240,7 @@ TEST(Slides, HaveTheSameBytesFromSeveralProcesses) {
         EXPECT_EQ(run.out, "");
     }
     for (const std::string file : {"01.mp4", "01-loop.mp4", "01.png", "01.pdf", "02.mp4", "02.png",
-                                   "02.pdf", "slides.json"}) {
+                                   "02.pdf", "slides.json", "index.html"}) {
         EXPECT_NE(text_of(folder.path() / "deck1" / file), "") << file;
         EXPECT_EQ(text_of(folder.path() / "deck1" / file), text_of(folder.path() / "deck3" / file))
             << file;

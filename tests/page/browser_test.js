@@ -282,6 +282,50 @@ check('drags at any instant: the film stays there, L keeps its direction, and Es
   await tab.close();
 });
 
+check('turns the body beside the construction while the contact point is held', async (browser) => {
+  const scene = scene_file('beside', 'labels = false\noverlays = false\nshow = ["ellipsoid", "plane", "radius", "body-beside"]\n[body]\nmoments_kg_m2 = [4, 3, 1.5]\n'
+    + '[start]\nomega_rad_s = [0, 2.04, 0.55]\n[camera]\nazimuth_deg = -40\nelevation_deg = 14\ndistance = 6\n[film]\nlength_s = 20\n');
+  const {tab, faults} = await opened_file(browser, page_of(program, scene, `${scene}.html`), {size: {width: 1280, height: 720}, fragment: '#at=7.5'});
+  await ready(tab);
+  await settled(tab);
+  const [x, y] = await place_of(tab, 'omega');
+  await tab.mouse.move(x, y);
+  await tab.mouse.down();
+  await until(tab, 'the_page.figure.beside_s > 0.8');
+  // The shares of the pixels, of the body at the left and of the construction, that differ between two instants.
+  const shares = await tab.evaluate(() => {
+    const {figure} = the_page;
+    const {width, height} = figure.canvas;
+    const {time_s, film, beside_s} = figure;
+    const shot = (t, later_s) => {
+      figure.program.draw(t, film.at_s, later_s);
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(figure.canvas, 0, 0);
+      return context.getImageData(0, 0, width, height).data;
+    };
+    const [now, held, later] = [shot(time_s, 0), shot(time_s, beside_s), shot(time_s + beside_s, 0)];
+    const differ = (a, b, from, to) => {
+      let n = 0;
+      for (let k = 0; k < a.length; k += 4) {
+        const column = (k / 4) % width / width;
+        n += Number(column >= from && column < to && [0, 1, 2].some((c) => Math.abs(a[k + c] - b[k + c]) > 8));
+      }
+      return n / (width * height);
+    };
+    return {film_s: film.at_s, turned: differ(now, held, 0, 0.26), as_later: differ(held, later, 0, 0.26), stands: differ(now, held, 0.3, 1), moves: differ(now, later, 0.3, 1)};
+  });
+  assert.equal(shares.film_s, 7.5);
+  assert.ok(shares.turned > 2e-3 && shares.moves > 2e-3 && shares.as_later < 2e-4 && shares.stands < 2e-4, JSON.stringify(shares));
+  // It begins anew where the pointer rests, and stops when the pointer lets go.
+  await tab.mouse.move(x + 20, y - 10);
+  await until(tab, 'the_page.coming.size === 0 && the_page.figure.beside_s < 0.5');
+  await tab.mouse.up();
+  await settled(tab);
+  assert.equal(await tab.evaluate(() => the_page.figure.beside_s), null);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('covers the screen by B and W, and any key comes back', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);
@@ -835,6 +879,46 @@ check('the notes have a window of their own', async (browser) => {
   await wait(300);
   assert.match(await tab.evaluate(() => location.href), /html/);
   if (notes) assert.match(await notes.evaluate(() => document.body.textContent), /:/);
+  await press(tab, 'n');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('the notes say what is planned, and show the next stop', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  await press(tab, 'n');
+  const said = (name) => tab.evaluate((name) => the_page.notes.page.querySelector(`.notes-${name}`).textContent, name);
+  await wait(1300);
+  // The lecture has not begun.
+  assert.match(await said('clock'), /Elapsed 0:00 · Planned 1:30 · film 0:00 \/ 0:10$/);
+  assert.equal(await said('next'), 'Next: Which axis is unstable?');
+  await tab.evaluate(() => poinsot.seek_stop(1));
+  await until(tab, 'the_page.notes.page.querySelector(".notes-next").textContent === "Next: 2:30 · Look at the herpolhode"');
+  assert.equal(await said('where'), '1 / 2 · Which axis is unstable?');
+  await until(tab, '/Elapsed 0:0[1-9] · Planned 1:30/.test(the_page.notes.page.querySelector(".notes-clock").textContent)');
+  // The small picture is that of the next stop, and not that of this one.
+  const different = await tab.evaluate(async () => {
+    const small = the_page.notes.page.querySelector('.notes-picture');
+    const {width, height} = small;
+    const shown = small.getContext('2d').getImageData(0, 0, width, height).data;
+    const shares = [];
+    for (const stop of [2, 1]) {
+      poinsot.pause();
+      poinsot.seek_stop(stop);
+      poinsot.pause();
+      const bitmap = await createImageBitmap(await poinsot.png(width, height));
+      const context = new OffscreenCanvas(width, height).getContext('2d');
+      context.drawImage(bitmap, 0, 0);
+      const {data} = context.getImageData(0, 0, width, height);
+      let n = 0;
+      for (let k = 0; k < data.length; k += 4) n += Number([0, 1, 2].some((c) => Math.abs(data[k + c] - shown[k + c]) > 8));
+      shares.push(n / (width * height));
+    }
+    return {width, height, shares};
+  });
+  assert.deepEqual([different.width, different.height], [480, 270]);
+  assert.ok(different.shares[0] < 1e-3 && different.shares[1] > 1e-2, `${different.shares}`);
   await press(tab, 'n');
   assert.deepEqual(faults, []);
   await tab.close();

@@ -61,6 +61,63 @@ TEST(PaperLayout, TitleAndCaptionTakeAQuarterOfThePageAtMost) {
     }
 }
 
+// Hand-outs of the lecture, 160 mm wide with type of 11 pt, as `--slides` makes them: every arrow
+// has its name, and every axis of its own.
+TEST(PaperLayout, HandOutsOfTheLectureNameTheirArrows) {
+    SessionRequest request{installed_fonts()};
+    request.print.width_mm = 160.0;
+    request.print.type_pt = 11.0;
+    const Session session = session_of(
+        load_scene((source_folder() / "scenes/lecture.toml").string(), std::vector<std::string>{}),
+        request);
+    const FilmPlan film = film_plan(session);
+    PictureSpan span = whole_film(film);
+    span.is_still = true;
+    const Stage stage = poinsot::stage_of(session, span, setting_of(session.scene, request.print));
+    const auto view_at = [&](const StopSpec& stop) {
+        const std::int64_t frame = std::min(film.frame_at(stop.at_s), film.n_frames - 1);
+        return stage.at(film.moment_of(frame)).views.front();
+    };
+    for (const StopSpec& stop : session.scene.stops) {
+        const View view = view_at(stop);
+        const auto n_names = [&view](std::string_view element) {
+            return std::count_if(view.labels.begin(), view.labels.end(), [&](const Label& label) {
+                return label.name.element == element && label.opacity > 0.5;
+            });
+        };
+        std::set<std::string_view> shown;
+        // Seen along it, an arrow is a dot: L in the view from above, of which the caption speaks.
+        const Projection projection(view);
+        const auto is_seen = [&](const Arrow& arrow) {
+            return arrow.opacity > 0.5 &&
+                   (projection.place(arrow.tip) - projection.place(arrow.tail)).norm() >
+                       0.02 * view.height_px;
+        };
+        for (const Arrow& arrow : view.arrows)
+            if (is_seen(arrow)) shown.insert(arrow.name.element);
+        for (const std::string_view element :
+             {"omega", "momentum", "radius", "gradient", "direction", "spin-direction"})
+            if (shown.contains(element)) {
+                EXPECT_GE(n_names(element), 1) << stop.title << ": " << element;
+            }
+        for (const std::string_view element : {"axes", "body-beside"})
+            if (shown.contains(element)) {
+                EXPECT_EQ(n_names(element), 3) << stop.title << ": " << element;
+            }
+    }
+    // The fifth stop names the three half-axes.
+    const View view = view_at(session.scene.stops.at(4));
+    EXPECT_EQ(std::count_if(view.labels.begin(), view.labels.end(),
+                            [](const Label& label) {
+                                return label.name.element == "half-axes" && label.opacity > 0.5;
+                            }),
+              3);
+    // The fourteenth has no plane, which the edges of the panel would cut.
+    const View from_above = view_at(session.scene.stops.at(13));
+    EXPECT_TRUE(std::none_of(from_above.planes.begin(), from_above.planes.end(),
+                             [](const Plane& plane) { return plane.opacity > 0.0; }));
+}
+
 TEST(PaperLayout, NoPanelLiesUnderTitleOrCaption) {
     for (const std::filesystem::path& file : supplied_scenes()) {
         const Session session = session_at_column(file);

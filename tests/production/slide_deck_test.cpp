@@ -100,7 +100,7 @@ std::string frame_hash(VideoReader& film, std::int64_t k) { return pixels_sha256
 
 const std::set<std::string> deck_files{"01.mp4", "01.png", "01.pdf", "02.mp4",      "02-loop.mp4",
                                        "02.png", "02.pdf", "02.vtt", "02-loop.vtt", "03.mp4",
-                                       "03.png", "03.pdf", "03.vtt", "slides.json"};
+                                       "03.png", "03.pdf", "03.vtt", "slides.json", "index.html"};
 
 TEST_F(SlideDeck, FilmsMeetToThePixel) {
     write("deck");
@@ -159,6 +159,27 @@ TEST_F(SlideDeck, ThePlanNamesTimesTitlesNotesAndFiles) {
         EXPECT_NE(plan.find(part), std::string::npos) << part << "\n" << plan;
 }
 
+// The index leads to every film and PDF, once each, and to nothing else.
+TEST_F(SlideDeck, TheIndexListsTheSlides) {
+    std::string marked = deck_scene;
+    marked.replace(marked.find("\"One\""), 5, "\"One <b> & two\"");
+    write_scene(marked);
+    write("deck");
+    const std::string page = read_text(folder_ / "deck/index.html");
+    std::multiset<std::string> targets;
+    for (const std::string mark : {"href=\"", "src=\""})
+        for (std::size_t at = page.find(mark); at != std::string::npos;
+             at = page.find(mark, at + 1))
+            targets.insert(
+                page.substr(at + mark.size(), page.find('"', at + mark.size()) - at - mark.size()));
+    EXPECT_EQ(targets, (std::multiset<std::string>{
+                           "01.mp4", "01.mp4", "01.pdf", "01.png", "02-loop.mp4", "02.mp4",
+                           "02.mp4", "02.pdf", "02.png", "03.mp4", "03.mp4", "03.pdf", "03.png"}));
+    EXPECT_NE(page.find("<h1>Deck</h1>"), std::string::npos);
+    EXPECT_NE(page.find("1. One &lt;b&gt; &amp; two<"), std::string::npos) << page;
+    EXPECT_EQ(page.find("<b>"), std::string::npos);
+}
+
 TEST_F(SlideDeck, ReplacesItsOwnDeckAndLeavesNoOldFile) {
     write("deck");
     std::string shorter = deck_scene;
@@ -171,7 +192,7 @@ TEST_F(SlideDeck, ReplacesItsOwnDeckAndLeavesNoOldFile) {
     EXPECT_TRUE(fs::remove(folder_ / ".deck.old"));
     EXPECT_EQ(files_of(folder_ / "deck"),
               (std::set<std::string>{"01.mp4", "01.png", "01.pdf", "02.mp4", "02.png", "02.pdf",
-                                     "02.vtt", "slides.json"}));
+                                     "02.vtt", "slides.json", "index.html"}));
     EXPECT_EQ(files_of(folder_.path()), (std::set<std::string>{"a.toml", "deck"}));
 }
 

@@ -471,7 +471,10 @@ inline void write_what_is_told(Dice& dice, Text& text) {
         text.set_number(item + "at_s", at_s);
         if (dice.one_in(2)) text.set_text(item + "title", dice.text());
         if (dice.one_in(2)) text.set_number(item + "loop_s", dice.between(0.01, 0.5));
-        if (dice.one_in(2)) text.set_text(item + "note", dice.text());
+        if (dice.one_in(2)) {
+            text.set_text(item + "note", dice.text());
+            text.set_number(item + "planned_s", 60.0 * at_s);
+        }
     }
     if (dice.one_in(3)) text.set("page.elements", some_texts(dice));
     if (dice.one_in(3)) text.set("page.next", R"("the next.html")");

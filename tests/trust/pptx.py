@@ -1,8 +1,8 @@
 #!/usr/bin/env python3
 """Reads presentations of `render -o LECTURE.pptx` with Python's zipfile and xml, and has LibreOffice draw them.
 
-Each slide has its title, note and film, which starts by itself, and each part is named and typed; two runs give the same bytes.
-LibreOffice makes a page of each slide and draws the film's poster on it, which is the first picture of the film.
+Each stop has one slide with its title, its note, its film, which starts by itself, and its loop, which the next press shows; each part is
+named and typed; two runs give the same bytes. LibreOffice makes a page of each slide and draws the stop on it, with which the film ends.
 Exit code 1 if not, 77 (skipped) where soffice, pdftoppm, ffmpeg or numpy are missing. --quick: without them.
 Usage: pptx.py POINSOT EXAMPLES [--quick]
 """
@@ -21,17 +21,16 @@ P14 = "{http://schemas.microsoft.com/office/powerpoint/2010/main}"
 R = "{http://schemas.openxmlformats.org/officeDocument/2006/relationships}"
 RELATIONSHIP = "{http://schemas.openxmlformats.org/package/2006/relationships}Relationship"
 WIDTH, HEIGHT = 640, 360
-# Mean difference in levels between a page and its poster, which LibreOffice compresses as JPEG: measured 0.61. From the other posters:
+# Mean difference in levels between a page and its still, which LibreOffice compresses as JPEG: measured 0.61. From the other stills:
 # 0.96 and more.
 SAME_LEVELS = 0.8
 
-# Title, note, film and whether it repeats, of each slide. The second stop's title and note are hostile, its film is followed by its
-# loop; the frames after the last stop have the title and note of that stop.
+# Title, note, film and loop of each slide. The second stop's title and note are hostile; the frames after the last stop have the title
+# and note of that stop.
 TITLE, NOTE = 'Is a < b > c & "d"?', "One line & <b>\nand another"
-SLIDES = [("Which way does the axis go?", "Let them vote before you go on.", "01.mp4", False),
-          (TITLE, NOTE, "02.mp4", False),
-          (TITLE, NOTE, "02-loop.mp4", True),
-          (TITLE, NOTE, "03.mp4", False)]
+SLIDES = [("Which way does the axis go?", "Let them vote before you go on.", "01.mp4", None),
+          (TITLE, NOTE, "02.mp4", "02-loop.mp4"),
+          (TITLE, NOTE, "03.mp4", None)]
 
 n_failed = 0
 
@@ -98,8 +97,18 @@ def check_package(archive):
     check("no type without its part", all(part[1:] in names for part in of_part))
 
 
+def steps_of(tree, kind):
+    """The steps of the sequence of this kind: for each, its effects as (class, kind of start, shape)."""
+    for sequence in tree.iter(P + "seq"):
+        node = sequence.find(P + "cTn")
+        if node.get("nodeType") == kind:
+            return [[(effect.get("presetClass"), effect.get("nodeType"), next(effect.iter(P + "spTgt")).get("spid"))
+                     for effect in step.iter(P + "cTn") if effect.get("presetClass")] for step in node.find(P + "childTnLst")]
+    return []
+
+
 def check_slides(archive):
-    """Returns the poster and film of each slide."""
+    """Returns, for each slide, its film, the poster, and the picture that lies on top, which print-outs show."""
     presentation = "ppt/presentation.xml"
     tree = ElementTree.fromstring(archive.read(presentation))
     size = tree.find(P + "sldSz")
@@ -108,26 +117,36 @@ def check_slides(archive):
     slides = [targets[row.get(R + "id")] for row in tree.iter(P + "sldId")]
     check("number of slides", len(slides) == len(SLIDES))
     media = []
-    for part, (title, note, film, loops) in zip(slides, SLIDES):
+    for part, (title, note, film, loop) in zip(slides, SLIDES):
         tree = ElementTree.fromstring(archive.read(part))
         targets = relationships_of(archive, part)
         check(f"{part}: title", text_of(tree, "title") == title)
         notes = [target for target in targets.values() if "notesSlide" in target]
         found = text_of(ElementTree.fromstring(archive.read(notes[0])), "body") if notes else None
         check(f"{part}: note", found == note)
-        linked = targets[next(tree.iter(A + "videoFile")).get(R + "link")]
-        embedded = targets[next(tree.iter(P14 + "media")).get(R + "embed")]
-        check(f"{part}: film", linked == embedded == "ppt/media/" + film)
-        picture = next(tree.iter(P + "pic"))
-        box = picture.find(f"{P}spPr/{A}xfrm/{A}ext")
-        check(f"{part}: fills the slide", box.attrib == {"cx": size.get("cx"), "cy": size.get("cy")})
-        number = picture.find(f"{P}nvPicPr/{P}cNvPr").get("id")
-        played = next(tree.iter(P + "cmd"))
-        check(f"{part}: plays its film", played.get("cmd") == "playFrom(0.0)" and next(played.iter(P + "spTgt")).get("spid") == number)
-        node = next(tree.iter(P + "video"))
-        check(f"{part}: repeats", (next(node.iter(P + "cTn")).get("repeatCount") == "indefinite") == loops)
-        media.append((targets[picture.find(f"{P}blipFill/{A}blip").get(R + "embed")], embedded))
-    check("the loop begins with the picture of its stop", media[2][0] == media[3][0])
+        linked = [targets[row.get(R + "link")] for row in tree.iter(A + "videoFile")]
+        embedded = [targets[row.get(R + "embed")] for row in tree.iter(P14 + "media")]
+        check(f"{part}: films", linked == embedded == ["ppt/media/" + name for name in (film, loop) if name])
+        pictures = list(tree.iter(P + "pic"))
+        boxes = [picture.find(f"{P}spPr/{A}xfrm/{A}ext").attrib for picture in pictures]
+        check(f"{part}: two pictures fill the slide", boxes == 2 * [{"cx": size.get("cx"), "cy": size.get("cy")}])
+        under, top = [picture.find(f"{P}nvPicPr/{P}cNvPr").get("id") for picture in pictures]
+        # The film starts with the slide. The picture above it is hidden until the next press shows the loop; without a loop, until
+        # somebody clicks on the title, which is above the slide.
+        plays = [("mediacall", "afterEffect", under)]
+        shows = [("entr", "clickEffect", top)]
+        check(f"{part}: steps", steps_of(tree, "mainSeq") == ([plays, [*shows, ("mediacall", "withEffect", top)]] if loop else [plays]))
+        check(f"{part}: the still", steps_of(tree, "interactiveSeq") == ([] if loop else [shows]))
+        check(f"{part}: plays from the beginning", all(row.get("cmd") == "playFrom(0.0)" for row in tree.iter(P + "cmd")))
+        repeats = {next(node.iter(P + "spTgt")).get("spid"): next(node.iter(P + "cTn")).get("repeatCount") for node in tree.iter(P + "video")}
+        check(f"{part}: repeats", repeats == ({under: None, top: "indefinite"} if loop else {under: None}))
+        numbers = [node.get("id") for node in tree.iter(P + "cTn")]
+        check(f"{part}: a number for each node", len(numbers) == len(set(numbers)))
+        poster, still = [targets[picture.find(f"{P}blipFill/{A}blip").get(R + "embed")] for picture in pictures]
+        media.append((embedded[0], poster, still))
+    for before, after in zip(media, media[1:]):
+        check(f"{after[0]} starts from the picture of the stop before", after[1] == before[2])
+    check("print-outs show each stop once", len({still for _, _, still in media}) == len(media))
     return media
 
 
@@ -157,18 +176,18 @@ def check_drawn(folder, media):
         return grey(["ffmpeg", "-v", "error", "-i", folder / "parts" / name, "-frames:v", "1", "-vf", f"scale={WIDTH}:{HEIGHT}:flags=area",
                      "-pix_fmt", "gray", "-f", "rawvideo", "-"], numpy)
 
-    posters = [first_picture(poster) for poster, _ in media]
-    for k, (poster, film) in enumerate(media):
+    stills = [first_picture(still) for _, _, still in media]
+    posters = [first_picture(poster) for _, poster, _ in media]
+    for k, (film, _, _) in enumerate(media):
         page = grey(["pdftoppm", "-gray", "-f", str(k + 1), "-l", str(k + 1), "-scale-to-x", str(WIDTH), "-scale-to-y", str(HEIGHT), pdf],
                     numpy)
         shown = first_picture(film)
-        levels, of_film = ([float(abs(drawn - picture).mean()) for picture in posters] for drawn in (page, shown))
-        others = [i for i, (other, _) in enumerate(media) if other != poster]
-        nearest, nearest_of_film = (min(found[i] for i in others) for found in (levels, of_film))
-        print(f"slide {k + 1}: page {levels[k]:.2f} levels from its poster, {nearest:.2f} from the next; "
+        levels = [float(abs(page - picture).mean()) for picture in stills]
+        of_film = [float(abs(shown - picture).mean()) for picture in posters]
+        nearest, nearest_of_film = (min(found[:k] + found[k + 1:]) for found in (levels, of_film))
+        print(f"slide {k + 1}: page {levels[k]:.2f} levels from its still, {nearest:.2f} from the next; "
               f"film {of_film[k]:.2f} and {nearest_of_film:.2f}")
         check(f"page {k + 1}", levels[k] < SAME_LEVELS < nearest)
-        # A loop begins one frame after its poster.
         check(f"{film} begins with its poster", of_film[k] < nearest_of_film)
 
 

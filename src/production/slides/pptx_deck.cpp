@@ -45,7 +45,8 @@ void check_output(const fs::path& output, const Scene& scene) {
 }
 
 // A film's poster is shown until it plays. It is the picture with which the slide before ends: any
-// other would be seen for a moment, and the last one would give the answer away.
+// other would be seen for a moment, and the last one would give the answer away. The still of a
+// slide is the poster of the next one.
 struct PosterFrames {
     std::map<std::int64_t, std::string> names;  // of the files, by frame
 
@@ -73,12 +74,9 @@ PptxText text_of(const Session& session, const FilmPlan& film, const std::vector
         one.film = slide_file(i, ".mp4");
         one.poster = posters.at(slide.first_frame);
         one.duration_ms = duration_ms(slide.last_frame - slide.first_frame + 1);
-        text.slides.push_back(one);
-        if (slide.n_loop_frames == 0) continue;
-        one.film = slide_file(i, "-loop.mp4");
-        one.poster = posters.at(slide.last_frame);
-        one.duration_ms = duration_ms(slide.n_loop_frames);
-        one.loops = true;
+        if (slide.n_loop_frames > 0) one.loop = slide_file(i, "-loop.mp4");
+        one.loop_ms = duration_ms(slide.n_loop_frames);
+        one.still = posters.at(slide.last_frame);
         text.slides.push_back(std::move(one));
     }
     return text;
@@ -120,7 +118,8 @@ void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer
     for (const auto& [frame, name] : posters.names)
         zip.add_file("ppt/media/" + name, aside.file(name));
     for (const PptxSlide& slide : text.slides)
-        zip.add_file("ppt/media/" + slide.film, aside.file(slide.film));
+        for (const std::string& name : {slide.film, slide.loop})
+            if (!name.empty()) zip.add_file("ppt/media/" + name, aside.file(name));
     zip.finish();
     output.commit();
     aside.remove();

@@ -15,9 +15,9 @@ struct PptxRequest {
     std::optional<int> n_jobs{};  // as for make_in_jobs
 };
 
-// Writes the presentation atomically. A loop has a slide of its own after that of its film. The
-// films are made in a hidden folder next to it; an interrupted run leaves this folder, and the same
-// request continues in it. Throws EnvironmentError and InputError, the latter also for an existing
+// Writes the presentation atomically: a slide for each stop, with its loop. The films are made in a
+// hidden folder next to it; an interrupted run leaves this folder, and the same request continues
+// in it. Throws EnvironmentError and InputError, the latter also for an existing
 // file that is not a presentation as this function writes it.
 void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer& renderer,
                 const ProgressSink& progress);

@@ -92,31 +92,72 @@ constexpr std::string_view notes_master_xml =
 </p:spTree></p:cSld>{2}<p:notesStyle><a:lvl1pPr><a:defRPr sz="1200"/></a:lvl1pPr></p:notesStyle></p:notesMaster>
 )";
 
+// A film that fills the slide. {0}: number of the shape, {1}: its name, {2}: title, {3} to {5}:
+// numbers of the relationships of the film, of its bytes and of its picture, {6}: the box.
+constexpr std::string_view film_xml =
+    R"xml(<p:pic><p:nvPicPr><p:cNvPr id="{0}" name="{1}" descr="{2}"><a:hlinkClick r:id="" action="ppaction://media"/></p:cNvPr><p:cNvPicPr><a:picLocks noChangeAspect="1"/></p:cNvPicPr>
+<p:nvPr><a:videoFile r:link="rId{3}"/><p:extLst><p:ext uri="{{DAA4B4D4-6D71-4841-9C94-3DE7FCFB9230}}"><p14:media xmlns:p14="http://schemas.microsoft.com/office/powerpoint/2010/main" r:embed="rId{4}"/></p:ext></p:extLst></p:nvPr></p:nvPicPr>
+<p:blipFill><a:blip r:embed="rId{5}"/><a:stretch><a:fillRect/></a:stretch></p:blipFill>
+<p:spPr><a:xfrm>{6}</a:xfrm><a:prstGeom prst="rect"><a:avLst/></a:prstGeom></p:spPr></p:pic>
+)xml";
+
+// {0}: title, {1}: number of the relationship, {2}: the box.
+constexpr std::string_view still_xml =
+    R"(<p:pic><p:nvPicPr><p:cNvPr id="4" name="Still" descr="{0}"/><p:cNvPicPr><a:picLocks noChangeAspect="1"/></p:cNvPicPr><p:nvPr/></p:nvPicPr>
+<p:blipFill><a:blip r:embed="rId{1}"/><a:stretch><a:fillRect/></a:stretch></p:blipFill>
+<p:spPr><a:xfrm>{2}</a:xfrm><a:prstGeom prst="rect"><a:avLst/></a:prstGeom></p:spPr></p:pic>
+)";
+
+// Nodes of time. A step begins when its sequence goes on; the first one also when the slide begins.
+// {0} and {3}: numbers of the nodes, {1}: condition of the start, {2}: effects.
+constexpr std::string_view step_xml =
+    R"(<p:par><p:cTn id="{0}" fill="hold"><p:stCondLst><p:cond delay="indefinite"/>{1}</p:stCondLst><p:childTnLst>
+<p:par><p:cTn id="{3}" fill="hold"><p:stCondLst><p:cond delay="0"/></p:stCondLst><p:childTnLst>
+{2}</p:childTnLst></p:cTn></p:par></p:childTnLst></p:cTn></p:par>
+)";
+
+// Plays a film. {0} and {1}: numbers of the nodes, {2}: kind of start, {3}: duration in ms, {4}:
+// the shape.
+constexpr std::string_view play_xml =
+    R"xml(<p:par><p:cTn id="{0}" presetID="1" presetClass="mediacall" presetSubtype="0" fill="hold" nodeType="{2}"><p:stCondLst><p:cond delay="0"/></p:stCondLst><p:childTnLst>
+<p:cmd type="call" cmd="playFrom(0.0)"><p:cBhvr><p:cTn id="{1}" dur="{3}" fill="hold"/><p:tgtEl><p:spTgt spid="{4}"/></p:tgtEl></p:cBhvr></p:cmd>
+</p:childTnLst></p:cTn></p:par>
+)xml";
+
+// Shows the shape above the film, which is hidden until then, but not on paper. {0} and {1}:
+// numbers of the nodes.
+constexpr std::string_view appear_xml =
+    R"(<p:par><p:cTn id="{0}" presetID="1" presetClass="entr" presetSubtype="0" fill="hold" nodeType="clickEffect"><p:stCondLst><p:cond delay="0"/></p:stCondLst><p:childTnLst>
+<p:set><p:cBhvr><p:cTn id="{1}" dur="1" fill="hold"><p:stCondLst><p:cond delay="0"/></p:stCondLst></p:cTn><p:tgtEl><p:spTgt spid="4"/></p:tgtEl><p:attrNameLst><p:attrName>style.visibility</p:attrName></p:attrNameLst></p:cBhvr><p:to><p:strVal val="visible"/></p:to></p:set>
+</p:childTnLst></p:cTn></p:par>
+)";
+
+// A click on the title, which is above the slide, shows the still. {0}: the step.
+constexpr std::string_view still_sequence_xml =
+    R"(<p:seq concurrent="1" nextAc="seek"><p:cTn id="8" restart="whenNotActive" fill="hold" evtFilter="cancelBubble" nodeType="interactiveSeq"><p:stCondLst><p:cond evt="onClick" delay="0"><p:tgtEl><p:spTgt spid="2"/></p:tgtEl></p:cond></p:stCondLst><p:endSync evt="end" delay="0"><p:rtn val="all"/></p:endSync><p:childTnLst>
+{0}</p:childTnLst></p:cTn><p:nextCondLst><p:cond evt="onClick" delay="0"><p:tgtEl><p:spTgt spid="2"/></p:tgtEl></p:cond></p:nextCondLst></p:seq>
+)";
+
+// {0}: number of the node, {1}: attribute of a loop, {2}: the shape.
+constexpr std::string_view video_xml =
+    R"(<p:video><p:cMediaNode vol="80000"><p:cTn id="{0}"{1} fill="hold" display="0"><p:stCondLst><p:cond delay="indefinite"/></p:stCondLst></p:cTn><p:tgtEl><p:spTgt spid="{2}"/></p:tgtEl></p:cMediaNode></p:video>
+)";
+
 // The title is above the slide: screen readers and the outline have it, and it covers no film.
-// {0}: namespaces, {1}: start of the tree, {2}: language, {3}: title, {4}: the film's box, {5}:
-// colours of the master, {6}: duration in ms, {7}: attribute of a loop. The relationships are those
-// of slide_relationships().
+// {0}: namespaces, {1}: start of the tree, {2}: language, {3}: title, {4}: the pictures, {5}:
+// colours of the master, {6}: steps, {7}: what follows their sequence.
 constexpr std::string_view slide_xml =
     R"xml(<p:sld {0}><p:cSld><p:bg><p:bgPr><a:solidFill><a:srgbClr val="000000"/></a:solidFill><a:effectLst/></p:bgPr></p:bg><p:spTree>{1}
 <p:sp><p:nvSpPr><p:cNvPr id="2" name="Title"/><p:cNvSpPr><a:spLocks noGrp="1"/></p:cNvSpPr><p:nvPr><p:ph type="title"/></p:nvPr></p:nvSpPr>
 <p:spPr><a:xfrm><a:off x="838200" y="-1000000"/><a:ext cx="10515600" cy="800000"/></a:xfrm></p:spPr>
 <p:txBody><a:bodyPr/><a:lstStyle/><a:p><a:r><a:rPr lang="{2}" sz="2400"/><a:t>{3}</a:t></a:r></a:p></p:txBody></p:sp>
-<p:pic><p:nvPicPr><p:cNvPr id="3" name="Film" descr="{3}"><a:hlinkClick r:id="" action="ppaction://media"/></p:cNvPr><p:cNvPicPr><a:picLocks noChangeAspect="1"/></p:cNvPicPr>
-<p:nvPr><a:videoFile r:link="rId2"/><p:extLst><p:ext uri="{{DAA4B4D4-6D71-4841-9C94-3DE7FCFB9230}}"><p14:media xmlns:p14="http://schemas.microsoft.com/office/powerpoint/2010/main" r:embed="rId3"/></p:ext></p:extLst></p:nvPr></p:nvPicPr>
-<p:blipFill><a:blip r:embed="rId4"/><a:stretch><a:fillRect/></a:stretch></p:blipFill>
-<p:spPr><a:xfrm>{4}</a:xfrm><a:prstGeom prst="rect"><a:avLst/></a:prstGeom></p:spPr></p:pic>
-</p:spTree></p:cSld>{5}
+{4}</p:spTree></p:cSld>{5}
 <p:timing><p:tnLst><p:par><p:cTn id="1" dur="indefinite" restart="never" nodeType="tmRoot"><p:childTnLst>
 <p:seq concurrent="1" nextAc="seek"><p:cTn id="2" dur="indefinite" nodeType="mainSeq"><p:childTnLst>
-<p:par><p:cTn id="3" fill="hold"><p:stCondLst><p:cond delay="indefinite"/><p:cond evt="onBegin" delay="0"><p:tn val="2"/></p:cond></p:stCondLst><p:childTnLst>
-<p:par><p:cTn id="4" fill="hold"><p:stCondLst><p:cond delay="0"/></p:stCondLst><p:childTnLst>
-<p:par><p:cTn id="5" presetID="1" presetClass="mediacall" presetSubtype="0" fill="hold" nodeType="afterEffect"><p:stCondLst><p:cond delay="0"/></p:stCondLst><p:childTnLst>
-<p:cmd type="call" cmd="playFrom(0.0)"><p:cBhvr><p:cTn id="6" dur="{6}" fill="hold"/><p:tgtEl><p:spTgt spid="3"/></p:tgtEl></p:cBhvr></p:cmd>
-</p:childTnLst></p:cTn></p:par></p:childTnLst></p:cTn></p:par></p:childTnLst></p:cTn></p:par></p:childTnLst></p:cTn>
+{6}</p:childTnLst></p:cTn>
 <p:prevCondLst><p:cond evt="onPrev" delay="0"><p:tgtEl><p:sldTgt/></p:tgtEl></p:cond></p:prevCondLst>
 <p:nextCondLst><p:cond evt="onNext" delay="0"><p:tgtEl><p:sldTgt/></p:tgtEl></p:cond></p:nextCondLst></p:seq>
-<p:video><p:cMediaNode vol="80000"><p:cTn id="7"{7} fill="hold" display="0"><p:stCondLst><p:cond delay="indefinite"/></p:stCondLst></p:cTn><p:tgtEl><p:spTgt spid="3"/></p:tgtEl></p:cMediaNode></p:video>
-</p:childTnLst></p:cTn></p:par></p:tnLst></p:timing></p:sld>
+{7}</p:childTnLst></p:cTn></p:par></p:tnLst></p:timing></p:sld>
 )xml";
 
 // {0}: namespaces, {1}: start of the tree, {2}: paragraphs, {3}: colours of the master.
@@ -208,17 +249,42 @@ void add_slide(PartList& parts, const PptxText& text, std::size_t index) {
     const std::string language = escaped_markup(text.language);
     const std::string name = fmt::format("slide{}.xml", index + 1);
     const std::string notes = fmt::format("notesSlide{}.xml", index + 1);
-    const std::string film = "../media/" + slide.film;
-    std::vector<Relationship> relationships{
-        {"slideLayout", "../slideLayouts/slideLayout1.xml"},
-        {"video", film},
-        {"http://schemas.microsoft.com/office/2007/relationships/media", film},
-        {"image", "../media/" + slide.poster}};
+    const std::string title = escaped_markup(slide.title);
+    const std::string box = film_box(text.width_px, text.height_px);
+    std::vector<Relationship> relationships{{"slideLayout", "../slideLayouts/slideLayout1.xml"}};
+    // Returns the number of the first one.
+    const auto add_film = [&relationships](const std::string& film, const std::string& picture) {
+        const std::string file = "../media/" + film;
+        relationships.push_back({"video", file});
+        relationships.push_back(
+            {"http://schemas.microsoft.com/office/2007/relationships/media", file});
+        relationships.push_back({"image", "../media/" + picture});
+        return relationships.size() - 2;
+    };
+    const std::size_t film = add_film(slide.film, slide.poster);
+    std::string pictures = fmt::format(film_xml, 3, "Film", title, film, film + 1, film + 2, box);
+    std::string steps =
+        fmt::format(step_xml, 3, R"(<p:cond evt="onBegin" delay="0"><p:tn val="2"/></p:cond>)",
+                    fmt::format(play_xml, 5, 6, "afterEffect", slide.duration_ms, 3), 4);
+    std::string after = fmt::format(video_xml, 7, "", 3);
+    if (slide.loop.empty()) {
+        relationships.push_back({"image", "../media/" + slide.still});
+        pictures += fmt::format(still_xml, title, relationships.size(), box);
+        after += fmt::format(still_sequence_xml,
+                             fmt::format(step_xml, 9, "", fmt::format(appear_xml, 11, 12), 10));
+    } else {
+        const std::size_t loop = add_film(slide.loop, slide.still);
+        pictures += fmt::format(film_xml, 4, "Loop", title, loop, loop + 1, loop + 2, box);
+        steps += fmt::format(step_xml, 8, "",
+                             fmt::format(appear_xml, 10, 11) +
+                                 fmt::format(play_xml, 12, 13, "withEffect", slide.loop_ms, 4),
+                             9);
+        after += fmt::format(video_xml, 14, R"( repeatCount="indefinite")", 4);
+    }
     if (!slide.note.empty()) relationships.push_back({"notesSlide", "../notesSlides/" + notes});
     parts.add("ppt/slides/" + name, type_of("slide"),
-              fmt::format(slide_xml, namespaces, tree_start, language, escaped_markup(slide.title),
-                          film_box(text.width_px, text.height_px), masters_colours,
-                          slide.duration_ms, slide.loops ? R"( repeatCount="indefinite")" : ""),
+              fmt::format(slide_xml, namespaces, tree_start, language, title, pictures,
+                          masters_colours, steps, after),
               relationships);
     if (!slide.note.empty())
         parts.add(

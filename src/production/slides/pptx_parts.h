@@ -10,11 +10,13 @@
 
 namespace poinsot {
 
-// A slide that is filled by a film, which starts by itself.
+// A slide that is filled by a film, which starts by itself. Until it starts, the slide shows the
+// poster; print-outs show the still, with which the film ends. The next press shows the loop, which
+// repeats.
 struct PptxSlide {
-    std::string title{}, note{}, film{}, poster{};  // film and poster: names in ppt/media
-    std::int64_t duration_ms = 0;
-    bool loops = false;
+    std::string title{}, note{};
+    std::string film{}, poster{}, loop{}, still{};  // names in ppt/media; loop may be empty
+    std::int64_t duration_ms = 0, loop_ms = 0;
 };
 
 struct PptxText {

@@ -13,10 +13,12 @@
 #include "production/jobs/still_job.h"
 #include "production/slides/slide_files.h"
 #include "production/slides/slide_plan.h"
+#include "production/vectors/vector_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/interrupt.h"
+#include "text/markup.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -25,9 +27,11 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr const char* slide_index_name = "index.html";
+
 // Whether a file of a deck can have this name, as "01.mp4", "02-loop.vtt" or "slides.json".
 bool is_deck_name(std::string_view name) {
-    if (name == slide_plan_name) return true;
+    if (name == slide_plan_name || name == slide_index_name) return true;
     const std::size_t n_digits = std::min(name.find_first_not_of("0123456789"), name.size());
     if (n_digits < 2) return false;
     name.remove_prefix(n_digits);
@@ -71,6 +75,48 @@ void check_folder(const fs::path& folder, const Scene& scene) {
             throw InputError(
                 fmt::format("{}: holds other files, such as {}; name a new or an empty folder",
                             name, printable(entry.path().filename().string())));
+}
+
+// A page that shows the still of each slide, which leads to its film; below it are the title and
+// links to all films and to the PDF. Printed, it is an overview.
+std::string slide_index(const Session& session, const FilmPlan& film,
+                        const std::vector<Slide>& slides) {
+    const std::string title = escaped_markup(title_of(session.scene));
+    std::string items;
+    for (std::size_t i = 0; i < slides.size(); ++i) {
+        const SlideFiles files = slide_files_of(session, film, slides[i], i);
+        std::string links;
+        for (const std::string& file : {files.film, files.loop, files.pdf})
+            if (!file.empty()) links += fmt::format(R"( <a href="{0}">{0}</a>)", file);
+        const std::string name = fmt::format("{}. {}", i + 1, escaped_markup(slides[i].title));
+        items += fmt::format(
+            R"(<li><a href="{}"><img src="{}" alt="{}" loading="lazy"></a><p>{}</p><p>{}</p></li>)"
+            "\n",
+            files.film, files.png, name, name, links.substr(1));
+    }
+    return fmt::format(R"(<!DOCTYPE html>
+<html lang="{}">
+<head>
+<meta charset="utf-8">
+<meta name="viewport" content="width=device-width">
+<title>{}</title>
+<style>
+:root {{ color-scheme: light dark; }}
+body {{ margin: 2rem; font: 16px/1.4 system-ui, sans-serif; }}
+ol {{ display: grid; grid-template-columns: repeat(auto-fill, minmax(16rem, 1fr)); gap: 1.5rem; padding: 0; list-style: none; }}
+li {{ break-inside: avoid; }}
+img {{ width: 100%; }}
+p {{ margin: .2rem 0; }}
+</style>
+</head>
+<body>
+<h1>{}</h1>
+<ol>
+{}</ol>
+</body>
+</html>
+)",
+                       escaped_markup(session.scene.language), title, title, items);
 }
 
 // Gives these files, the plan among them, to the folder. In an earlier deck each replaces the file
@@ -135,7 +181,8 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
         draw_still(paper, on_paper.print, i, ".pdf");
     }
     writer.finish();
-    std::set<std::string> files{slide_plan_name};
+    write_whole(aside.file(slide_index_name), slide_index(session, film, slides));
+    std::set<std::string> files{slide_plan_name, slide_index_name};
     for (std::size_t i = 0; i < slides.size(); ++i)
         for (std::string& name : slide_files_of(session, film, slides[i], i).all())
             files.insert(std::move(name));
