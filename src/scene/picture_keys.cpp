@@ -36,6 +36,8 @@ void read_units(const GivenValue& given, SceneDraft& draft) {
 
 constexpr std::array<std::string_view, 3> hidden_styles{"pale", "dashed", "omitted"};
 constexpr std::array<std::string_view, 2> crossing_styles{"through", "gap"};
+constexpr std::array<std::string_view, 4> corners{"top left", "top right", "bottom left",
+                                                  "bottom right"};
 
 constexpr auto symbol(std::string SymbolsSpec::*member) { return in(&Scene::symbols, member); }
 
@@ -155,6 +157,9 @@ std::span<const SceneKey> panel_keys() {
         text("panels[].title", panel(&PanelSpec::title), R"("Body axes")",
              "heading of the panel; \"\" hides it")
             .default_is("the heading of its kind"),
+        one_of("panels[].inset", panel(&PanelSpec::inset), corners, R"("top right")",
+               "in space panels: corner with a small view of the herpolhode from above")
+            .default_is("none"),
         // The camera of one panel, where it differs from [camera]; in body axes for body and
         // momentum.
         number("panels[].camera.azimuth_deg", camera_of_panel(&PanelCameraSpec::azimuth_deg),

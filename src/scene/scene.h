@@ -262,6 +262,7 @@ struct PanelSpec {
     std::string quantity;              // of a plot, by name; empty: chosen for the motion
     std::optional<int> curves;         // of each family in the body panel; absent: as many as fit
     std::optional<std::string> title;  // above the panel, "": none; absent: its kind's default
+    std::string inset;                 // corner with a view of the plane from above; empty: none
     PanelCameraSpec camera;
 };
 

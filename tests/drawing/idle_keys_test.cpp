@@ -111,6 +111,12 @@ TEST(IdleKeys, KeysOfPanelsBelongToTheirKind) {
               (Keys{"panels[0].quantity", "panels[0].curves", "panels[0].title"}));
     EXPECT_EQ(idle_in("[[panels]]\nkind = \"plot\"\nquantity = \"omega\"\n"), Keys{});
     EXPECT_EQ(idle_in("[[panels]]\nkind = \"body\"\ncurves = 3\n"), Keys{});
+    EXPECT_EQ(idle_in("[[panels]]\nkind = \"body\"\ninset = \"top left\"\n"),
+              Keys{"panels[0].inset"});
+    // An inset shows the herpolhode, whatever its panel does.
+    EXPECT_EQ(idle_in("show = [\"plane\"]\n",
+                      "[trail]\nherpolhode = \"whole\"\n[[panels]]\ninset = \"top left\"\n"),
+              Keys{});
 }
 
 TEST(IdleKeys, KeyframesNeedAPanelThatFollowsThem) {

@@ -119,6 +119,88 @@ TEST(Layout, LettersOfPanelsFollowTheirPlaces) {
     EXPECT_TRUE(lettered[1].starts_with("(a) ")) << lettered[1];
 }
 
+// The text in a view lies outside of a part of the picture.
+void expect_outside(const View& view, const LabelBox& part) {
+    for (const Label& label : view.labels) {
+        const double apart_px = label_box(label).distance(part);
+        EXPECT_TRUE(apart_px >= -1.0 || label.opacity < 0.1) << label.mask->source.text << apart_px;
+    }
+}
+
+TEST(Layout, InsetsStandInTheirCornersAndTextKeepsOffThem) {
+    for (const std::string corner : {"top left", "top right", "bottom left", "bottom right"})
+        for (const bool has_chart : {false, true}) {
+            Scene scene = free_scene(generic_moments, generic_omega, "space");
+            scene.names.reset();
+            scene.title = "Title";
+            scene.caption = "Caption";
+            scene.panels[0].inset = corner;
+            if (has_chart) {
+                PanelSpec& plot = scene.panels.emplace_back();
+                plot.kind = "plot";
+                plot.column = 1;
+                scene.grid.columns = {1.0, 1.0};
+            }
+            SCOPED_TRACE(corner);
+            const StagedScene staged(scene, 5.0);
+            const Drawing drawing = staged.stage.at(5.0);
+            ASSERT_EQ(drawing.views.size(), has_chart ? 4u : 3u);
+            const View& space = drawing.views[0];
+            const View& inset = drawing.views[drawing.views.size() - 2];
+            EXPECT_EQ(inset.name, "plan");
+            const Eigen::Vector2d half_px = 0.5 * Eigen::Vector2d(inset.width_px, inset.height_px),
+                                  host_px = 0.5 * Eigen::Vector2d(space.width_px, space.height_px),
+                                  centre_px = Eigen::Vector2d(inset.x_px, inset.y_px) + half_px;
+            const Eigen::Vector2d offset_px =
+                centre_px - Eigen::Vector2d(space.x_px, space.y_px) - host_px;
+            EXPECT_EQ(offset_px.x() > 0.0, corner.ends_with("right"));
+            EXPECT_EQ(offset_px.y() > 0.0, corner.starts_with("bottom"));
+            EXPECT_TRUE(((offset_px.cwiseAbs() + half_px).array() <= host_px.array()).all());
+            const LabelBox box{centre_px, half_px};
+            expect_outside(space, box);
+            expect_outside(drawing.views.back(), box);
+        }
+}
+
+// The camera's side of the plane is told in words, in the scene's language.
+TEST(Layout, InsetsSayFromWhereTheyAreSeen) {
+    Scene scene = free_scene(generic_moments, generic_omega, "space");
+    scene.panels[0].inset = "top left";
+    const auto text = [&scene] {
+        const StagedScene staged(scene, 1.0);
+        const Drawing drawing = staged.stage.at(1.0);
+        for (const Label& label : drawing.views.at(1).labels)
+            if (label.rank == rank_of_headings) return label.mask->source.text;
+        return std::string();
+    };
+    EXPECT_EQ(text(), "from above");
+    scene.camera.elevation_deg = -50.0;
+    scene.language = "de";
+    EXPECT_EQ(text(), "von unten");
+}
+
+TEST(Layout, InsetsFadeByNameAndNeedAFreeBody) {
+    Scene scene = free_scene(generic_moments, generic_omega, "space");
+    FadeSpec& fade = scene.fades.emplace_back();
+    fade.elements = {"inset"};
+    fade.opacity = 0.0;
+    EXPECT_THROW(StagedScene(scene, 5.0), InputError);  // there is none
+    scene.panels[0].inset = "top left";
+    EXPECT_TRUE(StagedScene(scene, 5.0).stage.at(5.0).views.at(1).curves.empty());
+    scene.fades.clear();
+    EXPECT_FALSE(StagedScene(scene, 5.0).stage.at(5.0).views.at(1).curves.empty());
+    scene.torque = DissipationTorque{0.1};
+    scene.method.name = "dopri5";
+    try {
+        const StagedScene staged(scene, 5.0);
+        ADD_FAILURE() << "a herpolhode with friction";
+    } catch (const InputError& error) {
+        EXPECT_NE(std::string(error.what()).find("panels[0].inset needs a torque-free body"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
 TEST(Layout, WithoutOverlaysPanelsHaveTheWholePicture) {
     Scene scene = free_scene(generic_moments, generic_omega, "body");
     scene.title = "Title";

@@ -403,6 +403,7 @@ inline void write_cameras_and_panels(Dice& dice, Text& text) {
             if (dice.one_in(2)) text.set_text(item + key, dice.text());
         if (dice.one_in(2)) write_camera(dice, item + "camera.", text);
         if (dice.one_in(3)) text.set_text(item + "camera.projection", "orthographic");
+        if (k == 1) text.set_text(item + "inset", "bottom left");
     }
     for (const char* key : {"grid.columns", "grid.rows"}) {
         if (!dice.one_in(4)) continue;

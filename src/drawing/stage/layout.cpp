@@ -72,6 +72,18 @@ bool has_type(const StageOptions& options) {
     return std::min(options.width_px, options.height_px) >= least_side_px * options.samples;
 }
 
+void scale_lines_and_type(Panel& panel) {
+    const StageContext& stage = *panel.stage;
+    const StageOptions& options = stage.options;
+    const double share = line_scale(panel.box, options);
+    panel.px = stage.px * share;
+    panel.type_px = has_type(options) ? std::max(stage.px * std::max(share, least_type_share),
+                                                 least_label_share * options.samples)
+                                      : stage.px * share;
+    if (is_on_paper(stage)) panel.type_px = paper_type_px(stage);
+    panel.type_px *= stage.scene.type_scale;
+}
+
 // The name of a panel in its upper left corner.
 Drawer header_of(Panel& panel, StageStore& store, std::string_view text) {
     // The same size in all panels, whatever their size.
@@ -154,6 +166,63 @@ void check_free_space(const Scene& scene, const PanelBox& box, std::size_t panel
                      fmt::format("panels[{}] has {}x{} pixels without title and caption; a panel "
                                  "needs {} per side: make the picture larger, or the grid coarser",
                                  panel, box.width_px, box.height_px, least_px));
+}
+
+// The corner of a panel for its inset, outside of the overlays. Its size does not depend on theirs,
+// which change with the caption.
+PanelBox corner_of(const Panel& host) {
+    constexpr double inset_share = 0.36;
+    const StageOptions& options = host.stage->options;
+    const int step_px = options.samples;
+    const auto whole = [step_px](double px) { return step_px * static_cast<int>(px / step_px); };
+    const std::string& corner = host.spec.inset;
+    const int side_px = whole(inset_share * std::min(host.box.width_px, host.box.height_px));
+    const int gap_px = whole(0.5 * overlay_margin_px(*host.stage));
+    PanelBox box{host.box.x_px, host.box.y_px, side_px, side_px};
+    if (corner.ends_with("right"))
+        box.x_px += host.box.width_px - side_px - gap_px;
+    else
+        box.x_px += gap_px;
+    if (corner.starts_with("top"))
+        box.y_px = std::max(whole(host.box.y_px + host.header_px), host.overlays.top_px);
+    else
+        box.y_px = std::min(host.box.y_px + host.box.height_px,
+                            options.height_px - host.overlays.bottom_px) -
+                   side_px - gap_px;
+    return box;
+}
+
+// A plan panel in the corner of another panel. In a picture that is too small for it there is none.
+void add_inset(std::deque<Panel>& panels, std::size_t host, StageStore& store) {
+    const Panel& around = panels[host];
+    const StageContext& stage = *around.stage;
+    const PanelKind& kind = panel_kind_named("plan");
+    if (!kind.possible(stage)) {
+        const std::string key = fmt::format("panels[{}].inset", host);
+        throw SceneError(stage.scene.location_of(key),
+                         fmt::format("{} needs {}, as panel \"{}\" does; leave it out", key,
+                                     kind.requirement, kind.name));
+    }
+    const PanelBox box = corner_of(around);
+    store.add_name("inset");
+    constexpr int least_px = 24;
+    if (box.width_px < least_px * stage.options.samples) return;
+    const std::size_t index = panels.size();
+    Panel& panel = panels.emplace_back();
+    panel.stage = &stage;
+    panel.spec.kind = kind.name;
+    panel.spec.title = "";
+    panel.light = stage.theme.light;
+    panel.box = box;
+    panel.overlays = around.overlays;
+    panel.unit_circle = store.unit_circle();
+    panel.unit_segment = store.unit_segment();
+    panel.index = index;
+    panel.host = host;
+    scale_lines_and_type(panel);
+    kind.make(panel, store);
+    panel.draw = fading(stage, store, "inset", std::move(panel.draw));
+    panel.draw = fading(stage, store, around.spec.kind, std::move(panel.draw));
 }
 
 bool says_camera(const KeyframeSpec& key) {
@@ -341,13 +410,7 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
         panel.index = index;
         check_free_space(scene, panel.box, index);
         give_camera(panel, kind, index);
-        const double share = line_scale(panel.box, options);
-        panel.px = stage.px * share;
-        panel.type_px = has_type(options) ? std::max(stage.px * std::max(share, least_type_share),
-                                                     least_label_share * options.samples)
-                                          : stage.px * share;
-        if (is_on_paper(stage)) panel.type_px = paper_type_px(stage);
-        panel.type_px *= scene.type_scale;
+        scale_lines_and_type(panel);
         Drawer header;
         if (specs.size() > 1)
             header = header_of(
@@ -368,6 +431,9 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
         }
         panel.draw = fading(stage, store, spec.kind, std::move(panel.draw));
     }
+    for (std::size_t i = 0; i < specs.size(); ++i)
+        if (!specs[i].inset.empty() && (kinds[i]->takes & takes_inset) != 0)
+            add_inset(panels, i, store);
     return panels;
 }
 

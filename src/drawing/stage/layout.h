@@ -24,8 +24,9 @@ void check_possible(const StageContext& stage, const PanelKind& kind);
 // Throws SceneError if a fade or an unlabelled name concerns none of these.
 void check_named_elements(const Scene& scene, const std::set<std::string, std::less<>>& names);
 
-// Makes the panels that the scene lists, or the default one for its motion. Throws SceneError for a
-// panel that the motion cannot show, or that has no space.
+// Makes the panels that the scene lists, or the default one for its motion, and after them their
+// insets. Throws SceneError for a panel or an inset that the motion cannot show, or for a panel
+// that has no space.
 std::deque<Panel> make_panels(const StageContext& stage, StageStore& store);
 
 // Throws SceneError for a fade, an unlabelled name or a keyframe of the camera that concerns

@@ -32,7 +32,8 @@ struct OverlayBands {
 struct Panel {
     const StageContext* stage = nullptr;
     PanelSpec spec;
-    std::size_t index = 0;  // in the list of panels
+    std::size_t index = 0;            // in the list of panels
+    std::optional<std::size_t> host;  // of an inset: the panel in whose corner it stands
     PanelBox box;
     OverlayBands overlays;   // of the picture
     double px = 1.0;         // pixels per pixel of a panel with 1080 rows; scales lines

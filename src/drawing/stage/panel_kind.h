@@ -39,6 +39,7 @@ enum TakenKeys : unsigned {
     // Elements that other panels than "space" show.
     takes_forces = 1u << 16,
     takes_solid_angle = 1u << 17,
+    takes_inset = 1u << 18,  // panels.inset
 };
 
 // A row of the table of panels.

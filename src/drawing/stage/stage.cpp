@@ -78,6 +78,18 @@ LabelRules label_rules(const StageContext& context, const StageStore& store, con
     return rules;
 }
 
+// The rules for the labels of one panel: they keep off its insets, too.
+LabelRules with_insets(LabelRules rules, const std::deque<Panel>& panels, std::size_t host) {
+    for (const Panel& panel : panels) {
+        if (panel.host != host) continue;
+        const PanelBox& box = panel.box;
+        const Eigen::Vector2d half_px = 0.5 * Eigen::Vector2d(box.width_px, box.height_px);
+        rules.overlays.push_back({Eigen::Vector2d(box.x_px, box.y_px) + half_px, half_px});
+    }
+    rules.halo_px = 4.0 * panels[host].px;
+    return rules;
+}
+
 }  // namespace
 
 struct Stage::Contents {
@@ -101,7 +113,9 @@ struct Stage::Contents {
                              "no panel here shows the comparison method; add a panel " +
                                  panels_that_take(takes_comparison, "or"));
         }
-        for (const Panel& panel : panels) names.push_back(set_thing_names(panel, store));
+        // What an inset shows has its names in the panel around it.
+        for (const Panel& panel : panels)
+            names.push_back(panel.host ? std::vector<ThingName>() : set_thing_names(panel, store));
         overlays = make_overlays(context, store, panels);
         check_targets(context, store, panels);
         const StageOptions& of = context.options;
@@ -128,11 +142,11 @@ struct Stage::Contents {
             const FilmTime moment{clock.time_at(film_s), film_s};
             const FrameInput instant = context.instant_at(moment, needs, shows_comparison);
             const View over = drawn_over(context, overlays, instant);
-            LabelRules rules = label_rules(context, store, over);
+            const LabelRules all = label_rules(context, store, over);
             for (std::size_t i = 0; i < panels.size(); ++i) {
                 if (names[i].empty()) continue;
                 ViewBuilder builder = drawn(panels[i], moment, instant);
-                rules.halo_px = 4.0 * panels[i].px;
+                const LabelRules rules = with_insets(all, panels, i);
                 place_labels(builder.requests, rules, builder.view);
                 views[i].push_back(std::move(builder.view));
                 instants[i].push_back({&views[i].back(), rules.overlays, film_s});
@@ -202,7 +216,7 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
     drawing.background = ground;
     // Title, caption and clock are in a view of their own over all panels.
     View over = drawn_over(context, contents_->overlays, instant);
-    LabelRules rules = label_rules(context, contents_->store, over);
+    const LabelRules all = label_rules(context, contents_->store, over);
 
     // Views own the text and curves made for this drawing alone; their shapes point to them, so
     // that views must not move once made.
@@ -217,7 +231,7 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
             view.background.alpha = 0.0;
         }
-        rules.halo_px = 4.0 * panel.px;
+        const LabelRules rules = with_insets(all, contents_->panels, i);
         for (const UnplacedLabel& label : place_labels(builder.requests, rules, view)) {
             if (const std::string_view of = name_of_label(label.name); !of.empty())
                 drawing.unnamed.push_back({of, label.is_in_sight});

@@ -16,9 +16,10 @@ namespace poinsot {
 
 namespace {
 
-// More dots would run into each other, and each takes time; the line joins all rows.
+// More dots would take time, and nearer ones would run into each other; the line joins all rows.
 constexpr std::size_t most_dots = 160;
 constexpr double dot_px = 3.0;
+constexpr double least_apart_px = 4.0 * dot_px;
 constexpr double rim_px = 1.1;
 constexpr double track_px = 1.3;
 constexpr double track_opacity = 0.7;
@@ -65,10 +66,12 @@ Drawer measured_track(const Panel& panel, StageStore& store,
     for (const auto& rows : spans) n_rows += rows.size();
     const std::size_t every = (n_rows + most_dots - 1) / most_dots;
     if (every > 1)
-        store.note(fmt::format("of {} measured points one in {} has a dot; the line joins all",
-                               n_rows, every));
+        store.note(
+            fmt::format("of {} measured points at most one in {} has a dot; the line joins all",
+                        n_rows, every));
 
     const LineStyle& ink = stage.theme.measured;
+    const double least_apart = least_apart_px * panel.px * panel.units_per_px;
     std::vector<MeasuredDot> dots;
     std::vector<MeasuredStretch> stretches;
     std::size_t row_number = 0;
@@ -78,7 +81,9 @@ Drawer measured_track(const Panel& panel, StageStore& store,
         for (const MeasuredRow& row : rows) {
             geometry.points.push_back(point(row));
             stretch.times_s.push_back(row.time_s);
-            if (row_number++ % every == 0) dots.push_back({row.time_s, geometry.points.back()});
+            const Eigen::Vector3d& at = geometry.points.back();
+            const bool is_free = dots.empty() || (at - dots.back().at).norm() >= least_apart;
+            if (row_number++ % every == 0 && is_free) dots.push_back({row.time_s, at});
         }
         if (rows.size() < 2) continue;
         // The rows are joined by straight lines: what lies between them was not measured.

@@ -62,6 +62,12 @@ class UnusedKeys {
         return any_kind([key](const PanelKind& kind) { return (kind.takes & key) != 0; });
     }
 
+    bool has_inset() const {
+        return any(takes_inset) &&
+               std::any_of(scene_.panels.begin(), scene_.panels.end(),
+                           [](const PanelSpec& panel) { return !panel.inset.empty(); });
+    }
+
     void add(std::string key, std::string why) {
         if (scene_.locations.contains(key)) idle_.push_back({std::move(key), std::move(why)});
     }
@@ -100,8 +106,8 @@ class UnusedKeys {
     void add_trails() {
         const bool polhode = (any(takes_elements) && shows_element(scene_, "polhode")) ||
                              (dissipates_ && any(takes_spiral));
-        const bool herpolhode =
-            (any(takes_elements) && shows_element(scene_, "herpolhode")) || any(takes_herpolhode);
+        const bool herpolhode = (any(takes_elements) && shows_element(scene_, "herpolhode")) ||
+                                any(takes_herpolhode) || has_inset();
         if (!polhode) add("trail.polhode", "no panel here draws the polhode as a trail");
         const bool axis =
             any(takes_axis_path) ||
@@ -162,6 +168,7 @@ class UnusedKeys {
             };
             only_of("quantity", takes_quantity);
             only_of("curves", takes_curves);
+            only_of("inset", takes_inset);
             if (scene_.panels.size() == 1 && !scene_.panels[0].title.value_or("").empty())
                 add("panels[0].title", "a single panel shows no heading; give the scene a title");
         }

@@ -49,7 +49,7 @@ inline constexpr PanelKind panel_rows[] = {
     {"space", "the ellipsoid rolling on the invariable plane", invariable_plane_title, false,
      keeps_momentum, needs_turning, make_space_panel,
      takes_elements | takes_direction_marks | takes_marks_on_ellipsoid | takes_marks_in_space |
-         takes_mark_trails | takes_comparison | takes_names | takes_measured,
+         takes_mark_trails | takes_comparison | takes_names | takes_measured | takes_inset,
      CameraUse::all, nullptr, "invariable-plane"},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", body_axes_title, true,
      keeps_momentum, needs_turning, make_body_panel,

@@ -1,5 +1,5 @@
 // The plan panel: the herpolhode on the invariable plane, viewed along its normal, between the
-// circles of its annulus.
+// circles of its annulus. It is also the inset of a space panel.
 //
 // The plan has its own scale, at which the annulus fills the panel, so that the smallest wobble is
 // visible; distances are measured from the foot of L, which avoids cancellation. The view is that
@@ -92,25 +92,66 @@ double reach_of(const Panel& panel, const PlanScale& scale) {
     return reach;
 }
 
+// Rows at the foot of an inset for the words that say from where it is seen; else none.
+double words_px(const Panel& panel) { return panel.host ? 1.2 * label_em_px(panel) : 0.0; }
+
+// The side of the largest square above these rows.
+double square_px(const Panel& panel) {
+    return std::min(1.0 * panel.box.width_px, panel.box.height_px - words_px(panel));
+}
+
 void aim_from_above(Panel& panel, double reach) {
-    const double margin_px = 26.0 * panel.px + 0.5 * label_em_px(panel) + panel.header_px;
-    const double room_px =
-        std::max(0.4 * std::min(panel.box.width_px, panel.box.height_px),
-                 std::min(panel.box.width_px, panel.box.height_px) - 2.0 * margin_px);
+    const double side_px = square_px(panel);
+    const double margin_px =
+        panel.host ? 12.0 * panel.px : 26.0 * panel.px + 0.5 * label_em_px(panel) + panel.header_px;
+    const double room_px = std::max(0.4 * side_px, side_px - 2.0 * margin_px);
+    const double units_per_px = 2.0 * reach / room_px;
+    const double lower = -0.5 * words_px(panel) * units_per_px;
     Camera camera;
-    camera.eye = {0.0, 0.0, 4.0};
-    camera.target = Eigen::Vector3d::Zero();
+    camera.eye = {0.0, lower, 4.0};
+    camera.target = {0.0, lower, 0.0};
     camera.up = Eigen::Vector3d::UnitY();
     camera.orthographic = true;
-    camera.height_units = 2.0 * reach * panel.box.height_px / room_px;
+    camera.height_units = units_per_px * panel.box.height_px;
     aim(panel, camera);
+}
+
+// Below an inset: from where it is seen.
+Drawer words_below(const Panel& panel, StageStore& store) {
+    if (!panel.host) return [](const FrameInput&, ViewBuilder&) {};
+    // In the order of language_codes.
+    static constexpr Phrase above{"from above",   "von oben",       "vue de dessus",
+                                  "desde arriba", "dall\u2019alto", "上から"},
+        below{"from below", "von unten", "vue de dessous", "desde abajo", "dal basso", "下から"};
+    const StageContext& stage = *panel.stage;
+    const double size_px = std::max(0.8 * label_em_px(panel), least_type_px(stage));
+    const TextBlock type =
+        store.set(phrase_in(stage.scene.language, camera_is_above(panel) ? above : below),
+                  {.size_px = size_px, .mode = TypeMode::text});
+    return [&panel, &stage, type](const FrameInput&, ViewBuilder& builder) {
+        if (type.mask->width == 0) return;
+        Label label;
+        label.mask = type.mask;
+        const PanelBox& box = panel.box;
+        label.top_left_px = {
+            stage.at_whole_pixel(box.x_px + 0.5 * (box.width_px - type.width_px())),
+            stage.at_whole_pixel(box.y_px + box.height_px - 0.3 * words_px(panel)) -
+                type.baseline_px};
+        label.colour = stage.theme.text;
+        label.halo_colour = stage.theme.halo;
+        label.halo_px = 2.0 * panel.px;
+        label.held_at = 0.0;
+        label.rank = rank_of_headings;
+        builder.view.labels.push_back(label);
+        name_shapes("view", builder);
+    };
 }
 
 Plane plane_of(const Panel& panel) {
     Plane plane;
     // It fades out between the herpolhode and the nearest side of the panel.
-    plane.radius = 0.5 * panel.camera.height_units *
-                   std::min(1.0, 1.0 * panel.box.width_px / panel.box.height_px);
+    plane.radius =
+        0.5 * panel.camera.height_units * std::min(1.0, square_px(panel) / panel.box.height_px);
     plane.fade_from = std::clamp(1.05 / plane.radius, 0.6, 0.9);
     plane.grid_spacing = 0.25;
     // Straight lines would turn in rotating axes; the annulus's circles do not.
@@ -258,8 +299,9 @@ void make_plan_panel(Panel& panel, StageStore& store) {
     const Plane plane = plane_of(panel);
     const Drawer beside = beside_on_plane(panel, store, scale);
     const Drawer measured = measured_on_plane(panel, store, scale);
-    panel.draw = [&panel, scale, circles, timed, towards, momentum_type, plane, beside, measured](
-                     const FrameInput& instant, ViewBuilder& builder) {
+    const Drawer words = words_below(panel, store);
+    panel.draw = [&panel, scale, circles, timed, towards, momentum_type, plane, beside, measured,
+                  words](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = *panel.stage->rolling;
         builder.view.planes.push_back(plane);
         name_shapes("plane", builder);
@@ -308,6 +350,7 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
                     panel.stage->theme.momentum, builder);
         name_shapes("momentum", builder);
+        words(instant, builder);
     };
 }
 

@@ -288,8 +288,10 @@ class TopDrawer {
             sheet_->view.curves.push_back(line);
         }
         sheet_->view.dots.push_back(dot_at(*panel_, mass, colour, 6.0));
-        if (is_named)
-            wish_beside(*panel_, 0.6 * level, 0.6 * level + (mass - level), name, colour, *sheet_);
+        if (!is_named) return;
+        // Where its upper end is, above the arc of φ; clear of the bar.
+        wish_beside(*panel_, level, mass, name, colour, *sheet_);
+        sheet_->requests.back().gap_px += 7.0 * panel_->px;
     }
 
     void arrow(const Eigen::Vector3d& tip, const LineStyle& colour, double weight,
