@@ -59,6 +59,7 @@ configure_package_config_file(${PROJECT_SOURCE_DIR}/src/cmake/poinsotConfig.cmak
 write_basic_package_version_file(${library_folder}/poinsotConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${library_folder}/poinsotConfig.cmake ${library_folder}/poinsotConfigVersion.cmake DESTINATION ${config_folder})
 file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
+string(REGEX REPLACE "/$" "" prefix_from_pkgconfig ${prefix_from_pkgconfig})
 configure_file(${PROJECT_SOURCE_DIR}/src/cmake/poinsot.pc.in ${library_folder}/poinsot.pc @ONLY)
 install(FILES ${library_folder}/poinsot.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
 # Required by Debian of each package; src/cmake/poinsot_install.cmake and src/python/CMakeLists.txt install the changelog, too.
