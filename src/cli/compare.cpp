@@ -34,9 +34,9 @@ namespace {
 struct CompareChoices {
     std::vector<std::string> pictures;  // two
     std::string profile;                // empty: depends on what rendered the baselines
-    Gates gates;
+    GivenLimits given;
     std::vector<std::string> ignore;
-    bool antialiasing = false;        // of the gates, once the line is read
+    bool antialiasing = false;        // of `given`, once the line is read
     std::string report, junit, diff;  // files to write, empty for none
     bool single_file = false, github = false;
     bool measures = false, json = false, quiet = false;
@@ -47,7 +47,7 @@ namespace fs = std::filesystem;
 // Of the strip of --diff: frames keep their size up to this width.
 constexpr int any_strip_width = 16384;
 
-// The value of an option that is read by one of the functions of report/gates.h.
+// The value of an option that is read by one of the functions of report/given_limits.h.
 template <typename Read>
 auto value_of(std::string_view option, Read read) {
     try {
@@ -63,11 +63,11 @@ std::optional<CompareLimits> profile_limits(const CompareChoices& choices) {
 
 // The limits of the command line; none if it sets none.
 std::optional<CompareLimits> limits_of_line(const CompareChoices& choices) {
-    const Gates& gates = choices.gates;
-    const bool own = gates.decides() || gates.antialiasing;
+    const GivenLimits& given = choices.given;
+    const bool own = given.decides() || given.antialiasing;
     const std::optional<CompareLimits> profile = profile_limits(choices);
     if (!own && !profile) return std::nullopt;
-    return limits_of(gates, profile, CompareLimits::exact());
+    return limits_of(given, profile, CompareLimits::exact());
 }
 
 // Whether both are folders. Throws for a file and a folder.
@@ -278,9 +278,9 @@ void show_same(const CompareChoices& choices, const fs::path& expected, const fs
 
 int run(const CompareChoices& choices) {
     const fs::path expected = choices.pictures.at(0), actual = choices.pictures.at(1);
-    CompareRequest request{.limits = profile_limits(choices), .gates = choices.gates};
+    CompareRequest request{.limits = profile_limits(choices), .given = choices.given};
     for (const std::string& region : choices.ignore)
-        request.gates.ignore.push_back(value_of("--ignore", [&] { return parse_region(region); }));
+        request.given.ignore.push_back(value_of("--ignore", [&] { return parse_region(region); }));
     request.ssim = request.flip = choices.measures;
     const bool folders = are_folders(expected, actual);
     if (folders && !choices.diff.empty())
@@ -346,14 +346,14 @@ int run(const CompareChoices& choices) {
     return all_pass(pictures) ? 0 : 1;
 }
 
-Option option_of(const NumberLimit& limit, Gates& gates) {
+Option option_of(const NumberLimit& limit, GivenLimits& given) {
     std::string option = fmt::format("--{}", limit.name);
     std::replace(option.begin(), option.end(), '_', '-');
-    const auto read = [&gates, &limit, option](const std::string& text) {
+    const auto read = [&given, &limit, option](const std::string& text) {
         double number = 0.0;
         if (limit.kind == LimitKind::level) number = parse_whole(option, text, limit.wanted);
         if (limit.kind == LimitKind::number) number = parse_number(option, text, limit.wanted);
-        gates.*limit.value = value_of(option, [&] {
+        given.*limit.value = value_of(option, [&] {
             return limit.kind == LimitKind::share ? parse_share(text) : limit.checked(number);
         });
     };
@@ -373,7 +373,7 @@ CommandLine compare_line() {
                                          "baselines' manifest names, portable without a manifest",
                                  .value = &c.profile,
                                  .completes = "portable|native"}};
-    for (const NumberLimit& limit : number_limits()) options.push_back(option_of(limit, c.gates));
+    for (const NumberLimit& limit : number_limits()) options.push_back(option_of(limit, c.given));
     options.insert(
         options.end(),
         {{.flags = "--antialiasing",
@@ -417,7 +417,7 @@ CommandLine compare_line() {
           .completes = "file"},
          quiet_option(c.quiet)});
     return {&c.pictures, std::move(options), [choices] {
-                if (choices->antialiasing) choices->gates.antialiasing = true;
+                if (choices->antialiasing) choices->given.antialiasing = true;
                 return run(*choices);
             }};
 }

@@ -88,7 +88,7 @@ OutsideFiles outside_files(bool allow_outside) {
     return allow_outside ? OutsideFiles::allowed : OutsideFiles::refused;
 }
 
-Option backend_option(ContextOptions& context) {
+Option backend_option(BackendOptions& context) {
     return {.flags = "--backend",
             .takes = "NAME",
             .help = "auto, osmesa or egl (software), or gpu",
@@ -96,13 +96,13 @@ Option backend_option(ContextOptions& context) {
             .completes = "auto|osmesa|egl|gpu"};
 }
 
-Option portable_option(ContextOptions& context) {
+Option portable_option(BackendOptions& context) {
     return {.flags = "--portable",
             .help = "write the same bytes on every x86-64 processor",
             .value = &context.portable};
 }
 
-ContextChoice context_choice_of(const ContextOptions& options) {
+ContextChoice context_choice_of(const BackendOptions& options) {
     return context_choice(options.backend, options.portable);
 }
 

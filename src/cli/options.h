@@ -30,16 +30,16 @@ SceneRequest scene_request_of(const std::string& file, const SceneOptions& optio
 OutsideFiles outside_files(bool allow_outside);
 
 // Options of commands that draw.
-struct ContextOptions {
+struct BackendOptions {
     std::string backend = "auto";
     bool portable = false;
 };
 
-Option backend_option(ContextOptions& context);
-Option portable_option(ContextOptions& context);
+Option backend_option(BackendOptions& context);
+Option portable_option(BackendOptions& context);
 
 // Throws InputError for a backend that does not exist.
-ContextChoice context_choice_of(const ContextOptions& options);
+ContextChoice context_choice_of(const BackendOptions& options);
 
 Option output_option(std::string& output, std::string_view help = "output file");
 // The answer is one JSON document, also for several scenes.

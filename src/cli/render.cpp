@@ -26,7 +26,7 @@ struct RenderChoices {
     std::vector<std::string> scenes;
     std::vector<std::string> sweeps;
     SceneOptions scene;
-    ContextOptions context;
+    BackendOptions context;
     FilmOrder film;
     bool quiet = false;
 };

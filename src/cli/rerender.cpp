@@ -12,7 +12,7 @@ namespace {
 struct RerenderChoices {
     std::vector<std::string> files;
     std::string output;
-    ContextOptions context;
+    BackendOptions context;
     bool allow_outside = false;
     bool quiet = false;
 };

@@ -37,7 +37,7 @@ struct StillChoices {
     std::string output;
     std::vector<std::string> sweeps;
     SceneOptions scene;
-    ContextOptions context;
+    BackendOptions context;
     PrintChoices print;
     int bit_depth = 8;
     VectorChoices vectors;

@@ -34,7 +34,7 @@ struct SubmitChoices {
     std::string output;
     std::vector<std::string> sweeps;
     SceneOptions scene;
-    ContextOptions context;
+    BackendOptions context;
     std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // inclusive
     int n_parts = 0;
     std::vector<std::string> slurm;

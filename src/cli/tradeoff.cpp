@@ -22,7 +22,7 @@ struct TradeoffChoices {
     std::vector<std::string> scenes;
     std::string output;
     SceneOptions scene;
-    ContextOptions context;
+    BackendOptions context;
     bool all = false, json = false, quiet = false;
 };
 

@@ -151,7 +151,8 @@ class Site:
     def write_downloads(self):
         """The page "Download": the workbench, and what lies in the folder of downloads."""
         kinds = [("*.tar.xz", "any x86-64 Linux: unpack it and run <code>bin/poinsot</code>"), ("poinsot_*.deb", "Debian 12: <code>apt install ./FILE</code>"),
-                 ("python3-poinsot_*.deb", "Debian 12: the Python package"), ("libpoinsot*.deb", "Debian 12: the C++ library"),
+                 ("python3-poinsot_*.deb", "Debian 12: the Python package"), ("libpoinsot[0-9]*.deb", "Debian 12: the C++ library"),
+                 ("libpoinsot-dev_*.deb", "Debian 12: what building programs with this library needs"),
                  ("*.whl", "Python: <code>pip install FILE</code>"), ("*.tar.gz", "the sources"),
                  ("SHA256SUMS", "checksums: <code>sha256sum --check SHA256SUMS</code>")]
         files = sorted(self.downloads.iterdir()) if self.downloads else []

@@ -1,5 +1,5 @@
-# --target package: .debs for the distribution that they are built on: poinsot, the program; libpoinsot-dev, the library for
-# C++; and python3-poinsot, where the Python package is built.
+# --target package: .debs for the distribution that they are built on: poinsot, the program; libpoinsot0 and libpoinsot-dev, the
+# library for C++; and python3-poinsot, where the Python package is built.
 
 # The package of a library that is opened at run time, if dpkg knows it.
 function(package_of_library name to)
@@ -26,7 +26,7 @@ list(JOIN opened ", " opened)
 set(CPACK_GENERATOR DEB)
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_COMPONENTS_GROUPING IGNORE)
-set(CPACK_COMPONENTS_ALL program library)
+set(CPACK_COMPONENTS_ALL program library development)
 set(CPACK_PACKAGE_NAME poinsot)
 set(CPACK_PACKAGE_VERSION ${PROJECT_VERSION})
 set(CPACK_PACKAGE_CONTACT "the poinsot authors <poinsot@example.org>")
@@ -41,14 +41,22 @@ set(CPACK_DEBIAN_PROGRAM_DESCRIPTION
     "This program takes a scene file, computes the motion of a rigid body exactly at\nany instant, draws Poinsot's construction without a screen and writes stills,\nimage sequences, films, slides and pages.")
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_SHLIBDEPS ON)
 set(CPACK_DEBIAN_PROGRAM_PACKAGE_DEPENDS "${opened}")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME libpoinsot-dev)
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libdevel)
+# Motions need nothing that is opened at run time; pictures and films do.
+set(runtime_package libpoinsot${PROJECT_VERSION_MAJOR})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_NAME ${runtime_package})
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SECTION libs)
 set(CPACK_DEBIAN_LIBRARY_DESCRIPTION
-    "This package contains headers, static libraries and CMake files for programs in\nC++.")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_DEPENDS "libeigen3-dev, libsleef-dev")
-# What the component production links.
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "libcairo2-dev, libdeflate-dev, libfmt-dev, libfreetype-dev, libharfbuzz-dev, libmd-dev, libpng-dev, libxxhash-dev, pkg-config")
-set(CPACK_DEBIAN_LIBRARY_PACKAGE_SUGGESTS "poinsot, cmake")
+    "This package contains the shared library, for programs in C++ that compute\nmotions or draw Poinsot's construction.")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS_POLICY ">=")
+set(CPACK_DEBIAN_LIBRARY_PACKAGE_RECOMMENDS "${opened}")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_NAME libpoinsot-dev)
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SECTION libdevel)
+set(CPACK_DEBIAN_DEVELOPMENT_DESCRIPTION
+    "This package contains headers, and files for CMake and pkg-config, with which\nprograms in C++ are built.")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_DEPENDS "${runtime_package} (= ${PROJECT_VERSION}), libeigen3-dev")
+set(CPACK_DEBIAN_DEVELOPMENT_PACKAGE_SUGGESTS "poinsot, cmake, pkg-config")
 if(TARGET poinsot_python)
     list(APPEND CPACK_COMPONENTS_ALL python)
     set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-poinsot)

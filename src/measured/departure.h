@@ -1,5 +1,5 @@
-// How far somebody else's motion is from the exact one: errors of attitude and ω, and the drift of
-// the constants that Euler's equations keep.
+// Errors of a measured motion against the exact motion: of attitude and ω, and the drift of the
+// constants that Euler's equations keep.
 #pragma once
 
 #include <Eigen/Core>
@@ -21,8 +21,9 @@ struct Peak {
     }
 };
 
-// What the table does not have is absent. T, L and ω are compared as shares of their exact values,
-// energy and momentum only of torque-free motions; the momentum's direction needs attitude and ω.
+// Quantities missing in the table are absent. T, L and ω are compared as shares of their exact
+// values, energy and momentum only of torque-free motions; the momentum's direction needs attitude
+// and ω.
 struct DepartureAt {
     double time_s = 0.0;
     std::optional<double> attitude_rad;       // angle of the rotation from the exact attitude

@@ -26,7 +26,7 @@ struct FittedMotion {
     double first_time_s = 0.0;    // of the first row
     Eigen::Vector3d omega_rad_s;  // then, instrument axes
     Eigen::Vector3d omega_sd_rad_s;
-    Eigen::Vector3d moments;         // I1 ≥ I2 ≥ I3 in units of I1: ω(t) says no more
+    Eigen::Vector3d moments;         // I1 ≥ I2 ≥ I3 over I1: only ratios follow from ω(t)
     Eigen::Vector3d moments_sd;      // the first is 0, and all of them if the moments were given
     std::optional<double> I1_kg_m2;  // if the moments were given
     Eigen::Matrix3d instrument_from_principal;  // a proper rotation, columns e1, e2, e3

@@ -62,11 +62,11 @@ std::unique_ptr<FrameSink> open_mov(const OutputPlan& plan) { return open_film(m
 void join_webm(FrameEntries& entries, const OutputPlan& plan) { join_film(webm, entries, plan); }
 void join_mov(FrameEntries& entries, const OutputPlan& plan) { join_film(mov, entries, plan); }
 
-std::int64_t recover_webm(const std::filesystem::path& path, const Tell& tell) {
-    return recover_film(webm, path, tell);
+std::int64_t recover_webm(const std::filesystem::path& path, const SealMetadata& seal) {
+    return recover_film(webm, path, seal);
 }
-std::int64_t recover_mov(const std::filesystem::path& path, const Tell& tell) {
-    return recover_film(mov, path, tell);
+std::int64_t recover_mov(const std::filesystem::path& path, const SealMetadata& seal) {
+    return recover_film(mov, path, seal);
 }
 
 }  // namespace poinsot

@@ -25,10 +25,10 @@ std::unique_ptr<FrameSink> open_png_still(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_md5(const OutputPlan& plan);
 std::unique_ptr<FrameSink> open_null(const OutputPlan& plan);
 
-std::int64_t recover_mp4(const std::filesystem::path& path, const Tell& tell);
-std::int64_t recover_webm(const std::filesystem::path& path, const Tell& tell);
-std::int64_t recover_mov(const std::filesystem::path& path, const Tell& tell);
-std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell);
+std::int64_t recover_mp4(const std::filesystem::path& path, const SealMetadata& seal);
+std::int64_t recover_webm(const std::filesystem::path& path, const SealMetadata& seal);
+std::int64_t recover_mov(const std::filesystem::path& path, const SealMetadata& seal);
+std::int64_t recover_gif(const std::filesystem::path& path, const SealMetadata& seal);
 
 void join_mp4(FrameEntries& entries, const OutputPlan& plan);
 void join_webm(FrameEntries& entries, const OutputPlan& plan);
@@ -200,7 +200,7 @@ bool has_row(const std::filesystem::path& path, const Condition& condition) {
 }  // namespace
 
 std::string text_of(const OutputPlan& plan, const Contents& contents) {
-    return plan.tell && !plan.metadata.empty() ? plan.tell(plan.metadata, contents) : plan.metadata;
+    return plan.seal && !plan.metadata.empty() ? plan.seal(plan.metadata, contents) : plan.metadata;
 }
 
 std::int64_t n_shown_of(const OutputPlan& plan, std::int64_t n_frames) {
@@ -250,13 +250,13 @@ bool is_slides_name(const std::filesystem::path& path) {
     return has_row(path, [](const OutputFormat& format) { return format.is_slides; });
 }
 
-std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell) {
+std::int64_t recover_film(const std::filesystem::path& path, const SealMetadata& seal) {
     const OutputFormat& format = format_for(path);
     if (format.recover == nullptr)
         throw InputError(fmt::format(
             "{}: is not a film, so there is nothing to recover; run the same command again",
             path.string()));
-    return format.recover(path, tell);
+    return format.recover(path, seal);
 }
 
 }  // namespace poinsot

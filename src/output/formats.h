@@ -57,6 +57,6 @@ struct PacketFilm {
 std::unique_ptr<FrameSink> open_film(const PacketFilm& format, const OutputPlan& plan);
 void join_film(const PacketFilm& format, FrameEntries& entries, const OutputPlan& plan);
 std::int64_t recover_film(const PacketFilm& format, const std::filesystem::path& path,
-                          const Tell& tell);
+                          const SealMetadata& seal);
 
 }  // namespace poinsot

@@ -47,7 +47,8 @@ struct Contents {
 };
 
 // Makes the text that an output carries from the plan's metadata.
-using Tell = std::function<std::string(const std::string& metadata, const Contents& contents)>;
+using SealMetadata =
+    std::function<std::string(const std::string& metadata, const Contents& contents)>;
 
 // Settings that an output needs before its first frame.
 struct OutputPlan {
@@ -59,7 +60,7 @@ struct OutputPlan {
     std::string quality = "lecture";  // a name of output/quality.h
     int encoder_threads = 0;          // 0: chosen by the sink
     std::string metadata;             // text carried in the file
-    Tell tell;  // makes the text from metadata; if empty, metadata is used as it is
+    SealMetadata seal;  // makes the text from metadata; if empty, metadata is used as it is
     // The film keeps only the first n_shown of the written frames; 0: all. Its packets are those of
     // the longer film, as in a recovered film.
     std::int64_t n_shown = 0;
@@ -81,7 +82,7 @@ struct OutputPlan {
 };
 
 // Called on the writing thread, once per frame.
-using WasRead = std::function<void()>;
+using PixelsConsumed = std::function<void()>;
 
 // Call write() in frame order, then finish(). Destroying an unfinished sink leaves no file under
 // the final name. One thread at a time may use a sink.
@@ -94,10 +95,10 @@ class FrameSink {
     // frames in order; in a sequence, any frame may be missing.
     virtual bool has_frame(std::int64_t frame) const { return frame < n_frames_kept(); }
     virtual void write(const Image& frame) = 0;  // throws EnvironmentError
-    // Like write(), and calls was_read as soon as the picture is not needed any more.
-    virtual void write_telling(const Image& frame, const WasRead& was_read) {
+    // Like write(), and calls consumed as soon as the picture is not needed any more.
+    virtual void write_notifying(const Image& frame, const PixelsConsumed& consumed) {
         write(frame);
-        was_read();
+        consumed();
     }
     virtual void finish() = 0;  // flushes, syncs and renames; throws EnvironmentError
 };
@@ -116,7 +117,7 @@ struct OutputFormat {
     // EnvironmentError for failures of the machine. Precondition: check_rate().
     std::unique_ptr<FrameSink> (*open)(const OutputPlan& plan) = nullptr;
     // Like recover_film; null if an unfinished run leaves nothing, or only complete files.
-    std::int64_t (*recover)(const std::filesystem::path& path, const Tell& tell) = nullptr;
+    std::int64_t (*recover)(const std::filesystem::path& path, const SealMetadata& seal) = nullptr;
     // Assembles a film from the entries of its parts, under the plan's name. Null if the frames of
     // a part are complete files, or if the format has no parts.
     void (*join)(FrameEntries& entries, const OutputPlan& plan) = nullptr;
@@ -150,6 +151,6 @@ bool is_slides_name(const std::filesystem::path& path);
 // Makes a film under its final name from the log of an interrupted run, up to the first gap, and
 // returns its number of frames. The rest of the log is removed. Throws: InputError if there is no
 // log, or for a file that is not a film; EnvironmentError, and then keeps the log.
-std::int64_t recover_film(const std::filesystem::path& path, const Tell& tell = {});
+std::int64_t recover_film(const std::filesystem::path& path, const SealMetadata& seal = {});
 
 }  // namespace poinsot

@@ -205,11 +205,11 @@ void join_gif(FrameEntries& entries, const OutputPlan& plan) {
     write_gif(entries, colours_of(entries, plan), plan);
 }
 
-std::int64_t recover_gif(const std::filesystem::path& path, const Tell& tell) {
+std::int64_t recover_gif(const std::filesystem::path& path, const SealMetadata& seal) {
     silence_libav();
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
-    plan.tell = tell;
+    plan.seal = seal;
     check_film(plan);
     write_gif(log, colours_of(log, plan), plan);
     log.discard();

@@ -71,8 +71,8 @@ std::unique_ptr<FrameSink> open_mp4(const OutputPlan& plan) { return open_film(m
 
 void join_mp4(FrameEntries& entries, const OutputPlan& plan) { join_film(mp4, entries, plan); }
 
-std::int64_t recover_mp4(const std::filesystem::path& path, const Tell& tell) {
-    return recover_film(mp4, path, tell);
+std::int64_t recover_mp4(const std::filesystem::path& path, const SealMetadata& seal) {
+    return recover_film(mp4, path, seal);
 }
 
 }  // namespace poinsot

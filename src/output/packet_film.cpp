@@ -244,10 +244,10 @@ class PacketFilmSink : public FrameSink {
     std::int64_t n_frames_kept() const override { return n_kept_; }
 
     void write(const Image& frame) override {
-        write_telling(frame, [] {});
+        write_notifying(frame, [] {});
     }
 
-    void write_telling(const Image& frame, const WasRead& was_read) override {
+    void write_notifying(const Image& frame, const PixelsConsumed& consumed) override {
         check_frame(frame, plan_);
         if (n_written_ == 0 && format_->alpha == FilmAlpha::of_first_frame)
             alpha_ = plan_.has_alpha.value_or(!is_opaque(frame));
@@ -256,7 +256,7 @@ class PacketFilmSink : public FrameSink {
         if (!encoder_) start_chunk(is_alone(number));
         libav::checked(av_frame_make_writable(frame_.get()), plan_.path, "video frame");
         fill_frame(frame);
-        was_read();
+        consumed();
         frame_->pts = number;
         ++n_written_;
         ++n_in_chunk_;
@@ -370,11 +370,12 @@ void join_film(const PacketFilm& format, FrameEntries& entries, const OutputPlan
     write_film(format, entries, plan, entries.n_entries());
 }
 
-std::int64_t recover_film(const PacketFilm& format, const fs::path& path, const Tell& tell) {
+std::int64_t recover_film(const PacketFilm& format, const fs::path& path,
+                          const SealMetadata& seal) {
     silence_libav();
     FrameLog log = FrameLog::left_of(path);
     OutputPlan plan = log.plan();
-    plan.tell = tell;
+    plan.seal = seal;
     check_plan(format, plan);
     const std::int64_t n_frames = n_frames_without_gap(log);
     if (n_frames == 0)

@@ -59,16 +59,16 @@ void FrameWorkers::Impl::run(std::size_t worker) {
         const bool dropped = static_cast<bool>(error);
         lock.unlock();
         bool is_read = false;
-        const auto was_read = [&] {
+        const auto consumed = [&] {
             if (!std::exchange(is_read, true)) give_back(job.frame);
         };
         std::exception_ptr failure;
         try {
-            if (!dropped) work(worker, job.number, job.frame, was_read);
+            if (!dropped) work(worker, job.number, job.frame, consumed);
         } catch (...) {
             failure = std::current_exception();
         }
-        was_read();
+        consumed();
         lock.lock();
         if (failure && !error) error = failure;
         ++n_done;
@@ -127,8 +127,8 @@ AsyncSink::AsyncSink(std::unique_ptr<FrameSink> sink, std::size_t n_pictures)
     : sink_(std::move(sink)),
       workers_(std::make_unique<FrameWorkers>(
           1, n_pictures,
-          [this](std::size_t, std::int64_t, const Image& frame, const WasRead& was_read) {
-              sink_->write_telling(frame, was_read);
+          [this](std::size_t, std::int64_t, const Image& frame, const PixelsConsumed& consumed) {
+              sink_->write_notifying(frame, consumed);
           })) {}
 
 AsyncSink::~AsyncSink() { workers_.reset(); }

@@ -18,7 +18,7 @@ class FrameWorkers {
     // frames in order, several workers share them. May report that the frame is read before its
     // work ends.
     using Work = std::function<void(std::size_t worker, std::int64_t number, const Image& frame,
-                                    const WasRead& was_read)>;
+                                    const PixelsConsumed& consumed)>;
 
     // At most n_pictures are unread at a time, including that of spare().
     FrameWorkers(std::size_t n_workers, std::size_t n_pictures, Work work);

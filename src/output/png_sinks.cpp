@@ -68,9 +68,8 @@ class PngSequenceSink : public FrameSink {
             remove_left_aside(frame_name(plan_.path, first_number_ + k));
         workers_ = std::make_unique<FrameWorkers>(
             encoders_.size(), n_pictures,
-            [this](std::size_t worker, std::int64_t number, const Image& frame, const WasRead&) {
-                write_one(encoders_[worker], number, frame);
-            });
+            [this](std::size_t worker, std::int64_t number, const Image& frame,
+                   const PixelsConsumed&) { write_one(encoders_[worker], number, frame); });
     }
 
     std::int64_t n_frames_kept() const override { return frame_of(0); }

@@ -1,5 +1,5 @@
 // What the names of --quality mean for encoders, and the measured results of the whole;
-// drawing/picture_quality.h has what they mean for drawings.
+// drawing/style/picture_quality.h has what they mean for drawings.
 #pragma once
 
 #include <span>

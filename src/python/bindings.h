@@ -78,20 +78,21 @@ void end_calls();
 // Whether end_calls() was called.
 bool interpreter_ends();
 // Throws EnvironmentError then.
-void need_interpreter();
+void require_interpreter();
 
 // Runs a function of the library without the interpreter's lock. Ctrl-C, and an exception of the
 // callbacks, end it: the exception is thrown again here.
-class Running {
+class InterruptibleCall {
  public:
     // `say` receives lines, `frames` (n_done, n_frames); both may be None.
-    Running(py::object say, py::object frames) : say_(std::move(say)), frames_(std::move(frames)) {}
+    InterruptibleCall(py::object say, py::object frames)
+        : say_(std::move(say)), frames_(std::move(frames)) {}
 
     library::Watch watch();
 
     template <typename Work>
     void run(const Work& work) {
-        need_interpreter();
+        require_interpreter();
         try {
             const WithoutLock without_lock;
             work(watch());
@@ -111,7 +112,7 @@ class Running {
 template <typename Work>
 void run_interruptibly(const Work& work) {
     if (interpreter_ends()) return work();
-    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+    InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
         const StopsWhen stops(watch.stop);
         work();
     });

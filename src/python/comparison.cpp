@@ -27,7 +27,7 @@ py::array array_of_image(const Image& image) {
                     {py::ssize_t{image.height()}, py::ssize_t{image.width()}, py::ssize_t{4}});
 }
 
-// Reads a limit by a function of report/gates.h; an error names the limit.
+// Reads a limit by a function of report/given_limits.h; an error names the limit.
 template <typename Read>
 auto named(const std::string& name, Read read) {
     try {
@@ -38,11 +38,11 @@ auto named(const std::string& name, Read read) {
 }
 
 // The limits, under the names of the options of `poinsot compare`.
-Gates gates_of(const py::dict& options) {
-    Gates gates;
+GivenLimits given_limits_of(const py::dict& options) {
+    GivenLimits given;
     for (const NumberLimit& limit : number_limits()) {
         const std::string name(limit.name);
-        std::optional<double>& value = gates.*limit.value;
+        std::optional<double>& value = given.*limit.value;
         if (limit.kind == LimitKind::share && options.contains(name) &&
             py::isinstance<py::str>(options[name.c_str()])) {
             value =
@@ -55,20 +55,20 @@ Gates gates_of(const py::dict& options) {
             value = option<double>(options, name.c_str());
         if (value) value = named(name, [&] { return limit.checked(*value); });
     }
-    gates.antialiasing = option<bool>(options, "antialiasing");
+    given.antialiasing = option<bool>(options, "antialiasing");
     if (options.contains("ignore"))
         for (const py::handle region : options["ignore"]) {
             if (!py::isinstance<py::str>(region))
                 throw InputError("ignore: a region is a text, and this is " +
                                  py::repr(region).cast<std::string>());
-            gates.ignore.push_back(
+            given.ignore.push_back(
                 named("ignore", [&] { return parse_region(region.cast<std::string>()); }));
         }
-    return gates;
+    return given;
 }
 
 CompareRequest request_of(const std::string& profile, const py::dict& limits, bool measures) {
-    CompareRequest request{.gates = gates_of(limits)};
+    CompareRequest request{.given = given_limits_of(limits)};
     request.limits = named("profile", [&] { return limits_of_profile(profile); });
     request.ssim = request.flip = measures;
     return request;
@@ -188,7 +188,7 @@ py::bytes png_of_pixels(const Pixels& pixels) {
 // Refuses limits that no comparison with this picture could use.
 void check_limits(const std::string& picture, const std::string& profile, const py::dict& limits) {
     const CompareRequest request = request_of(profile, limits, false);
-    named("ignore", [&] { check_regions(request.gates, picture); });
+    named("ignore", [&] { check_regions(request.given, picture); });
 }
 
 using Outcomes = std::vector<std::pair<std::string, std::string>>;

@@ -73,11 +73,11 @@ py::custom_type_setup without_new() {
 
 bool interpreter_ends() { return has_ended; }
 
-void need_interpreter() {
+void require_interpreter() {
     if (has_ended) throw EnvironmentError("the interpreter is shutting down; draw before its end");
 }
 
-library::Watch Running::watch() {
+library::Watch InterruptibleCall::watch() {
     library::Watch watch;
     if (!say_.is_none())
         watch.say = [this](const std::string& line) {

@@ -153,7 +153,7 @@ Motion motion_of(const Doubles& moments, const Doubles& omega, const Doubles& at
     const Eigen::Vector3d start = three("omega", omega);
     std::optional<Motion> made;
     const auto make = [&](const auto& body, auto maker) {
-        Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+        InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
             options.stop = at_times(watch.stop);
             made = maker(body, start, options);
         });

@@ -47,7 +47,7 @@ py::tuple sample(const Scene& scene, const Doubles& times,
                  const std::vector<std::string>& columns) {
     library::Table table;
     const std::span<const double> times_s(times.data(), static_cast<std::size_t>(times.size()));
-    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+    InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
         table = scene.sample(times_s, columns, watch);
     });
     const auto n_columns = static_cast<py::ssize_t>(table.names.size());
@@ -63,7 +63,7 @@ py::tuple departure(const Scene& scene, const Doubles& times, const std::optiona
     };
     const std::span<const double> none;
     library::Table table;
-    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+    InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
         table = scene.departure(span_of(times), omega ? span_of(*omega) : none,
                                 attitude ? span_of(*attitude) : none, watch);
     });
@@ -74,7 +74,7 @@ py::tuple departure(const Scene& scene, const Doubles& times, const std::optiona
 
 std::string check_json(const Scene& scene) {
     std::string answer;
-    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+    InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
         answer = scene.check_json(watch);
     });
     return answer;
@@ -97,7 +97,7 @@ py::tuple still(const Scene& scene, std::optional<double> time_s, bool clearest,
     const library::StillOptions options{time_s, clearest, paper_of(paper), {backend, portable}};
     std::optional<library::Still> made;
     Told told;
-    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+    InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
         made = scene.still(options, told.listening(watch));
     });
     return py::make_tuple(*made, told.notes, told.report);
@@ -110,7 +110,7 @@ py::tuple figure(const Scene& scene, const std::string& format, std::optional<do
         time_s, clearest, paper_of(paper), {backend, portable}, format, shading, text};
     std::string bytes;
     Told told;
-    Running(py::none(), py::none()).run([&](const library::Watch& watch) {
+    InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
         bytes = scene.figure(options, told.listening(watch));
     });
     return py::make_tuple(py::bytes(bytes), told.notes, told.report);
@@ -120,14 +120,14 @@ void render(const Scene& scene, const std::string& path,
             std::optional<std::pair<std::int64_t, std::int64_t>> frames, const std::string& backend,
             bool portable, const py::object& say, const py::object& progress) {
     const library::RenderOptions options{frames, {backend, portable}};
-    Running(say, progress).run([&](const library::Watch& watch) {
+    InterruptibleCall(say, progress).run([&](const library::Watch& watch) {
         scene.render(path, options, watch);
     });
 }
 
 void slides(const Scene& scene, const std::string& folder, const std::string& backend,
             bool portable, const py::object& say, const py::object& progress) {
-    Running(say, progress).run([&](const library::Watch& watch) {
+    InterruptibleCall(say, progress).run([&](const library::Watch& watch) {
         scene.slides(folder, {backend, portable}, watch);
     });
 }

@@ -52,23 +52,23 @@ std::vector<IgnoredRegion> regions_in(const TomlEntry& entry) {
 }
 
 // Returns false for a key that is no limit.
-bool read_limit(const TomlEntry& entry, Gates& gates) {
+bool read_limit(const TomlEntry& entry, GivenLimits& given) {
     if (const NumberLimit* limit = find_row(number_limits(), entry.key)) {
-        gates.*limit->value = number_limit_in(entry, *limit);
+        given.*limit->value = number_limit_in(entry, *limit);
     } else if (entry.key == "antialiasing") {
         if (entry.value.type != Type::boolean) refuse_type(entry, "true or false");
-        gates.antialiasing = entry.value.boolean;
+        given.antialiasing = entry.value.boolean;
     } else if (entry.key == "ignore") {
-        gates.ignore = regions_in(entry);
+        given.ignore = regions_in(entry);
     } else {
         return false;
     }
     return true;
 }
 
-void read_key(const TomlEntry& entry, std::string_view besides, Gates& gates) {
+void read_key(const TomlEntry& entry, std::string_view besides, GivenLimits& given) {
     try {
-        if (read_limit(entry, gates)) return;
+        if (read_limit(entry, given)) return;
     } catch (const SceneError&) {
         throw;
     } catch (const InputError& error) {
@@ -83,7 +83,7 @@ CompareFile::Entry entry_of(const TomlValue& table) {
     CompareFile::Entry entry;
     for (const TomlEntry& key : table.entries) {
         if (key.key != "name") {
-            read_key(key, "name", entry.gates);
+            read_key(key, "name", entry.given);
             continue;
         }
         if (key.value.type != Type::text || key.value.text.empty())
@@ -97,7 +97,7 @@ CompareFile::Entry entry_of(const TomlValue& table) {
         throw SceneError(table.where,
                          "this entry has no name; say which pictures it is for, as name = "
                          "\"generic_*\"");
-    if (entry.gates == Gates{})
+    if (entry.given == GivenLimits{})
         throw SceneError(entry.where, "this entry sets no limit; set one or remove the entry");
     return entry;
 }
@@ -125,11 +125,11 @@ bool matches_glob(std::string_view name, std::string_view glob) {
     return glob.find_first_not_of('*', in_glob) == std::string_view::npos;
 }
 
-Gates CompareFile::gates_of(std::string_view picture) const {
-    Gates gates = all;
+GivenLimits CompareFile::given_limits_of(std::string_view picture) const {
+    GivenLimits given = all;
     for (const Entry& entry : entries)
-        if (matches_glob(picture, entry.glob)) gates = entry.gates.over(gates);
-    return gates;
+        if (matches_glob(picture, entry.glob)) given = entry.given.over(given);
+    return given;
 }
 
 void CompareFile::check_used(const std::vector<std::string>& pictures) const {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "report/gates.h"
+#include "report/given_limits.h"
 #include "scene/scene.h"
 
 namespace poinsot {
@@ -20,13 +20,13 @@ struct CompareFile {
     struct Entry {
         std::string glob;
         SourceLocation where;  // of the glob
-        Gates gates;
+        GivenLimits given;
     };
     std::string name;  // of the file, for messages
-    Gates all;
+    GivenLimits all;
     std::vector<Entry> entries;
 
-    Gates gates_of(std::string_view picture) const;
+    GivenLimits given_limits_of(std::string_view picture) const;
     // Throws InputError for an entry that matches none of the pictures, with its place.
     void check_used(const std::vector<std::string>& pictures) const;
 };

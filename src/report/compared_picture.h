@@ -18,7 +18,7 @@
 #include "report/baselines.h"
 #include "report/compare_file.h"
 #include "report/film_comparison.h"
-#include "report/gates.h"
+#include "report/given_limits.h"
 #include "system/files/processor.h"
 
 namespace poinsot {
@@ -92,7 +92,7 @@ std::optional<CompareLimits> limits_between(const Baseline& approved, std::strin
 struct CompareRequest {
     // Of a profile. None: what drew the baseline decides, else no pixel may differ.
     std::optional<CompareLimits> limits{};
-    Gates gates{};                      // of the command line
+    GivenLimits given{};                // of the command line
     std::optional<CompareFile> file{};  // of the baselines
     bool ssim = false, flip = false;    // measure these, whether or not they decide
     std::function<StoredPicture(const std::filesystem::path&)> read = read_stored_png;
@@ -112,7 +112,7 @@ ComparedPicture compare_files(const std::string& name, const std::filesystem::pa
 
 // Throws InputError for limits that ignore something by its name in pictures like this one, which
 // has no record that says where it is.
-void check_regions(const Gates& gates, const std::filesystem::path& picture);
+void check_regions(const GivenLimits& given, const std::filesystem::path& picture);
 
 // The pictures of a folder and its subfolders that are of another kind (JPEG, WebP, TIFF, BMP), so
 // that compare_folders passes them over; relative to the folder, in order.

@@ -38,7 +38,7 @@ class FrameStream {
     std::optional<FrameRate> rate() const;
     // How the film says it is shown; none for a sequence.
     const VideoInfo* info() const;
-    // As the film says, or as there are pictures; a broken film may have fewer.
+    // From the film's header, or the number of pictures; a broken film may have fewer.
     std::int64_t n_frames() const;
     // Of one frame of a film, in pixels; 0 for a sequence, whose frames say it themselves.
     std::int64_t frame_pixels() const;

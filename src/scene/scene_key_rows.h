@@ -36,7 +36,7 @@ std::span<const SceneKey> mark_keys();
 const SceneDraft& draft_by_default();
 
 // The ranges of every camera. Beyond the largest distance of a camera the figure would be
-// invisible, and with a target beyond a double's digits nothing could be computed.
+// invisible; a target much farther away would exhaust double precision.
 inline constexpr Bounds elevations_deg = within(-90.0, 90.0);
 inline constexpr Bounds distances = within(0.01, 10000.0);
 inline constexpr Bounds fields_deg = within(0.1, 150.0);

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 """Checks that CMake configures the program on machines with only some of the packages; nothing is built.
 
-Each library of the tests is hidden in turn, then all of them. The program alone (BUILD_TESTING=OFF, as `sh .ci/film` configures it)
+Each library of the tests is hidden in turn, then all of them. The program alone (BUILD_TESTING=OFF, as `./run film` configures it)
 must configure without any message about tests; with BUILD_TESTING=ON the tests are omitted and a warning names the Debian package.
 Each library of the program is hidden in turn, too: CMake must stop and name its Debian package. Without a package for pages it must go
 on and name it, and stop where a module was given.

@@ -3,7 +3,7 @@
 
 Usage: docs_check.py POINSOT WHAT
 links:     every relative link of *.md and docs/*.md leads to an existing file, and to one of its headings.
-readme:    README.md is at most 8192 bytes.
+readme:    README.md is at most 8192 bytes; its two commands, and each `./run WORD` of a document, exist.
 files:     every path of src/, tests/, scenes/, shaders/ or .ci/ in backticks exists; `*` matches any name.
 tests:     every test that docs/formulas.md names, as `Suite.Claim`, exists in tests/.
 walks:     the sh blocks of the guide's walks run unchanged, one after the other, in a folder with only
@@ -50,6 +50,13 @@ def readme(_program):
     size = (ROOT / "README.md").stat().st_size
     if size > MOST_README_BYTES:
         yield f"README.md: {size} bytes, more than {MOST_README_BYTES}; move something to docs/"
+    known = set(re.findall(r"^\./run (\w+)", subprocess.run([ROOT / "run"], capture_output=True, text=True, check=True).stdout, re.M))
+    named = {page.name: set(re.findall(r"\./run (\w+)", page.read_text())) for page in PAGES}
+    if known != {"film", "test"} or named["README.md"] != known:
+        yield f"README.md names {sorted(named['README.md'])} of run, which says {sorted(known)}"
+    for page, words in named.items():
+        if words - known:
+            yield f"{page}: run has no command {', '.join(words - known)}"
 
 
 def files(_program):

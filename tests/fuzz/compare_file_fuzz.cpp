@@ -13,7 +13,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         const poinsot::CompareFile file = poinsot::parse_compare_file(text, "compare.toml");
         for (const auto& entry : file.entries)
             if (!poinsot::matches_glob(entry.glob, "*")) std::abort();
-        for (const poinsot::IgnoredRegion& region : file.gates_of("turn").ignore)
+        for (const poinsot::IgnoredRegion& region : file.given_limits_of("turn").ignore)
             if (region.rectangle) static_cast<void>(region.in(1280, 720));
     } catch (const poinsot::InputError& error) {
         const std::string_view what = error.what();

@@ -243,7 +243,7 @@ TEST(House, EveryIncludeFollowsTheLayers) {
     }
 }
 
-// "drawing/panels" for "drawing/stage/panel.h"; empty for files outside of subfolders.
+// "drawing/stage" for "drawing/stage/panel.h"; empty for files outside of subfolders.
 std::string subfolder_of(const std::string& file) {
     const auto last = file.rfind('/');
     return file.find('/') == last ? "" : file.substr(0, last);

@@ -2,9 +2,10 @@
 """Builds docs/examples/library against the library, runs it, and compares its numbers with closed forms computed here.
 
 Usage: example_check.py WAY CMAKE BUILD_FOLDER NM LAUNCHER
-installed: against a copy that `cmake --install` makes and that is then moved, found by find_package. Also checks the symbols
-           of the archives, that each header compiles alone, with warnings and for other processors, that all archives link
-           with the libraries that the package names, and which versions and components are refused.
+installed: against a copy that `cmake --install` makes and that is then moved, found by find_package and by pkg-config. Also checks
+           that the library exports what the headers declare and nothing else, that each header compiles alone, with warnings and for
+           other processors, that programs with names of their own do not disturb the library, that they catch its exceptions, and
+           which versions and components are refused.
 included:  with the repository as a part of the example's project, by add_subdirectory.
 """
 import math
@@ -37,6 +38,7 @@ SCENE = """#include <poinsot/error.h>
 #include <iostream>
 #include <map>
 #include <string>
+#include <typeinfo>
 #include <variant>
 #include <vector>
 
@@ -58,8 +60,14 @@ int main(int, char** arguments) {
     std::cout << still.width_px() << ' ' << still.height_px() << ' ' << std::get<std::string>(first) << ' ';
     try {
         Scene::from_text("", "bad.toml");
-    } catch (const poinsot::InputError& error) {
+    } catch (const poinsot::Error& error) {
         std::cout << std::string(error.what()).substr(0, 13) << ' ';
+    }
+    try {
+        Motion({0, 0, 0}, {0, 0, 0});
+    } catch (const poinsot::InputError& error) {
+        // The library's type is the program's own, at one address: other runtimes than libstdc++ compare nothing else.
+        std::cout << (typeid(error).name() == typeid(poinsot::InputError).name() ? "same " : "another ");
     }
     try {
         return std::get<int>(first);
@@ -67,6 +75,65 @@ int main(int, char** arguments) {
         std::cout << table.size() + 1 << '\\n';
     }
     stop_drawing();
+}
+"""
+
+
+# Names that the library uses inside, for other things. It must not notice.
+NEIGHBOUR = """#include <Eigen/Geometry>
+#include <poinsot/construction.h>
+#include <poinsot/motion.h>
+
+#include <iostream>
+#include <string>
+
+namespace poinsot {
+class Motion {
+ public:
+    double mine[100] = {};
+};
+class Polhode {
+ public:
+    ~Polhode() { std::cout << "wrong "; }
+};
+std::string regime_sentence(const Motion&) { return "wrong"; }
+double read_double(std::string_view) { return 1e300; }
+}  // namespace poinsot
+extern "C" double acos(double) noexcept { return 42.0; }
+extern "C" double exp(double) noexcept { return 43.0; }
+extern "C" double log(double) noexcept { return 44.0; }
+extern "C" double pow(double, double) noexcept { return 45.0; }
+extern "C" double sin(double) noexcept { return 46.0; }
+extern "C" double cos(double) noexcept { return 47.0; }
+
+int main() {
+    const poinsot::library::Motion body({3, 2, 1}, {0.1, 0.2, 2});
+    const poinsot::library::Construction construction(body);
+    volatile double one = 1.0;
+    std::cout.precision(17);
+    std::cout << std::acos(one) << ' ' << poinsot::regime_sentence(poinsot::Motion()) << ' ' << construction.polhode(1e-2).points.size();
+    for (const double number : body.at(7).omega_body) std::cout << ' ' << number;
+    std::cout << ' ' << body.at(7).space_from_body.w() << '\\n';
+}
+"""
+
+# A part that is loaded, draws, and is unloaded.
+PLUGIN = """#include <poinsot/scene.h>
+
+extern "C" int draw() {
+    return poinsot::library::Scene::from_text("[film]\\nsize = \\"64x36\\"\\n[body]\\nmoments_kg_m2 = [4, 3, 1.5]\\n[start]\\nomega_rad_s = "
+                                              "[1, 1, 2]\\n")
+        .still()
+        .width_px();
+}
+"""
+HOST = """#include <dlfcn.h>
+
+int main(int, char** arguments) {
+    void* const plugin = dlopen(arguments[1], RTLD_NOW);
+    if (plugin == nullptr) return 1;
+    const int width = reinterpret_cast<int (*)()>(dlsym(plugin, "draw"))();
+    return dlclose(plugin) == 0 && width == 64 ? 0 : 2;
 }
 """
 
@@ -108,13 +175,58 @@ def check_output(text):
 
 
 def check_program(nm, program):
-    """The program's functions are those of glibc, and it exports nothing of the library."""
+    """The program's functions are those of glibc."""
     if not re.search(r"\bU acos(@|$)", run(nm, program), re.M):
         sys.exit("the program's acos is not glibc's")
-    exported = [line for line in run(nm, "--dynamic", "--defined-only", program).splitlines()
-                if re.search(r"poinsot|Sleef| (sin|cos|exp|pow)$", line)]
-    if exported:
-        sys.exit("the program exports symbols of the library:\n" + "\n".join(exported[:20]))
+
+
+def declared(headers):
+    """The functions that the headers declare for programs, and the types of their exceptions."""
+    names = set()
+    for header in headers:
+        text = re.sub(r"//.*|^#.*", "", header.read_text(), flags=re.M)
+        names |= {f"typeinfo{of} for poinsot::{name}" for name in re.findall(r"^class .*\b(\w+) : public", text, re.M) for of in ("", " name")}
+        _, opened, outside = text.partition("namespace poinsot::library {")
+        if not opened:
+            continue
+        for name, inside in re.findall(r"^class __attribute__\(\(visibility\(\"default\"\)\)\) (\w+) \{\n(.*?)^\};", text, re.M | re.S):
+            names |= {f"poinsot::library::{name}::{function}" for function in functions(inside.split(" private:")[0])}
+            outside = outside.replace(inside, "")
+        outside = re.sub(r"^(struct|enum class) \w+ \{(\};|.*?^\};)", "", outside, flags=re.M | re.S)
+        names |= {f"poinsot::library::{function}" for function in functions(outside.replace('__attribute__((visibility("default")))', ""))}
+    return names
+
+
+def functions(text):
+    while (shorter := re.sub(r"\{[^{}]*\}", "", text)) != text:
+        text = shorter
+    found = (re.search(r"(\w+)\(", one) for one in text.split(";") if "= default" not in one and "static_assert" not in one)
+    return {match[1] for match in found if match}
+
+
+def check_symbols(nm, library, headers):
+    """The library exports what the headers declare, and takes from others only what is theirs."""
+    lines = run(nm, "--dynamic", "--demangle", "--with-symbol-versions", library).splitlines()
+    exported, taken = set(), set()
+    for line in lines:
+        kind, name = re.match(r"[0-9a-f]* *(\w) (.*)", line).groups()
+        if kind in "Uwv":
+            taken.add(name)
+        elif kind != "A":
+            name, version = name.rsplit("@@", 1)
+            if version != "POINSOT_0.1":
+                sys.exit(f"{name} has the version {version}")
+            exported.add(re.sub(r"\(.*|\[abi:.*", "", name))
+    if exported != declared(headers):
+        sys.exit(f"the library exports {sorted(exported - declared(headers))}, which no header declares, and lacks "
+                 f"{sorted(declared(headers) - exported)}")
+    # Each version of fmt has a namespace of its own.
+    foreign = [name for name in taken if re.match(r"(vtable for |typeinfo for )?(poinsot|Eigen|fmt(?!::v\d)|boost|toml|CLI)::|"
+                                                  r"(sin|cos|tan|acos|atan2|exp|log|pow)@", name)]
+    if foreign:
+        sys.exit("another file can replace these functions of the library:\n" + "\n".join(foreign[:20]))
+    if not taken or not exported:
+        sys.exit(f"nm lists nothing of {library}")
 
 
 def build(cmake, launcher, source, folder, *options):
@@ -131,16 +243,15 @@ def project(folder, text):
 
 
 def installed(cmake, build_folder, nm, launcher, place):
-    run(cmake, "--install", build_folder, "--component", "library", "--prefix", place / "first")
+    for component in ("library", "development"):
+        run(cmake, "--install", build_folder, "--component", component, "--prefix", place / "first")
     prefix = (place / "first").rename(place / "prefix")
     found = f"-DCMAKE_PREFIX_PATH={prefix}"
-    archives = sorted(prefix.glob("lib*/**/libpoinsot_*.a"))
-    if [archive.name for archive in archives] != [f"libpoinsot_{name}.a" for name in ("construction", "mechanics", "production")]:
-        sys.exit(f"the archives are {archives}")
-    foreign = [line for line in run(nm, "--extern-only", "--defined-only", "--format=posix", *archives).splitlines()
-               if len(line.split()) > 1 and "poinsot" not in line.split()[0]]
-    if foreign:
-        sys.exit(f"the archives define {len(foreign)} symbols without poinsot in their names:\n" + "\n".join(foreign[:20]))
+    libraries = sorted(prefix.glob("lib/**/libpoinsot*"))
+    if [library.name for library in libraries] != ["libpoinsot.so", "libpoinsot.so.0", "libpoinsot.so.0.1.0"]:
+        sys.exit(f"the libraries are {libraries}")
+    headers = sorted((prefix / "include/poinsot").glob("*.h"))
+    check_symbols(nm, libraries[0], headers)
 
     build(cmake, launcher, EXAMPLE, place / "build", found, "-DCMAKE_BUILD_TYPE=Release")
     text = run(place / "build/racket")
@@ -155,32 +266,56 @@ def installed(cmake, build_folder, nm, launcher, place):
             sys.exit(f"compiled for this processor, {name} is {native[name]}, not {numbers(text)[name]}")
     flags = ["-std=c++20", "-Wall", "-Wextra", "-Wpedantic", "-Wshadow", "-Werror", "-fsyntax-only", "-I", prefix / "include", "-isystem",
              "/usr/include/eigen3", "-x", "c++", "/dev/null", "-include"]
-    for header in sorted((prefix / "include/poinsot").glob("*.h")):
+    for header in headers:
         for processor in ([], ["-march=skylake-avx512"]):
             run("c++", *processor, *flags, header)
 
-    everything = project(place / "everything", """project(everything LANGUAGES CXX)
-find_package(poinsot 0.1 REQUIRED)
-add_executable(everything main.cpp)
-target_link_libraries(everything PRIVATE -Wl,--whole-archive $<TARGET_FILE:poinsot::production> $<TARGET_FILE:poinsot::construction>
-    $<TARGET_FILE:poinsot::mechanics> -Wl,--no-whole-archive poinsot::production)
-""")
-    build(cmake, launcher, everything, place / "everything/build", found)
-    run(place / "everything/build/everything")
-    # Programs that define the same templates of the standard library, as groups of sections of which the linker keeps one.
+    os.environ["PKG_CONFIG_PATH"] = str(libraries[0].parent / "pkgconfig")
+    words = run("pkg-config", "--cflags", "--libs", "poinsot").split()
+    if run("pkg-config", "--modversion", "poinsot").strip() != "0.1.0":
+        sys.exit("pkg-config knows another version")
+    os.environ["LD_LIBRARY_PATH"] = str(libraries[0].parent)
+    run("c++", "-std=c++20", "-O1", EXAMPLE / "main.cpp", "-o", place / "by_pkg_config", *words)
+    check_output(run(place / "by_pkg_config"))
+
+    # Programs that define the names of the library's inside, and templates of Eigen and of the standard library in other forms.
+    neighbour = place / "neighbour.cpp"
+    neighbour.write_text(NEIGHBOUR)
+    expected = None
+    for flags in (["-O2", "-march=native", "-DEIGEN_DONT_VECTORIZE", "-fno-builtin"], ["-O0", "-fno-builtin", "-DEIGEN_MAX_ALIGN_BYTES=64"]):
+        run("c++", "-std=c++20", *flags, neighbour, "-o", place / "neighbour", *words)
+        acos, sentence, n_points, *state = run(place / "neighbour").split()
+        if (acos, sentence) != ("42", "wrong") or int(n_points) < 10:
+            sys.exit(f"the program with names of its own, with {flags}, says {acos} {sentence} {n_points}")
+        expected = expected or state
+        if state != expected:
+            sys.exit(f"with {flags}, the motion is {state}, not {expected}")
+    # |L| and T are those of the start; a wrong elementary function would change them.
+    omega = [float(number) for number in expected[:3]]
+    for power in (1, 2):
+        at, start = (sum(moment ** power * x * x for moment, x in zip((3, 2, 1), body)) for body in (omega, (0.1, 0.2, 2)))
+        if abs(at / start - 1) > 1e-13:
+            sys.exit(f"with the program's own elementary functions, the motion is {expected}")
+
     scene = project(place / "scene", """project(scene LANGUAGES CXX)
 find_package(poinsot 0.1 REQUIRED)
 add_executable(scene main.cpp)
-target_link_libraries(scene PRIVATE poinsot::production)
+target_link_libraries(scene PRIVATE poinsot::poinsot)
 """)
     (scene / "main.cpp").write_text(SCENE)
-    for level in ("-O0", "-O2"):
-        build(cmake, launcher, scene, scene / level[1:], found, f"-DCMAKE_CXX_FLAGS={level}", "-DCMAKE_BUILD_TYPE=")
-        said = run(scene / level[1:] / "scene", place / "still.png")
-        if said.split() != ["64", "36", "rk4", "bad.toml:1:1:", "2"]:
-            sys.exit(f"the program with {level} says {said}")
+    for number, flags in enumerate(("-O0", "-O2 -fvisibility=hidden")):
+        build(cmake, launcher, scene, scene / f"build{number}", found, f"-DCMAKE_CXX_FLAGS={flags}", "-DCMAKE_BUILD_TYPE=")
+        said = run(scene / f"build{number}/scene", place / "still.png")
+        if said.split() != ["64", "36", "rk4", "bad.toml:1:1:", "same", "2"]:
+            sys.exit(f"the program with {flags} says {said}")
+    # The thread that draws survives the program's part that used the library.
+    (place / "plugin.cpp").write_text(PLUGIN)
+    (place / "host.cpp").write_text(HOST)
+    run("c++", "-std=c++20", "-shared", "-fPIC", place / "plugin.cpp", "-o", place / "plugin.so", *words)
+    run("c++", "-std=c++20", place / "host.cpp", "-o", place / "host")
+    run(place / "host", place / "plugin.so")
     for ask, said in (("1.0 REQUIRED", "version"), ("0.2 REQUIRED", "version"),
-                      ("REQUIRED COMPONENTS mechanics cinema", "the component cinema")):
+                      ("REQUIRED COMPONENTS mechanics", "has no components")):
         asking = project(place / re.sub(r"\W", "_", ask), f"project(asking LANGUAGES CXX)\nfind_package(poinsot {ask})\n")
         if said not in run(cmake, "-S", asking, "-B", asking / "build", found, fails=True):
             sys.exit(f"find_package(poinsot {ask}) is refused without a word about {said}")
@@ -192,11 +327,13 @@ def included(cmake, build_folder, nm, launcher, place):
     check_output(run(folder / "racket"))
     check_program(nm, folder / "racket")
     cache = (folder / "CMakeCache.txt").read_text()
-    if re.search("^(BUILD_TESTING|CPACK_|POINSOT_PAGE)", cache, re.M) or (folder / "poinsot/library/libpoinsot_production.a").exists():
+    if re.search("^(BUILD_TESTING|CPACK_|POINSOT_PAGE)", cache, re.M) or (folder / "poinsot/src/production").exists():
         sys.exit("the including project gets tests, packages or parts that it did not ask for")
     run(cmake, "--install", folder, "--prefix", place / "prefix")
-    if (place / "prefix").exists():
-        sys.exit("the including project installs files of poinsot")
+    files = sorted(path.name for path in (place / "prefix").glob("**/*") if not path.is_dir())
+    if files != ["libpoinsot.so.0", "libpoinsot.so.0.1.0", "racket"]:
+        sys.exit(f"the including project installs {files}")
+    check_output(run((place / "prefix").rename(place / "moved") / "bin/racket"))
 
     # All parts, by FetchContent; the project has targets of its own with the names of poinsot's.
     fetching = project(place / "fetching", f"""project(fetching LANGUAGES C CXX)
@@ -207,13 +344,13 @@ include(FetchContent)
 FetchContent_Declare(poinsot SOURCE_DIR {SOURCE})
 FetchContent_MakeAvailable(poinsot)
 add_executable(fetching main.cpp)
-target_link_libraries(fetching PRIVATE poinsot::production)
+target_link_libraries(fetching PRIVATE poinsot::poinsot)
 if(CMAKE_BUILD_TYPE OR CMAKE_CXX_STANDARD OR CMAKE_POSITION_INDEPENDENT_CODE)
     message(FATAL_ERROR "poinsot changes settings")
 endif()
 """)
     run(cmake, "-G", "Ninja", "-S", fetching, "-B", fetching / "build")
-    if "libpoinsot_production.a" not in run(cmake, "--build", fetching / "build", "--", "-t", "inputs", "fetching"):
+    if "libpoinsot.so" not in run(cmake, "--build", fetching / "build", "--", "-t", "inputs", "fetching"):
         sys.exit("the program does not depend on the library")
     # What the project does not use, it does not build.
     project(place / "other", "").joinpath("CMakeLists.txt").write_text(

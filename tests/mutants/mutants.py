@@ -32,7 +32,7 @@ SOURCES = {
         "body_keys", "camera_keys", "film_keys", "motion_keys", "name_keys", "picture_keys", "story_keys", "style_keys", "scene_key_rows",
         "value_type", "given_value", "complete_body", "complete_faces", "complete_film", "complete_object", "complete_start",
         "complete_style", "draft_checks", "frame_rate", "track", "film_clock", "write_scene", "toml_text")},
-    "src/report/gates.cpp": r"report\.",
+    "src/report/given_limits.cpp": r"report\.",
     "src/report/compare_file.cpp": r"report\.",
     "src/image/compare.cpp": r"image\.|report\.",
     "src/construction/quantities.cpp": r"construction\.|production\.Column|library\.[A-Z]",

@@ -123,7 +123,8 @@ TEST(AsyncSink, UnfinishedLeavesNoFile) {
 TEST(FrameWorkers, ShareAllFrames) {
     std::vector<std::atomic<int>> seen(200);
     FrameWorkers workers(
-        3, 4, [&](std::size_t worker, std::int64_t number, const Image& frame, const WasRead&) {
+        3, 4,
+        [&](std::size_t worker, std::int64_t number, const Image& frame, const PixelsConsumed&) {
             EXPECT_LT(worker, 3u);
             EXPECT_EQ(frame.at(0, 0).r, number);
             ++seen[static_cast<std::size_t>(number)];
@@ -135,7 +136,7 @@ TEST(FrameWorkers, ShareAllFrames) {
 
 TEST(FrameWorkers, LimitTheNumberOfPictures) {
     std::atomic<int> n_put = 0, n_done = 0, most = 0;
-    FrameWorkers workers(2, 3, [&](std::size_t, std::int64_t, const Image&, const WasRead&) {
+    FrameWorkers workers(2, 3, [&](std::size_t, std::int64_t, const Image&, const PixelsConsumed&) {
         std::this_thread::sleep_for(std::chrono::milliseconds(1));
         ++n_done;
     });
@@ -155,8 +156,8 @@ TEST(FrameWorkers, AcceptTheNextFrameOnceOneIsRead) {
     std::condition_variable was_put;
     bool second_was_put = false, waited_in_vain = false;
     FrameWorkers workers(
-        1, 1, [&](std::size_t, std::int64_t number, const Image&, const WasRead& was_read) {
-            was_read();
+        1, 1, [&](std::size_t, std::int64_t number, const Image&, const PixelsConsumed& consumed) {
+            consumed();
             std::unique_lock lock(mutex);
             if (number == 0 &&
                 !was_put.wait_for(lock, std::chrono::seconds(20), [&] { return second_was_put; }))
@@ -186,7 +187,7 @@ TEST(FilmSinks, ReadAPictureBeforeEncodingAndReportOnce) {
             Image frame = frame_of(plan, k);
             int n_told = 0;
             // The next rendering into the same memory must not be visible.
-            sink->write_telling(frame, [&] {
+            sink->write_notifying(frame, [&] {
                 ++n_told;
                 std::fill(frame.bytes().begin(), frame.bytes().end(), std::uint8_t{0});
             });

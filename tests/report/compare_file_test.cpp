@@ -35,12 +35,12 @@ max_over = 0.25
 ignore = ["0%,0%,100%,40"]
 )",
                                                 "compare.toml");
-    EXPECT_EQ(file.gates_of("racket").max_flip, 0.02);
-    EXPECT_FALSE(file.gates_of("racket").max_differing);
-    EXPECT_EQ(file.gates_of("top_slow").max_flip, 0.05);
-    EXPECT_EQ(file.gates_of("top_slow").max_differing, 0.001);
-    EXPECT_EQ(file.gates_of("top_slow").antialiasing, true);
-    const Gates fast = file.gates_of("top_fast");
+    EXPECT_EQ(file.given_limits_of("racket").max_flip, 0.02);
+    EXPECT_FALSE(file.given_limits_of("racket").max_differing);
+    EXPECT_EQ(file.given_limits_of("top_slow").max_flip, 0.05);
+    EXPECT_EQ(file.given_limits_of("top_slow").max_differing, 0.001);
+    EXPECT_EQ(file.given_limits_of("top_slow").antialiasing, true);
+    const GivenLimits fast = file.given_limits_of("top_fast");
     EXPECT_EQ(fast.max_flip, 0.1);
     EXPECT_EQ(fast.min_ssim, 0.9);
     EXPECT_EQ(fast.over_levels, 3);
@@ -50,7 +50,7 @@ ignore = ["0%,0%,100%,40"]
     EXPECT_EQ(fast.ignore[0].in(1280, 720), (PictureRegion{0, 0, 1280, 40}));
     EXPECT_EQ(fast.ignore[1].text, "clock");
     // The command line is above the file.
-    EXPECT_EQ((Gates{.max_flip = 0.5}.over(fast).max_flip), 0.5);
+    EXPECT_EQ((GivenLimits{.max_flip = 0.5}.over(fast).max_flip), 0.5);
 }
 
 TEST(CompareFile, IsNotCalledASceneWhereItIsNoText) {

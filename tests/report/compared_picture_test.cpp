@@ -351,7 +351,7 @@ TEST_F(Folders, IgnoreRegions) {
     const auto outcome = [this](const char* region) {
         const ComparedPicture picture =
             compare_files("a_lot", folder_ / "ref/a_lot.png", folder_ / "new/a_lot.png",
-                          {.gates = {.ignore = {parse_region(region)}}});
+                          {.given = {.ignore = {parse_region(region)}}});
         return std::pair(picture.outcome, picture.reason);
     };
     EXPECT_EQ(outcome("0,0,5,5").first, Outcome::pixels);
@@ -366,9 +366,9 @@ TEST_F(Folders, IgnoreRegions) {
 
 // A measure decides alone unless pixels are limited, too.
 TEST_F(Folders, PassByTheirOwnLimits) {
-    const auto outcome = [this](const Gates& gates) {
+    const auto outcome = [this](const GivenLimits& given) {
         return compare_files("a_lot", folder_ / "ref/a_lot.png", folder_ / "new/a_lot.png",
-                             {.gates = gates})
+                             {.given = given})
             .outcome;
     };
     EXPECT_EQ(outcome({}), Outcome::pixels);

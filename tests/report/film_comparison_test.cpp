@@ -176,10 +176,10 @@ TEST_F(Sequences, AreComparedAlikeByAnyNumberOfThreads) {
 TEST_F(Sequences, WhoseWholePictureIsIgnoredFail) {
     const auto a = draw("a", {0, 0, 0}), b = draw("b", {0, 9, 0});
     const ComparedPicture picture =
-        compare_files("b", a, b, {.gates = {.ignore = {parse_region("0%,0%,100%,100%")}}});
+        compare_files("b", a, b, {.given = {.ignore = {parse_region("0%,0%,100%,100%")}}});
     EXPECT_EQ(picture.outcome, Outcome::region);
     EXPECT_NE(picture.reason.find("nothing is compared"), std::string::npos) << picture.reason;
-    EXPECT_EQ(compare_files("b", a, b, {.gates = {.ignore = {parse_region("3,3,1,1")}}}).outcome,
+    EXPECT_EQ(compare_files("b", a, b, {.given = {.ignore = {parse_region("3,3,1,1")}}}).outcome,
               Outcome::within_limits);
 }
 

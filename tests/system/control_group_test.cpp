@@ -33,29 +33,30 @@ TEST_F(ControlGroup, UsesTheSmallestLimitOfAllAncestors) {
     write("slurm/memory.max", "8589934592");
     write("slurm/job_7/cpu.max", "max 100000");
     write("slurm/job_7/memory.max", "2147483648");
-    const Grant grant = grant_of(root(), "4:memory:/elsewhere\n0::/slurm/job_7\n");
-    EXPECT_EQ(grant.n_processors, 1.5);
-    EXPECT_EQ(grant.memory_bytes, 2147483648);
+    const ResourceLimits limits =
+        resource_limits_of(root(), "4:memory:/elsewhere\n0::/slurm/job_7\n");
+    EXPECT_EQ(limits.n_processors, 1.5);
+    EXPECT_EQ(limits.memory_bytes, 2147483648);
 }
 
 // A container sees its own group as the root.
 TEST_F(ControlGroup, UsesTheRootGroupInsideAContainer) {
     write("cpu.max", "50000 100000");
     write("memory.max", "536870912");
-    const Grant grant = grant_of(root(), "0::/\n");
-    EXPECT_EQ(grant.n_processors, 0.5);
-    EXPECT_EQ(grant.memory_bytes, 536870912);
+    const ResourceLimits limits = resource_limits_of(root(), "0::/\n");
+    EXPECT_EQ(limits.n_processors, 0.5);
+    EXPECT_EQ(limits.memory_bytes, 536870912);
 }
 
 TEST_F(ControlGroup, HasNoLimitIfNoneIsSet) {
     write("slurm/cpu.max", "max 100000");
     write("slurm/memory.max", "max");
     for (const char* own : {"0::/slurm\n", "0::/gone/away\n", "1:cpu:/\n", "", "0::/"}) {
-        const Grant grant = grant_of(root(), own);
-        EXPECT_FALSE(grant.n_processors) << own;
-        EXPECT_FALSE(grant.memory_bytes) << own;
+        const ResourceLimits limits = resource_limits_of(root(), own);
+        EXPECT_FALSE(limits.n_processors) << own;
+        EXPECT_FALSE(limits.memory_bytes) << own;
     }
-    EXPECT_FALSE(grant_of(root() / "nothing", "0::/slurm\n").memory_bytes);
+    EXPECT_FALSE(resource_limits_of(root() / "nothing", "0::/slurm\n").memory_bytes);
 }
 
 TEST(Processor, ReportsAtLeastOneProcessorAndSomeMemory) {

@@ -1,5 +1,6 @@
 // The exceptions that poinsot throws. A public header: the library installs it as
-// <poinsot/error.h>. Every layer may include it.
+// <poinsot/error.h>. Every layer may include it. The library exports what is visible by default, so
+// that programs that are linked with hidden symbols catch these exceptions, too.
 #pragma once
 
 #include <optional>
@@ -11,7 +12,7 @@ namespace poinsot {
 
 // Base of every failure that a user should read: one line that says what failed, where, and what to
 // do.
-class Error : public std::runtime_error {
+class __attribute__((visibility("default"))) Error : public std::runtime_error {
  public:
     using std::runtime_error::runtime_error;
 };
@@ -24,7 +25,7 @@ struct InputPlace {
 };
 
 // A bad command line, scene or other input (exit code 2).
-class InputError : public Error {
+class __attribute__((visibility("default"))) InputError : public Error {
  public:
     using Error::Error;
     // `message` names the place, too.
@@ -40,13 +41,13 @@ class InputError : public Error {
 };
 
 // The system refused a request: no OpenGL context, disk full, encoder failure (exit code 3).
-class EnvironmentError : public Error {
+class __attribute__((visibility("default"))) EnvironmentError : public Error {
  public:
     using Error::Error;
 };
 
 // The reader of stdout closed the pipe (as `| head` does): the program ends without a message.
-class ReaderGone : public Error {
+class __attribute__((visibility("default"))) ReaderGone : public Error {
  public:
     using Error::Error;
 };

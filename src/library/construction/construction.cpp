@@ -12,7 +12,7 @@
 
 namespace poinsot::library {
 
-struct Construction::Inside {
+struct Construction::Impl {
     Motion shared;
     const poinsot::Motion& motion;  // of `shared`
     PoinsotConstruction geometry;
@@ -38,19 +38,19 @@ Construction::Construction(const Motion& motion) {
     const poinsot::Motion& free = free_motion(motion);
     const MotionProblem& problem = free.problem();
     PoinsotConstruction geometry(problem.inertia, problem.start);
-    inside_ = std::make_shared<const Inside>(
-        Inside{motion, free, std::move(geometry),
-               poinsot::Polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix)});
+    impl_ = std::make_shared<const Impl>(
+        Impl{motion, free, std::move(geometry),
+             poinsot::Polhode(problem.inertia, problem.start.omega_body, problem.on_separatrix)});
 }
 
-Eigen::Vector3d Construction::half_axes() const { return inside_->geometry.half_axes(); }
-double Construction::plane_distance() const { return inside_->geometry.plane_distance(); }
-Eigen::Vector3d Construction::normal_space() const { return inside_->geometry.normal_space(); }
+Eigen::Vector3d Construction::half_axes() const { return impl_->geometry.half_axes(); }
+double Construction::plane_distance() const { return impl_->geometry.plane_distance(); }
+Eigen::Vector3d Construction::normal_space() const { return impl_->geometry.normal_space(); }
 
 ContactPoint Construction::contact(double time_s) const {
-    const RotationState state = inside_->motion.at(time_s);
-    return {.body = inside_->geometry.contact_body(state.omega_body),
-            .space = inside_->geometry.contact_space(state)};
+    const RotationState state = impl_->motion.at(time_s);
+    return {.body = impl_->geometry.contact_body(state.omega_body),
+            .space = impl_->geometry.contact_space(state)};
 }
 
 Polhode Construction::polhode(double tolerance) const {
@@ -59,8 +59,8 @@ Polhode Construction::polhode(double tolerance) const {
             "polhode: the tolerance must be a positive number; give a length such as "
             "1e-3 of plane_distance()");
     Polhode polhode;
-    polhode.closed = inside_->polhode.closed();
-    polhode.points = inside_->polhode.sampled(tolerance, &polhode.largest_distance);
+    polhode.closed = impl_->polhode.closed();
+    polhode.points = impl_->polhode.sampled(tolerance, &polhode.largest_distance);
     return polhode;
 }
 
@@ -69,19 +69,19 @@ std::vector<Eigen::Vector3d> Construction::herpolhode(std::span<const double> ti
     points.reserve(times_s.size());
     for (const double time_s : times_s) {
         const MotionSample sample =
-            inside_->motion.sample(time_s, {.attitude = false, .herpolhode = true});
-        points.push_back(inside_->geometry.contact_in_plane(sample.herpolhode_space));
+            impl_->motion.sample(time_s, {.attitude = false, .herpolhode = true});
+        points.push_back(impl_->geometry.contact_in_plane(sample.herpolhode_space));
     }
     return points;
 }
 
 Construction::Radii Construction::herpolhode_radii() const {
-    const poinsot::Polhode::Annulus annulus = inside_->polhode.annulus();
+    const poinsot::Polhode::Annulus annulus = impl_->polhode.annulus();
     return {annulus.inner, annulus.outer};
 }
 
 std::optional<Cones> Construction::cones() const {
-    const MotionProblem& problem = inside_->motion.problem();
+    const MotionProblem& problem = impl_->motion.problem();
     const auto cones = rolling_cones(problem.inertia, problem.start.omega_body);
     if (!cones) return std::nullopt;
     return Cones{.symmetry_axis = cones->symmetry_axis,
@@ -94,7 +94,7 @@ std::optional<Cones> Construction::cones() const {
 std::vector<double> Construction::flips(double first_time_s, double last_time_s) const {
     if (!std::isfinite(first_time_s) || !std::isfinite(last_time_s))
         throw InputError("flips: the ends of the interval must be finite numbers");
-    const auto flips = flips_of(inside_->motion.problem(), inside_->motion.free_constants());
+    const auto flips = flips_of(impl_->motion.problem(), impl_->motion.free_constants());
     if (!flips) return {};
     std::vector<double> times = flips->between(first_time_s, last_time_s, most_flips + 1);
     if (times.size() > static_cast<std::size_t>(most_flips))
@@ -104,7 +104,7 @@ std::vector<double> Construction::flips(double first_time_s, double last_time_s)
 }
 
 Residuals Construction::residuals(double time_s) const {
-    const RollingResiduals r = inside_->geometry.residuals(inside_->motion.at(time_s));
+    const RollingResiduals r = impl_->geometry.residuals(impl_->motion.at(time_s));
     return {.contact_plane_gap = r.contact_plane_gap,
             .tangency_gap = r.tangency_gap,
             .slip = r.slip,
@@ -117,9 +117,9 @@ Certificate Construction::certificate(std::span<const double> times_s,
                                       double attitude_error_rad) const {
     if (!(attitude_error_rad > 0.0))
         throw InputError("certificate: the attitude error must be a positive number of radians");
-    const bool stepped = inside_->motion.integrated() != nullptr;
+    const bool stepped = impl_->motion.integrated() != nullptr;
     const poinsot::Certificate certified =
-        certify(inside_->motion, times_s, stepped ? attitude_error_rad : exact_residual_bound);
+        certify(impl_->motion, times_s, stepped ? attitude_error_rad : exact_residual_bound);
     Certificate certificate;
     certificate.holds = certified.holds();
     for (const CertifiedClaim& claim : certified.claims)

@@ -75,10 +75,10 @@ static_assert(static_cast<int>(poinsot::Regime::integrated) ==
 }  // namespace
 
 Motion MotionAccess::of(poinsot::Motion motion) {
-    return Motion(std::make_shared<const Motion::Inside>(Motion::Inside{std::move(motion)}));
+    return Motion(std::make_shared<const Motion::Impl>(Motion::Impl{std::move(motion)}));
 }
 
-Motion::Motion(std::shared_ptr<const Inside> inside) : inside_(std::move(inside)) {}
+Motion::Motion(std::shared_ptr<const Impl> inside) : impl_(std::move(inside)) {}
 
 Motion::Motion(const Eigen::Vector3d& moments_kg_m2, const Eigen::Vector3d& omega_body_rad_s,
                const MotionOptions& options)
@@ -113,7 +113,7 @@ Motion Motion::heavy_top(double moment_transverse_kg_m2, double moment_axial_kg_
 }
 
 State Motion::at(double time_s) const {
-    return state_of(inside_->motion.sample(time_s, state_quantities));
+    return state_of(impl_->motion.sample(time_s, state_quantities));
 }
 
 void Motion::at(std::span<const double> times_s, std::span<State> states) const {
@@ -125,30 +125,30 @@ void Motion::at(std::span<const double> times_s, std::span<State> states) const 
 
 EulerAngles Motion::euler_angles(double time_s) const {
     const poinsot::EulerAngles euler =
-        inside_->motion.sample(time_s, {.attitude = true, .euler_angles = true}).euler;
+        impl_->motion.sample(time_s, {.attitude = true, .euler_angles = true}).euler;
     return {euler.theta_rad, euler.phi_rad, euler.psi_rad};
 }
 
-Regime Motion::regime() const { return public_regime(inside_->motion.regime()); }
+Regime Motion::regime() const { return public_regime(impl_->motion.regime()); }
 
-std::string Motion::regime_sentence() const { return poinsot::regime_sentence(inside_->motion); }
+std::string Motion::regime_sentence() const { return poinsot::regime_sentence(impl_->motion); }
 
 Eigen::Vector3d Motion::moments_kg_m2() const {
-    return inside_->motion.problem().inertia.moments_kg_m2();
+    return impl_->motion.problem().inertia.moments_kg_m2();
 }
 
 Eigen::Matrix3d Motion::body_from_principal() const {
-    return inside_->motion.problem().inertia.body_from_principal();
+    return impl_->motion.problem().inertia.body_from_principal();
 }
 
 Constants Motion::constants() const {
-    if (!std::holds_alternative<poinsot::NoTorque>(inside_->motion.problem().torque))
+    if (!std::holds_alternative<poinsot::NoTorque>(impl_->motion.problem().torque))
         throw InputError(
             "constants: T and L are not constant under a torque; a heavy symmetric top has "
             "top_constants");
-    const FreeRotationConstants constants = inside_->motion.free_constants();
+    const FreeRotationConstants constants = impl_->motion.free_constants();
     // ω stays where it is: the polhode is a point.
-    const poinsot::MotionProblem& problem = inside_->motion.problem();
+    const poinsot::MotionProblem& problem = impl_->motion.problem();
     const Eigen::Vector3d omega =
         problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
     const Eigen::Vector3d momentum = problem.inertia.moments_kg_m2().cwiseProduct(omega);
@@ -166,7 +166,7 @@ Constants Motion::constants() const {
 }
 
 TopConstants Motion::top_constants() const {
-    const auto top = inside_->motion.closed_form_of_top();
+    const auto top = impl_->motion.closed_form_of_top();
     if (!top)
         throw InputError(
             "top_constants: the body is not a heavy symmetric top; a free body has constants");

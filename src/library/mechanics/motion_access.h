@@ -6,13 +6,13 @@
 
 namespace poinsot::library {
 
-struct Motion::Inside {
+struct Motion::Impl {
     poinsot::Motion motion;
 };
 
 struct MotionAccess {
     static Motion of(poinsot::Motion motion);
-    static const poinsot::Motion& in(const Motion& motion) { return motion.inside_->motion; }
+    static const poinsot::Motion& in(const Motion& motion) { return motion.impl_->motion; }
 };
 
 }  // namespace poinsot::library

@@ -65,7 +65,7 @@ struct Certificate {
 };
 
 // Immutable; copies share its data.
-class Construction {
+class __attribute__((visibility("default"))) Construction {
  public:
     // Throws InputError for a motion with a torque, or at rest.
     explicit Construction(const Motion& motion);
@@ -113,8 +113,8 @@ class Construction {
     ~Construction() = default;
 
  private:
-    struct Inside;
-    std::shared_ptr<const Inside> inside_;
+    struct Impl;
+    std::shared_ptr<const Impl> impl_;
 };
 
 }  // namespace poinsot::library

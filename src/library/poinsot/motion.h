@@ -138,7 +138,7 @@ struct TopConstants {
 };
 
 // An immutable motion; copies share its data.
-class Motion {
+class __attribute__((visibility("default"))) Motion {
  public:
     // A body with these principal moments, in any order, which turns with ω at t = 0. Body axes are
     // the principal axes, in the order of the moments.
@@ -186,15 +186,15 @@ class Motion {
     ~Motion() = default;
 
  private:
-    struct Inside;
+    struct Impl;
     friend struct MotionAccess;
 
-    explicit Motion(std::shared_ptr<const Inside> inside);
+    __attribute__((visibility("hidden"))) explicit Motion(std::shared_ptr<const Impl> inside);
 
-    std::shared_ptr<const Inside> inside_;
+    std::shared_ptr<const Impl> impl_;
 };
 
 // The regime in few words, as in "separatrix".
-std::string_view name_of(Regime regime);
+__attribute__((visibility("default"))) std::string_view name_of(Regime regime);
 
 }  // namespace poinsot::library

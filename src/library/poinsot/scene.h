@@ -52,7 +52,7 @@ struct StillOptions {
 };
 
 // A picture in memory. Copies share it.
-class Still {
+class __attribute__((visibility("default"))) Still {
  public:
     int width_px() const;
     int height_px() const;
@@ -71,9 +71,9 @@ class Still {
 
  private:
     friend class Scene;
-    struct Contents;
-    explicit Still(std::shared_ptr<const Contents> contents) : contents_(std::move(contents)) {}
-    std::shared_ptr<const Contents> contents_;
+    struct Impl;
+    explicit Still(std::shared_ptr<const Impl> contents) : impl_(std::move(contents)) {}
+    std::shared_ptr<const Impl> impl_;
 };
 
 // A figure of vectors. `format`: svg or pdf; `shading` and `text`: as for `poinsot still`.
@@ -99,7 +99,7 @@ struct Table {
 };
 
 // A scene. Immutable; copies share it.
-class Scene {
+class __attribute__((visibility("default"))) Scene {
  public:
     // `values`: "key=value", as for --set. `allow_outside`: whether the scene may name files
     // outside its folder.
@@ -158,13 +158,13 @@ class Scene {
     ~Scene() = default;
 
  private:
-    struct Contents;
-    explicit Scene(std::shared_ptr<const Contents> contents) : contents_(std::move(contents)) {}
-    std::shared_ptr<const Contents> contents_;
+    struct Impl;
+    explicit Scene(std::shared_ptr<const Impl> contents) : impl_(std::move(contents)) {}
+    std::shared_ptr<const Impl> impl_;
 };
 
 // Ends the thread that draws, and closes its OpenGL context: pictures that are drawn or wait are
 // stopped; the next picture begins anew. For hosts that unload libraries in an order of their own.
-void stop_drawing();
+__attribute__((visibility("default"))) void stop_drawing();
 
 }  // namespace poinsot::library

@@ -50,30 +50,30 @@ void tell(const StillJob& job, const Watch& watch) {
 
 }  // namespace
 
-struct Still::Contents {
+struct Still::Impl {
     PixelStill still;
 };
 
-int Still::width_px() const { return contents_->still.image.width(); }
-int Still::height_px() const { return contents_->still.image.height(); }
-std::span<const std::uint8_t> Still::rgba() const { return contents_->still.image.bytes(); }
+int Still::width_px() const { return impl_->still.image.width(); }
+int Still::height_px() const { return impl_->still.image.height(); }
+std::span<const std::uint8_t> Still::rgba() const { return impl_->still.image.bytes(); }
 std::vector<std::uint8_t> Still::png() const {
-    return encode_png(contents_->still.image, contents_->still.png);
+    return encode_png(impl_->still.image, impl_->still.png);
 }
-const std::string& Still::bound() const { return contents_->still.bound; }
+const std::string& Still::bound() const { return impl_->still.bound; }
 
 // The request and, once it was needed, the scene's session.
-struct Scene::Contents {
+struct Scene::Impl {
     SceneRequest request;
     poinsot::Scene scene;
     // Opened at the first use, by several threads if they need it at the same time, of which the
     // first to finish keeps its own. A lock might be held by another thread when a process forks.
     mutable std::atomic<const Session*> opened = nullptr;
 
-    Contents() = default;
-    ~Contents() { delete opened.load(); }
-    Contents(const Contents&) = delete;
-    Contents& operator=(const Contents&) = delete;
+    Impl() = default;
+    ~Impl() { delete opened.load(); }
+    Impl(const Impl&) = delete;
+    Impl& operator=(const Impl&) = delete;
 
     const Session& session(const Watch& watch) const {
         const Session* there = opened.load();
@@ -112,7 +112,7 @@ Scene Scene::from_file(const std::string& file, const std::vector<std::string>& 
 
 Scene Scene::from_text(const std::string& text, const std::string& name,
                        const std::vector<std::string>& values, bool allow_outside) {
-    auto contents = std::make_shared<Contents>();
+    auto contents = std::make_shared<Impl>();
     SceneRequest& request = contents->request;
     request.file = name;
     request.text = text;
@@ -123,24 +123,24 @@ Scene Scene::from_text(const std::string& text, const std::string& name,
 }
 
 Scene Scene::with(const std::vector<std::string>& values) const {
-    const SceneRequest& request = contents_->request;
+    const SceneRequest& request = impl_->request;
     std::vector<std::string> all = request.overrides;
     all.insert(all.end(), values.begin(), values.end());
     return from_text(*request.text, request.file, all, request.outside == OutsideFiles::allowed);
 }
 
-std::string Scene::name() const { return contents_->scene.name; }
-std::string Scene::title() const { return title_of(contents_->scene); }
-const std::string& Scene::text() const { return *contents_->request.text; }
-const std::vector<std::string>& Scene::values() const { return contents_->request.overrides; }
-const std::string& Scene::file() const { return contents_->request.file; }
-bool Scene::allows_outside() const { return contents_->request.outside == OutsideFiles::allowed; }
-int Scene::width_px() const { return contents_->scene.film.width_px; }
-int Scene::height_px() const { return contents_->scene.film.height_px; }
-std::string Scene::language() const { return contents_->scene.language; }
+std::string Scene::name() const { return impl_->scene.name; }
+std::string Scene::title() const { return title_of(impl_->scene); }
+const std::string& Scene::text() const { return *impl_->request.text; }
+const std::vector<std::string>& Scene::values() const { return impl_->request.overrides; }
+const std::string& Scene::file() const { return impl_->request.file; }
+bool Scene::allows_outside() const { return impl_->request.outside == OutsideFiles::allowed; }
+int Scene::width_px() const { return impl_->scene.film.width_px; }
+int Scene::height_px() const { return impl_->scene.film.height_px; }
+std::string Scene::language() const { return impl_->scene.language; }
 
 std::string Scene::check_json(const Watch& watch) const {
-    const SceneSummary summary = summarise(contents_->session(watch), false);
+    const SceneSummary summary = summarise(impl_->session(watch), false);
     JsonObject answer;
     for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
     return answer.lines();
@@ -148,7 +148,7 @@ std::string Scene::check_json(const Watch& watch) const {
 
 Table Scene::sample(std::span<const double> times_s, const std::vector<std::string>& columns,
                     const Watch& watch) const {
-    const Session session = contents_->session_at({times_s.begin(), times_s.end()}, watch);
+    const Session session = impl_->session_at({times_s.begin(), times_s.end()}, watch);
     const std::vector<ChosenColumn> chosen =
         columns.empty() ? default_columns(session.motion) : columns_named(session.motion, columns);
     const StopsWhen stops(watch.stop);
@@ -168,7 +168,7 @@ Table Scene::departure(std::span<const double> times_s, std::span<const double> 
     if ((!omega.empty() && omega.size() != 3 * n) ||
         (!attitude.empty() && attitude.size() != 4 * n))
         throw InputError("give three numbers of ω and four of the attitude for each instant");
-    const Session session = contents_->session_at({times_s.begin(), times_s.end()}, watch);
+    const Session session = impl_->session_at({times_s.begin(), times_s.end()}, watch);
     const StopsWhen stops(watch.stop);
     Departure departure(session.motion);
     std::vector<DepartureAt> rows;
@@ -209,7 +209,7 @@ Table Scene::departure(std::span<const double> times_s, std::span<const double> 
 
 Still Scene::still(const StillOptions& options, const Watch& watch) const {
     StillOrder order =
-        still_order(contents_->request,
+        still_order(impl_->request,
                     {.time_s = options.time_s,
                      .print = print_of(options.paper),
                      .when = options.clearest ? StillTime::clearest : StillTime::of_scene},
@@ -217,10 +217,10 @@ Still Scene::still(const StillOptions& options, const Watch& watch) const {
     // Without a size on paper, the session of the scene serves.
     const bool is_for_paper = print_size_of(order.still.print, width_px(), height_px()).has_value();
     Session session = is_for_paper ? quiet_session(order.scene, watch)
-                                   : contents_->session_at(order.scene.times_s, watch);
+                                   : impl_->session_at(order.scene.times_s, watch);
     StillJob job(std::move(session), std::move(order.still));
     tell(job, watch);
-    auto made = std::make_shared<Still::Contents>();
+    auto made = std::make_shared<Still::Impl>();
     draw(choice_of(options.context), watch,
          [&job, &made](LazyRenderer& renderer, const ProgressSink&) {
              made->still = job.pixels(renderer);
@@ -236,7 +236,7 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
         throw InputError(
             "text \"latex\": needs a .tex file beside the figure; write it with poinsot still");
     StillOrder order =
-        still_order(contents_->request,
+        still_order(impl_->request,
                     {.output = "figure." + options.format,
                      .time_s = options.time_s,
                      .print = print_of(options.paper),
@@ -263,13 +263,13 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
 void Scene::render(const std::string& path, const RenderOptions& options,
                    const Watch& watch) const {
     if (path.empty()) throw InputError("the output has no name; give one, as film.mp4");
-    contents_->make({.output = path, .frames = options.frames}, options.context, watch);
+    impl_->make({.output = path, .frames = options.frames}, options.context, watch);
 }
 
 void Scene::slides(const std::string& folder, const ContextOptions& context,
                    const Watch& watch) const {
     if (folder.empty()) throw InputError("the folder of the slides has no name; give one");
-    contents_->make({.slides = folder}, context, watch);
+    impl_->make({.slides = folder}, context, watch);
 }
 
 }  // namespace poinsot::library

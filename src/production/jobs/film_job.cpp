@@ -269,7 +269,7 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     record.frames = {first_, last_};
     if (request_.is_slide) record.film_frames = film_.n_frames;
     plan.metadata = to_text(record);
-    plan.tell = told;
+    plan.seal = sealed_metadata;
     const std::string name = printable(plan.path.string());
     if (plan.part && is_there(plan))
         return progress.say(fmt::format("note: part {} of {} exists already: {}", plan.part->number,

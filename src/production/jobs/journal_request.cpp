@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-void follow_journal(bool keeps_text, SceneRequest& request, const ProgressSink& progress) {
+void apply_journal_style(bool keeps_text, SceneRequest& request, const ProgressSink& progress) {
     set_journal(journal_named(request.print.journal), request.print);
     constexpr std::string_view theme = "print";
     const Scene scene = scene_of(request);

@@ -9,6 +9,6 @@ namespace poinsot {
 // Draws as journals ask: in theme print, with letters on the panels, and without the text that
 // belongs in the author's caption. What the scene or the command line says itself has precedence.
 // `request.print` names the journal. `keeps_text`: as --keep-text. Throws InputError.
-void follow_journal(bool keeps_text, SceneRequest& request, const ProgressSink& progress);
+void apply_journal_style(bool keeps_text, SceneRequest& request, const ProgressSink& progress);
 
 }  // namespace poinsot

@@ -155,13 +155,13 @@ Session session_of_picture(const Record& record) {
 
 }  // namespace
 
-struct PictureRegions::Contents {
+struct PictureRegions::Impl {
     Session session;
     FilmPlan film;
     std::optional<FilmTime> moment;  // of a still
     std::optional<PreparedPicture> picture;
 
-    explicit Contents(const Record& record)
+    explicit Impl(const Record& record)
         : session(session_of_picture(record)), film(film_plan(session)) {
         PictureSpan span = whole_film(film);
         if (record.time_s)
@@ -186,7 +186,7 @@ struct PictureRegions::Contents {
 };
 
 PictureRegions::PictureRegions(const Record& record)
-    : contents_(std::make_unique<const Contents>(record)) {}
+    : impl_(std::make_unique<const Impl>(record)) {}
 PictureRegions::~PictureRegions() = default;
 PictureRegions::PictureRegions(PictureRegions&&) noexcept = default;
 PictureRegions& PictureRegions::operator=(PictureRegions&&) noexcept = default;
@@ -195,7 +195,7 @@ std::vector<PictureRegion> PictureRegions::regions_of(std::span<const std::strin
                                                       int picture_width,
                                                       std::optional<std::int64_t> frame,
                                                       std::set<std::string>& found) const {
-    Drawing drawing = contents_->drawing(frame);
+    Drawing drawing = impl_->drawing(frame);
     std::vector<PixelBox> boxes;
     const auto wants = [&](std::string_view name) {
         const auto at = std::find(names.begin(), names.end(), name);

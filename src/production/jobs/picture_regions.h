@@ -37,8 +37,8 @@ class PictureRegions {
                                           std::set<std::string>& found) const;
 
  private:
-    struct Contents;
-    std::unique_ptr<const Contents> contents_;
+    struct Impl;
+    std::unique_ptr<const Impl> impl_;
 };
 
 }  // namespace poinsot

@@ -73,7 +73,7 @@ void redraw_frame(const RedrawRequest& request, const Record& record, const Sess
     again.frames = record.frames;
     PngOptions png;
     png.texts[metadata_name] =
-        told(to_text(again), {.frame = frame, .pixels = pixels_xxh64(image)});
+        sealed_metadata(to_text(again), {.frame = frame, .pixels = pixels_xxh64(image)});
     write_png(request.output, image, png);
 }
 

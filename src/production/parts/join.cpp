@@ -115,7 +115,7 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
         if (fs::equivalent(part.path(), plan.path, not_there))
             throw InputError(
                 fmt::format("{}: is one of the parts; name another output", name_of(plan.path)));
-    plan.tell = told;
+    plan.seal = sealed_metadata;
     plan.part.reset();
     JoinedEntries entries(parts);
     plan.n_frames = entries.n_entries();

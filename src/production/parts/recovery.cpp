@@ -42,7 +42,7 @@ void write_what_lies_beside(const std::filesystem::path& path, const Record& rec
 std::int64_t recover(const std::filesystem::path& film, const ProgressSink& progress) {
     // Parts of several processes are converted to the state of a single process first.
     const std::int64_t n_left = format_for(film).recover != nullptr ? gather_parts_aside(film) : 0;
-    const std::int64_t n_frames = recover_film(film, told);
+    const std::int64_t n_frames = recover_film(film, sealed_metadata);
     if (n_left > 0)
         progress.say(fmt::format(
             "note: {} later frames follow a gap and are kept; render draws the missing frames",

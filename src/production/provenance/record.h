@@ -28,7 +28,7 @@ struct Record {
     std::string method;      // of the motion
     std::string bounds;      // promised bounds of the errors of motion and picture
     bool portable = false;   // profile
-    std::string processor;   // its features, for a native profile; see system/processor.h
+    std::string processor;   // its features, for a native profile; see system/files/processor.h
     std::string renderer;    // GL_RENDERER
     std::string maker;       // of a film made in a browser: which one, and its encoder
     std::string mesa;        // version of Mesa, or all of GL_VERSION if it names none
@@ -90,7 +90,7 @@ std::string to_text(const Record& record);
 std::string sealed_text(const Record& record);
 
 // The sealed text of a file with known contents, completed from the metadata of its plan.
-std::string told(const std::string& metadata, const Contents& contents);
+std::string sealed_metadata(const std::string& metadata, const Contents& contents);
 
 // Reads such texts; unknown keys are ignored. `name` is used in messages. Throws InputError for a
 // text that is not a record, and if the record's or the scene's hash does not match.

@@ -26,7 +26,7 @@ Session session_of(const Scene& scene, const SessionRequest& request,
     MotionProblem problem = problem_of(resolved, request.times_s);
     problem.method = resolved.step.method;
     const bool steps = is_stepped(scene.method) && problem.first_time_s < problem.last_time_s;
-    // What a closed form refuses is its start.
+    // A closed form can only reject the start.
     Motion motion = at_key_of_error(scene, steps ? key_of("motion", scene.method) : "start", "film",
                                     [&] { return Motion(problem, watch.stop); });
     std::optional<Motion> comparison;

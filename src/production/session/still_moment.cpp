@@ -37,7 +37,7 @@ FilmTime still_moment(const Session& session, const std::optional<double>& time_
 
 FilmTime clearest_moment(const Session& session) {
     constexpr std::int64_t most_looks = 64;
-    // At 1080 rows. Arrows this far apart are told apart at a glance, with their names.
+    // At 1080 rows. Arrows this far apart are clearly separate, including their labels.
     constexpr double step_px = 1.0;
     constexpr double enough_px = 40.0;
     const FilmPlan film = film_plan(session);

@@ -29,29 +29,29 @@ void lower(std::optional<Number>& bound, Number other) {
 
 }  // namespace
 
-Grant grant_of(const std::filesystem::path& root, std::string_view own) {
-    Grant grant;
+ResourceLimits resource_limits_of(const std::filesystem::path& root, std::string_view own) {
+    ResourceLimits limits;
     std::filesystem::path group = group_of(own);
     while (true) {
         // "200000 100000" is the time of two processors; "max 100000" is no limit.
         std::ifstream processors(root / group / "cpu.max");
         double granted = 0.0, period = 0.0;
         if (processors >> granted >> period && granted > 0.0 && period > 0.0)
-            lower(grant.n_processors, granted / period);
+            lower(limits.n_processors, granted / period);
         std::ifstream memory(root / group / "memory.max");
         std::int64_t bytes = 0;
-        if (memory >> bytes && bytes > 0) lower(grant.memory_bytes, bytes);
-        if (group.empty()) return grant;
+        if (memory >> bytes && bytes > 0) lower(limits.memory_bytes, bytes);
+        if (group.empty()) return limits;
         group = group.parent_path();
     }
 }
 
-Grant process_grant() {
+ResourceLimits process_resource_limits() {
     // If the file is not readable, no limit is known.
     std::ifstream groups("/proc/self/cgroup");
     std::string own;
     for (std::string line; std::getline(groups, line);) own += line + '\n';
-    return grant_of("/sys/fs/cgroup", own);
+    return resource_limits_of("/sys/fs/cgroup", own);
 }
 
 }  // namespace poinsot

@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-struct Grant {
+struct ResourceLimits {
     std::optional<double> n_processors;        // CPU time in processors; may be a fraction
     std::optional<std::int64_t> memory_bytes;  // the process is killed above this limit
 };
@@ -17,9 +17,9 @@ struct Grant {
 // such files (version 1, other systems). Source: Linux, admin-guide/cgroup-v2.rst.
 // root: the mount point of the control groups
 // own: the text of /proc/self/cgroup, of which the line "0::/PATH" is used
-Grant grant_of(const std::filesystem::path& root, std::string_view own);
+ResourceLimits resource_limits_of(const std::filesystem::path& root, std::string_view own);
 
 // The limits of this process.
-Grant process_grant();
+ResourceLimits process_resource_limits();
 
 }  // namespace poinsot

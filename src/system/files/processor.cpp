@@ -29,7 +29,7 @@ std::string processor_capabilities() {
 
 int n_processors() {
     const int n_bound = static_cast<int>(std::max(1u, std::thread::hardware_concurrency()));
-    const std::optional<double> granted = process_grant().n_processors;
+    const std::optional<double> granted = process_resource_limits().n_processors;
     return granted && *granted < n_bound ? std::max(1, static_cast<int>(*granted)) : n_bound;
 }
 
@@ -37,7 +37,7 @@ std::int64_t memory_MiB() {
     constexpr std::int64_t MiB = 1 << 20;
     const std::int64_t pages = ::sysconf(_SC_PHYS_PAGES), page_bytes = ::sysconf(_SC_PAGESIZE);
     const std::int64_t all_MiB = pages > 0 && page_bytes > 0 ? pages / 1024 * page_bytes / 1024 : 0;
-    const std::optional<std::int64_t> granted = process_grant().memory_bytes;
+    const std::optional<std::int64_t> granted = process_resource_limits().memory_bytes;
     if (!granted) return all_MiB;
     const std::int64_t granted_MiB = std::max<std::int64_t>(1, *granted / MiB);
     return all_MiB > 0 ? std::min(all_MiB, granted_MiB) : granted_MiB;

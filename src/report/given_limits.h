@@ -41,18 +41,18 @@ double parse_share(std::string_view text);
 std::optional<CompareLimits> limits_of_profile(std::string_view name);
 
 // Limits as somebody gives them; empty: not given.
-struct Gates {
+struct GivenLimits {
     std::optional<double> max_differing{}, max_over{};  // shares of the pixels
     std::optional<double> over_levels{}, max_flip{}, min_ssim{};
     std::optional<bool> antialiasing{};
     std::vector<IgnoredRegion> ignore{};
 
     // These values where they are given, else those of `below`; regions of both.
-    Gates over(const Gates& below) const;
+    GivenLimits over(const GivenLimits& below) const;
     // Whether one of the numbers, which decide without a profile, is given.
     bool decides() const;
     bool limits_pixels() const { return max_differing || max_over || over_levels; }
-    bool operator==(const Gates&) const = default;
+    bool operator==(const GivenLimits&) const = default;
 };
 
 // A limit that is a number, as an option of `compare`, a key of compare.toml and a keyword of
@@ -60,7 +60,7 @@ struct Gates {
 enum class LimitKind { share, level, number };
 struct NumberLimit {
     std::string_view name;  // "max_flip"; the option is --max-flip
-    std::optional<double> Gates::*value;
+    std::optional<double> GivenLimits::*value;
     LimitKind kind;
     std::string_view help, takes;      // of the option
     std::string_view wanted;           // what the value is, for messages
@@ -68,10 +68,10 @@ struct NumberLimit {
 };
 std::span<const NumberLimit> number_limits();
 
-// The limits of a pair. If `gates` limits pixels, the defaults of CompareLimits complete it,
+// The limits of a pair. If `given` limits pixels, the defaults of CompareLimits complete it,
 // whatever the profile. Else the profile applies; without one, any number of pixels may differ if a
 // measure decides, and otherwise `otherwise` applies.
-CompareLimits limits_of(const Gates& gates, const std::optional<CompareLimits>& profile,
+CompareLimits limits_of(const GivenLimits& given, const std::optional<CompareLimits>& profile,
                         const CompareLimits& otherwise);
 
 }  // namespace poinsot

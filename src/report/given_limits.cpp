@@ -1,4 +1,4 @@
-#include "report/gates.h"
+#include "report/given_limits.h"
 
 #include <fmt/format.h>
 
@@ -55,19 +55,19 @@ double checked_ssim(double value) {
 
 constexpr std::string_view share_wanted = "a share of the pixels, as 0.001 or \"0.1%\"";
 constexpr NumberLimit limit_rows[] = {
-    {"max_differing", &Gates::max_differing, LimitKind::share,
+    {"max_differing", &GivenLimits::max_differing, LimitKind::share,
      "share of the pixels that may differ, as 0.001 or 0.1%", "SHARE", share_wanted, checked_share},
-    {"max_over", &Gates::max_over, LimitKind::share,
+    {"max_over", &GivenLimits::max_over, LimitKind::share,
      "share of the pixels that may differ by more than --over-levels", "SHARE", share_wanted,
      checked_share},
-    {"over_levels", &Gates::over_levels, LimitKind::level,
+    {"over_levels", &GivenLimits::over_levels, LimitKind::level,
      "threshold of --max-over in levels of 255; default 2", "N", "a level from 0 to 255",
      checked_level},
-    {"max_flip", &Gates::max_flip, LimitKind::number,
+    {"max_flip", &GivenLimits::max_flip, LimitKind::number,
      "largest visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of pixels "
      "may differ unless another option limits it",
      "FLIP", "a number from 0 to 1", checked_flip},
-    {"min_ssim", &Gates::min_ssim, LimitKind::number,
+    {"min_ssim", &GivenLimits::min_ssim, LimitKind::number,
      "least structural similarity (SSIM, 1: equal) that passes, as 0.99; then any number of pixels "
      "may differ unless another option limits it",
      "SSIM", "a number of at most 1", checked_ssim},
@@ -130,14 +130,14 @@ double parse_share(std::string_view text) {
     return share;
 }
 
-bool Gates::decides() const {
+bool GivenLimits::decides() const {
     return std::any_of(
         std::begin(limit_rows), std::end(limit_rows),
         [this](const NumberLimit& limit) { return (this->*limit.value).has_value(); });
 }
 
-Gates Gates::over(const Gates& below) const {
-    Gates both = *this;
+GivenLimits GivenLimits::over(const GivenLimits& below) const {
+    GivenLimits both = *this;
     const auto fill = [](auto& value, const auto& from) {
         if (!value) value = from;
     };
@@ -149,20 +149,20 @@ Gates Gates::over(const Gates& below) const {
     return both;
 }
 
-CompareLimits limits_of(const Gates& gates, const std::optional<CompareLimits>& profile,
+CompareLimits limits_of(const GivenLimits& given, const std::optional<CompareLimits>& profile,
                         const CompareLimits& otherwise) {
     CompareLimits limits = otherwise;
     if (profile) limits = *profile;
-    if (gates.limits_pixels())
+    if (given.limits_pixels())
         limits = {};
-    else if (!profile && (gates.max_flip || gates.min_ssim))
+    else if (!profile && (given.max_flip || given.min_ssim))
         limits = CompareLimits::any_pixels();
-    if (gates.max_differing) limits.differing_share = *gates.max_differing;
-    if (gates.max_over) limits.over_level_share = *gates.max_over;
-    if (gates.over_levels) limits.level = static_cast<int>(*gates.over_levels);
-    limits.most_flip = gates.max_flip;
-    limits.least_ssim = gates.min_ssim;
-    limits.antialiasing = gates.antialiasing.value_or(false);
+    if (given.max_differing) limits.differing_share = *given.max_differing;
+    if (given.max_over) limits.over_level_share = *given.max_over;
+    if (given.over_levels) limits.level = static_cast<int>(*given.over_levels);
+    limits.most_flip = given.max_flip;
+    limits.least_ssim = given.min_ssim;
+    limits.antialiasing = given.antialiasing.value_or(false);
     return limits;
 }
 
