@@ -317,8 +317,9 @@ check('turns the body beside the construction while the contact point is held', 
   assert.equal(shares.film_s, 7.5);
   assert.ok(shares.turned > 2e-3 && shares.moves > 2e-3 && shares.as_later < 2e-4 && shares.stands < 2e-4, JSON.stringify(shares));
   // It begins anew where the pointer rests, and stops when the pointer lets go.
+  const before = await tab.evaluate(() => ({...the_page.grips.rests}));
   await tab.mouse.move(x + 20, y - 10);
-  await until(tab, 'the_page.coming.size === 0 && the_page.figure.beside_s < 0.5');
+  await until(tab, `the_page.coming.size === 0 && the_page.grips.rests.x - ${before.x} > 10`);
   await tab.mouse.up();
   await settled(tab);
   assert.equal(await tab.evaluate(() => the_page.figure.beside_s), null);
