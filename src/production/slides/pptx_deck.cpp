@@ -45,8 +45,8 @@ void check_output(const fs::path& output, const Scene& scene) {
 }
 
 // A film's poster is shown until it plays. It is the picture with which the slide before ends: any
-// other would be seen for a moment, and the last one would reveal how the slide ends. The still of a
-// slide is the poster of the next one.
+// other would be seen for a moment, and the last one would reveal how the slide ends. The still of
+// a slide is the poster of the next one.
 struct PosterFrames {
     std::map<std::int64_t, std::string> names;  // of the files, by frame
 
