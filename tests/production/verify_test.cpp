@@ -40,7 +40,7 @@ class RecordedFilm : public ::testing::TestWithParam<const char*> {
     void SetUp() override {
         plan_.quality = "lecture";
         plan_.metadata = record_of_a_film(plan_);
-        plan_.tell = told;
+        plan_.seal = sealed_metadata;
         plan_.chapters = {{"One", 0, 4}, {"Two", 4, n_film_frames}};
         plan_.subtitles = {{"Said at the top", 0, 100, true}, {"Said below", 120, 250, false}};
         write_film(plan_);
@@ -146,9 +146,9 @@ TEST_P(RecordedFilm, SaysWhereOnlyThePicturesAreUnchanged) {
 
 // Older versions wrote no hash of the file.
 TEST_P(RecordedFilm, OfAnOlderVersionIsVerifiedAsFarAsItsRecordGoes) {
-    plan_.tell = [](const std::string& metadata, Contents contents) {
+    plan_.seal = [](const std::string& metadata, Contents contents) {
         contents.file.clear();
-        return told(metadata, contents);
+        return sealed_metadata(metadata, contents);
     };
     write_film(plan_);
     const Verification verification = verification_of(bytes_of(plan_.path));

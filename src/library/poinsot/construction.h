@@ -1,4 +1,4 @@
-// Poinsot's construction of a torque-free motion as geometry. Part of poinsot::construction.
+// Poinsot's construction of a torque-free motion as geometry.
 //
 // The inertia ellipsoid F(ρ) = ρᵀIρ = 1 rolls on the invariable plane n·x = √(2T)/L, n = L/|L|, and
 // touches it at ρ = ω/√(2T). Lengths are in 1/√(kg m²).

@@ -1,4 +1,4 @@
-// The motion of a rigid body, exact at any instant. Part of poinsot::mechanics.
+// The motion of a rigid body, exact at any instant.
 //
 //     #include <poinsot/motion.h>
 //     const poinsot::library::Motion racket({1.0, 2.0, 3.0}, {0.01, 2.0, 0.01});

@@ -1,4 +1,4 @@
-// Scenes: the motion of a scene as numbers, and its pictures. Part of poinsot::production.
+// Scenes: the motion of a scene as numbers, and its pictures.
 //
 // Functions throw InputError and EnvironmentError (<poinsot/error.h>) with the sentences of the
 // command line. All of them may be called from any thread; one thread of the library draws all
