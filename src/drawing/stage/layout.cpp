@@ -15,6 +15,7 @@
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/possible_motions.h"
 #include "drawing/stage/thing_names.h"
+#include "drawing/stage/type/labels.h"
 #include "scene/camera_views.h"
 #include "scene/scene_error.h"
 #include "text/languages.h"
@@ -223,6 +224,13 @@ void add_inset(std::deque<Panel>& panels, std::size_t host, StageStore& store) {
     kind.make(panel, store);
     panel.draw = fading(stage, store, "inset", std::move(panel.draw));
     panel.draw = fading(stage, store, around.spec.kind, std::move(panel.draw));
+    // In a still, its words are whole or absent.
+    if (stage.options.is_still)
+        panel.draw = [draw = std::move(panel.draw)](const FrameInput& instant,
+                                                    ViewBuilder& builder) {
+            draw(instant, builder);
+            for (Label& label : builder.view.labels) label.opacity = whole_or_absent(label.opacity);
+        };
 }
 
 bool says_camera(const KeyframeSpec& key) {

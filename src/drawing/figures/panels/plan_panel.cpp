@@ -129,7 +129,8 @@ Drawer words_below(const Panel& panel, StageStore& store) {
         store.set(phrase_in(stage.scene.language, camera_is_above(panel) ? above : below),
                   {.size_px = size_px, .mode = TypeMode::text});
     return [&panel, &stage, type](const FrameInput&, ViewBuilder& builder) {
-        if (type.mask->width == 0) return;
+        // Words that are wider would reach into the panel beside it.
+        if (type.mask->width == 0 || type.width_px() > panel.box.width_px) return;
         Label label;
         label.mask = type.mask;
         const PanelBox& box = panel.box;
