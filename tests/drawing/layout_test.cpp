@@ -187,6 +187,20 @@ TEST(Layout, InsetsFadeByNameAndNeedAFreeBody) {
     EXPECT_THROW(StagedScene(scene, 5.0), InputError);  // there is none
     scene.panels[0].inset = "top left";
     EXPECT_TRUE(StagedScene(scene, 5.0).stage.at(5.0).views.at(1).curves.empty());
+    // In a still, words are whole or absent.
+    for (const double opacity : {0.3, 0.7}) {
+        scene.fades[0].opacity = opacity;
+        const StagedScene still(scene, 5.0, 0.0, true);
+        const Drawing drawing = still.stage.at(5.0);
+        std::size_t n_words = 0;
+        for (const Label& label : drawing.views.at(1).labels)
+            if (label.rank == rank_of_headings) {
+                EXPECT_EQ(label.opacity, 1.0);
+                ++n_words;
+            }
+        EXPECT_EQ(n_words, opacity > 0.5 ? 1u : 0u);
+    }
+    fade.opacity = 0.0;
     scene.fades.clear();
     EXPECT_FALSE(StagedScene(scene, 5.0).stage.at(5.0).views.at(1).curves.empty());
     scene.torque = DissipationTorque{0.1};

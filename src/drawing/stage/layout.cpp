@@ -229,7 +229,9 @@ void add_inset(std::deque<Panel>& panels, std::size_t host, StageStore& store) {
         panel.draw = [draw = std::move(panel.draw)](const FrameInput& instant,
                                                     ViewBuilder& builder) {
             draw(instant, builder);
-            for (Label& label : builder.view.labels) label.opacity = whole_or_absent(label.opacity);
+            std::erase_if(builder.view.labels,
+                          [](const Label& label) { return whole_or_absent(label.opacity) == 0.0; });
+            for (Label& label : builder.view.labels) label.opacity = 1.0;
         };
 }
 
