@@ -170,7 +170,7 @@ TEST(Layout, InsetsSayFromWhereTheyAreSeen) {
         const StagedScene staged(scene, 1.0);
         const Drawing drawing = staged.stage.at(1.0);
         for (const Label& label : drawing.views.at(1).labels)
-            if (label.rank == rank_of_headings) return label.mask->source.text;
+            if (label.rank == rank_of_charts) return label.mask->source.text;
         return std::string();
     };
     EXPECT_EQ(text(), "from above");
@@ -194,7 +194,7 @@ TEST(Layout, InsetsFadeByNameAndNeedAFreeBody) {
         const Drawing drawing = still.stage.at(5.0);
         std::size_t n_words = 0;
         for (const Label& label : drawing.views.at(1).labels)
-            if (label.rank == rank_of_headings) {
+            if (label.rank == rank_of_charts) {
                 EXPECT_EQ(label.opacity, 1.0);
                 ++n_words;
             }

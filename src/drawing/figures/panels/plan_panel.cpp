@@ -142,7 +142,7 @@ Drawer words_below(const Panel& panel, StageStore& store) {
         label.halo_colour = stage.theme.halo;
         label.halo_px = 2.0 * panel.px;
         label.held_at = 0.0;
-        label.rank = rank_of_headings;
+        label.rank = rank_of_charts;
         builder.view.labels.push_back(label);
         name_shapes("view", builder);
     };
