@@ -172,16 +172,18 @@ TEST(HtmlPage, TheWorkbenchAloneCarriesTheTextEditor) {
     const bool has_editor = has_text_editor();
     EXPECT_EQ(page.find(block), std::string::npos);
     EXPECT_EQ(n_of(workbench, block), has_editor ? 1 : 0);
+    EXPECT_EQ(workbench.find("unsafe-inline"), std::string::npos);
+    EXPECT_EQ(n_of(workbench, "MIT License: https://codemirror.net"), has_editor ? 1 : 0);
+    // The hash of an empty script is also that of a film writer which is not there either.
+    if (!has_editor) return;
     const auto allows = [&hash](const std::string& html) {
         return between(html, "Content-Security-Policy\" content=\"", "\"").find(hash) !=
                std::string::npos;
     };
     EXPECT_FALSE(allows(page));
-    EXPECT_EQ(allows(workbench), has_editor);
+    EXPECT_TRUE(allows(workbench));
     // Nor does the template of the pages that the workbench writes.
-    EXPECT_EQ(n_of(workbench, hash), has_editor ? 1 : 0);
-    EXPECT_EQ(workbench.find("unsafe-inline"), std::string::npos);
-    EXPECT_EQ(n_of(workbench, "MIT License: https://codemirror.net"), has_editor ? 1 : 0);
+    EXPECT_EQ(n_of(workbench, hash), 1);
 }
 
 TEST(HtmlPage, ScriptsLoseCommentsAndIndentsOnly) {
