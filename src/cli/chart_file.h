@@ -6,7 +6,7 @@
 
 #include "drawing/figures/charts/chart.h"
 #include "drawing/figures/charts/flight_chart.h"
-#include "production/jobs/picture.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

@@ -14,7 +14,7 @@
 #include "cli/scenes.h"
 #include "cli/sweep.h"
 #include "error/error.h"
-#include "production/parts/job_choice.h"
+#include "production/films/job_choice.h"
 #include "production/session/scene_summary.h"
 #include "text/json_text.h"
 #include "text/printable.h"

@@ -10,7 +10,7 @@
 #include "error/error.h"
 #include "measured/departure.h"
 #include "measured/files/measured_file.h"
-#include "production/jobs/open_session.h"
+#include "production/session/files/open_session.h"
 #include "system/files/file_kind.h"
 #include "text/json_text.h"
 #include "text/label_text.h"

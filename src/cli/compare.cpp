@@ -13,7 +13,7 @@
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "output/frame_name.h"
-#include "production/provenance/record.h"
+#include "production/records/record.h"
 #include "report/compare_file.h"
 #include "report/compared_picture.h"
 #include "report/github_report.h"

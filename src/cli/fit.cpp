@@ -21,7 +21,7 @@
 #include "measured/prediction.h"
 #include "production/fits/fit_flights.h"
 #include "production/fits/fit_words.h"
-#include "production/jobs/fitted_scene.h"
+#include "production/fits/fitted_scene.h"
 #include "production/session/slow_work_notice.h"
 #include "production/vectors/flight_page.h"
 #include "scene/parse_scene.h"

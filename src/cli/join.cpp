@@ -1,5 +1,5 @@
 // poinsot join PART… -o OUT: joins the parts of a film.
-#include "production/parts/join.h"
+#include "production/films/join.h"
 
 #include "cli/command.h"
 #include "cli/options.h"

@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "cli/option.h"
-#include "production/jobs/open_session.h"
-#include "production/jobs/picture.h"
+#include "production/session/files/open_session.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

@@ -4,7 +4,7 @@
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
-#include "production/parts/recovery.h"
+#include "production/films/recovery.h"
 #include "text/printable.h"
 
 namespace poinsot {

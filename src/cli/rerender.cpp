@@ -3,7 +3,7 @@
 #include "cli/options.h"
 #include "cli/progress_bar.h"
 #include "error/error.h"
-#include "production/jobs/redraw.h"
+#include "production/films/redraw.h"
 
 namespace poinsot {
 

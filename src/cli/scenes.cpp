@@ -11,7 +11,7 @@
 
 #include "error/error.h"
 #include "output/frame_name.h"
-#include "production/jobs/output_place.h"
+#include "production/stills/output_place.h"
 #include "scene/parse_scene.h"
 #include "system/files/file_kind.h"
 #include "system/files/program_files.h"

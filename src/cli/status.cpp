@@ -7,7 +7,7 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
-#include "production/parts/submission.h"
+#include "production/cluster/submission.h"
 #include "text/json_text.h"
 #include "text/printable.h"
 

@@ -8,8 +8,8 @@
 #include "cli/options.h"
 #include "cli/progress_bar.h"
 #include "lab/tradeoff_report.h"
-#include "production/jobs/output_place.h"
-#include "production/jobs/picture.h"
+#include "production/stills/output_place.h"
+#include "production/stills/picture.h"
 #include "system/files/atomic_file.h"
 
 namespace poinsot {

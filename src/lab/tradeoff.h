@@ -7,8 +7,8 @@
 #include <string>
 #include <vector>
 
-#include "production/jobs/picture.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

@@ -17,7 +17,7 @@
 #include "output/frame_sink.h"
 #include "output/quality.h"
 #include "output/video_reader.h"
-#include "production/jobs/picture.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

@@ -9,7 +9,7 @@
 #include "drawing/style/picture_quality.h"
 #include "lab/measure.h"
 #include "lab/tradeoff.h"
-#include "production/jobs/picture.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

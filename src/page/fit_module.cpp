@@ -12,7 +12,7 @@
 #include "page/answers.h"
 #include "production/fits/fit_flights.h"
 #include "production/fits/fit_words.h"
-#include "production/jobs/fitted_scene.h"
+#include "production/fits/fitted_scene.h"
 #include "production/slides/pptx_parts.h"
 #include "text/json_text.h"
 #include "text/printable.h"

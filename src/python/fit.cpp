@@ -14,7 +14,7 @@
 #include "measured/joint_fit.h"
 #include "measured/measured_motion.h"
 #include "measured/prediction.h"
-#include "production/jobs/fitted_scene.h"
+#include "production/fits/fitted_scene.h"
 #include "production/vectors/flight_page.h"
 #include "python/bindings.h"
 

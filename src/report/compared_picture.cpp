@@ -11,7 +11,7 @@
 #include "image/pixels_sha256.h"
 #include "output/film_metadata.h"
 #include "output/frame_name.h"
-#include "production/provenance/record.h"
+#include "production/records/record.h"
 #include "report/file_pair.h"
 #include "report/rendered_page.h"
 #include "system/files/file_contents.h"

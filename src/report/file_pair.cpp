@@ -9,7 +9,7 @@
 
 #include "error/error.h"
 #include "image/files/png_files.h"
-#include "production/provenance/record_difference.h"
+#include "production/records/record_difference.h"
 #include "system/files/file_kind.h"
 #include "text/printable.h"
 

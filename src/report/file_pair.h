@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "production/jobs/picture_regions.h"
-#include "production/provenance/record.h"
+#include "production/records/record.h"
+#include "production/stills/picture_regions.h"
 #include "report/baselines.h"
 #include "report/compared_picture.h"
 #include "report/given_limits.h"

@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "error/error.h"
-#include "production/jobs/picture_regions.h"
+#include "production/stills/picture_regions.h"
 #include "text/nearest.h"
 #include "text/numbers.h"
 #include "text/printable.h"

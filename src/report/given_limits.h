@@ -14,7 +14,7 @@
 namespace poinsot {
 
 // A part of a picture that is not compared: a rectangle, or the name of what is shown there (see
-// production/jobs/picture_regions.h).
+// production/stills/picture_regions.h).
 struct IgnoredRegion {
     struct Length {
         double value = 0;

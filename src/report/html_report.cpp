@@ -11,7 +11,7 @@
 
 #include "error/error.h"
 #include "output/frame_name.h"
-#include "production/provenance/record.h"
+#include "production/records/record.h"
 #include "report/report_page.h"
 #include "system/run_program.h"
 #include "system/suffix.h"

@@ -4,9 +4,9 @@
 
 #include "error/error.h"
 #include "output/frame_sink.h"
-#include "production/jobs/film_job.h"
+#include "production/films/film_job.h"
+#include "production/films/jobs.h"
 #include "production/pages/page_job.h"
-#include "production/parts/jobs.h"
 #include "production/slides/pptx_deck.h"
 #include "production/slides/slide_deck.h"
 #include "text/printable.h"

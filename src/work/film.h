@@ -9,11 +9,11 @@
 #include <string_view>
 #include <utility>
 
-#include "production/jobs/open_session.h"
-#include "production/jobs/picture.h"
+#include "production/session/files/open_session.h"
 #include "production/session/film_plan.h"
 #include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

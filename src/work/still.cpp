@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "production/jobs/journal_request.h"
+#include "production/stills/journal_request.h"
 
 namespace poinsot {
 

@@ -1,9 +1,9 @@
 // The request of a still, as the command line and the library make it.
 #pragma once
 
-#include "production/jobs/open_session.h"
-#include "production/jobs/still_job.h"
+#include "production/session/files/open_session.h"
 #include "production/session/progress_sink.h"
+#include "production/stills/still_job.h"
 
 namespace poinsot {
 

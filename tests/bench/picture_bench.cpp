@@ -7,8 +7,8 @@
 
 #include "image/png.h"
 #include "output/yuv.h"
-#include "production/jobs/picture.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
 #include "scene/files/load_scene.h"
 #include "typeset/files/installed_fonts.h"
 

@@ -8,8 +8,8 @@
 #include "error/error.h"
 #include "fuzz/scratch_file.h"
 #include "output/film_packets.h"
-#include "production/provenance/record.h"
-#include "production/provenance/verify.h"
+#include "production/records/record.h"
+#include "production/records/verify.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     // The first byte selects the file name of the rest.

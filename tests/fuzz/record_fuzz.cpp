@@ -10,7 +10,7 @@
 #include "error/error.h"
 #include "image/png.h"
 #include "output/film_metadata.h"
-#include "production/provenance/record.h"
+#include "production/records/record.h"
 #include "system/sha256.h"
 
 namespace {

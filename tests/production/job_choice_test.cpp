@@ -1,6 +1,6 @@
 // The default of --jobs as a function of the machine's and the film's properties, with made-up
 // values.
-#include "production/parts/job_choice.h"
+#include "production/films/job_choice.h"
 
 #include <gtest/gtest.h>
 

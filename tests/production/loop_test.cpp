@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "production/jobs/picture.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
 #include "scene/files/load_scene.h"
 #include "typeset/files/installed_fonts.h"
 

@@ -24,9 +24,9 @@
 #include "drawing/style/theme_roles.h"
 #include "image/image.h"
 #include "places.h"
-#include "production/jobs/picture.h"
-#include "production/jobs/still_job.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
+#include "production/stills/still_job.h"
 #include "scene/files/load_scene.h"
 #include "typeset/files/installed_fonts.h"
 

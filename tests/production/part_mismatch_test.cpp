@@ -1,5 +1,5 @@
 // Reasons why two records do not belong to parts of the same film.
-#include "production/parts/part_mismatch.h"
+#include "production/films/part_mismatch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // Pictures: drawn in parts, transparent, with 16 bits, and with text at its final size for any
 // number of samples per pixel.
-#include "production/jobs/picture.h"
+#include "production/stills/picture.h"
 
 #include <gtest/gtest.h>
 

@@ -14,7 +14,7 @@
 #include <vector>
 
 #include "error/error.h"
-#include "production/jobs/open_session.h"
+#include "production/session/files/open_session.h"
 #include "production/slides/pptx_parts.h"
 #include "production/slides/slide_files.h"
 #include "production/slides/stored_zip.h"

@@ -1,5 +1,5 @@
 // What two records say that differs, in words.
-#include "production/provenance/record_difference.h"
+#include "production/records/record_difference.h"
 
 #include <gtest/gtest.h>
 

@@ -8,7 +8,7 @@
 
 #include "drawing/style/picture_quality.h"
 #include "output/quality.h"
-#include "production/provenance/record.h"
+#include "production/records/record.h"
 #include "production/session/picture_setting.h"
 #include "scene/parse_scene.h"
 #include "scene/write_scene.h"

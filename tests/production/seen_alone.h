@@ -14,9 +14,9 @@
 #include <vector>
 
 #include "image/image.h"
-#include "production/jobs/picture.h"
-#include "production/jobs/still_job.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
+#include "production/stills/still_job.h"
 #include "scene/files/load_scene.h"
 #include "typeset/files/installed_fonts.h"
 

@@ -1,5 +1,5 @@
 // A still is written on another thread, or without one.
-#include "production/jobs/still_writer.h"
+#include "production/stills/still_writer.h"
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>

@@ -1,7 +1,7 @@
 // A bit that is flipped anywhere in a film is seen. Which boxes and elements decide what a player
 // shows is written down here from the containers' specifications; tests/trust/film_flips.py asks
 // ffprobe, with thousands of random bits.
-#include "production/provenance/verify.h"
+#include "production/records/verify.h"
 
 #include <gtest/gtest.h>
 

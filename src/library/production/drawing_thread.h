@@ -6,8 +6,8 @@
 
 #include <functional>
 
-#include "production/jobs/picture.h"
 #include "production/session/progress_sink.h"
+#include "production/stills/picture.h"
 
 namespace poinsot::library {
 

@@ -4,9 +4,9 @@
 #include <string>
 #include <vector>
 
-#include "production/jobs/open_session.h"
-#include "production/jobs/picture.h"
+#include "production/session/files/open_session.h"
 #include "production/session/progress_sink.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

@@ -10,11 +10,11 @@
 #include <vector>
 
 #include "error/error.h"
-#include "production/jobs/still_job.h"
 #include "production/slides/pptx_parts.h"
 #include "production/slides/slide_files.h"
 #include "production/slides/slide_plan.h"
 #include "production/slides/stored_zip.h"
+#include "production/stills/still_job.h"
 #include "production/vectors/vector_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"

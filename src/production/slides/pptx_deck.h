@@ -4,9 +4,9 @@
 #include <filesystem>
 #include <optional>
 
-#include "production/jobs/picture.h"
 #include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

@@ -10,9 +10,9 @@
 #include <vector>
 
 #include "error/error.h"
-#include "production/jobs/still_job.h"
 #include "production/slides/slide_files.h"
 #include "production/slides/slide_plan.h"
+#include "production/stills/still_job.h"
 #include "production/vectors/vector_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"

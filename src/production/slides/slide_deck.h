@@ -5,10 +5,10 @@
 #include <filesystem>
 #include <optional>
 
-#include "production/jobs/open_session.h"
-#include "production/jobs/picture.h"
+#include "production/session/files/open_session.h"
 #include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/stills/picture.h"
 
 namespace poinsot {
 

@@ -6,8 +6,8 @@
 #include <sstream>
 #include <utility>
 
-#include "production/jobs/film_job.h"
-#include "production/parts/jobs.h"
+#include "production/films/film_job.h"
+#include "production/films/jobs.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/sha256.h"

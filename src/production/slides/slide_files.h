@@ -10,10 +10,10 @@
 #include <string_view>
 #include <vector>
 
-#include "production/jobs/picture.h"
 #include "production/session/progress_sink.h"
 #include "production/session/session.h"
 #include "production/slides/slide_list.h"
+#include "production/stills/picture.h"
 #include "system/files/atomic_file.h"
 #include "system/files/unfinished_folder.h"
 

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "production/provenance/record.h"
-#include "production/sidecars/subtitles.h"
+#include "production/films/subtitles.h"
+#include "production/records/record.h"
 #include "text/json_text.h"
 
 namespace poinsot {

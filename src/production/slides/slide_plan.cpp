@@ -6,7 +6,7 @@
 #include <cmath>
 
 #include "drawing/stage/overlay.h"
-#include "production/sidecars/chapters.h"
+#include "production/films/chapters.h"
 #include "scene/scene_error.h"
 
 namespace poinsot {

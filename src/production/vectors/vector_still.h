@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "production/provenance/page_text.h"
-#include "production/provenance/record.h"
+#include "production/records/page_text.h"
+#include "production/records/record.h"
 #include "production/session/picture_setting.h"
 #include "production/session/session.h"
 #include "typeset/latex.h"

@@ -7,7 +7,7 @@
 #include <optional>
 #include <vector>
 
-#include "render/cache/curve_layer.h"
+#include "render/passes/curve_layer.h"
 #include "render/passes/curve_pass.h"
 #include "render/passes/stroke.h"
 

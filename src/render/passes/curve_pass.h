@@ -1,7 +1,7 @@
 // Draws curves as strokes of constant width in pixels.
 #pragma once
 
-#include "render/cache/curve_layer.h"
+#include "render/passes/curve_layer.h"
 #include "render/passes/stroke.h"
 #include "render/tile_mask.h"
 #include "render/view_scene.h"

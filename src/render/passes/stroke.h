@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "render/cache/curve_store.h"
+#include "render/passes/curve_store.h"
 #include "render/passes/program.h"
 #include "render/view_scene.h"
 

@@ -1,0 +1,277 @@
+#include "production/films/jobs.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cinttypes>
+#include <cstdint>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <system_error>
+#include <utility>
+#include <vector>
+
+#include "error/error.h"
+#include "output/film_part.h"
+#include "output/film_parts.h"
+#include "output/frame_log.h"
+#include "output/frame_name.h"
+#include "production/films/child.h"
+#include "production/films/job_choice.h"
+#include "production/films/join.h"
+#include "production/stills/output_place.h"
+#include "system/files/atomic_file.h"
+#include "system/files/file_kind.h"
+#include "system/files/processor.h"
+#include "system/files/unfinished_folder.h"
+#include "system/interrupt.h"
+#include "text/printable.h"
+
+namespace poinsot {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+fs::path parts_folder(const fs::path& film) { return aside_path_of(film, ".parts"); }
+
+// Its first line says whose parts they are.
+FolderMarker parts_marker(const fs::path& film) {
+    return {"unfinished",
+            fmt::format("poinsot: unfinished parts of {}\n", film.filename().string())};
+}
+
+std::optional<UnfinishedFolder> parts_folder_left_of(const fs::path& film) {
+    return UnfinishedFolder::left(film, parts_folder(film), parts_marker(film));
+}
+
+// A part in such a folder: "2-of-8.mp4", and while it is drawn ".2-of-8.mp4.part.frames".
+struct LeftPart {
+    std::int64_t number = 0, n_parts = 0;
+    fs::path path;
+};
+std::vector<LeftPart> parts_left_of(const fs::path& film) {
+    std::vector<LeftPart> parts;
+    const std::optional<UnfinishedFolder> folder = parts_folder_left_of(film);
+    if (!folder) return parts;
+    for (const std::string& name : folder->names()) {
+        LeftPart part;
+        part.path = folder->path() / name;
+        const char* const begin = name.c_str() + (name.starts_with('.') ? 1 : 0);
+        if (std::sscanf(begin, "%" SCNd64 "-of-%" SCNd64, &part.number, &part.n_parts) == 2)
+            parts.push_back(std::move(part));
+    }
+    std::sort(parts.begin(), parts.end(), [](const LeftPart& a, const LeftPart& b) {
+        return std::pair(a.n_parts, a.number) < std::pair(b.n_parts, b.number);
+    });
+    return parts;
+}
+
+bool has_bytes(const fs::path& path) {
+    std::error_code none;
+    const auto size = fs::file_size(path, none);
+    return !none && size > 0;
+}
+
+// Nothing for a file that is damaged at its beginning.
+std::optional<PartFile> part_if_readable(const fs::path& path) {
+    try {
+        return PartFile(path);
+    } catch (const InputError&) {
+        return std::nullopt;
+    }
+}
+
+bool is_whole_part(const fs::path& path) {
+    const std::optional<PartFile> part = part_if_readable(path);
+    return part && part->is_whole();
+}
+
+constexpr const char* held_name = "held";  // the lock of a folder of parts
+
+// The folder of a film's parts: a hidden folder beside the film, removed with the last part. The
+// lock of a single process comes first, so one run at a time writes the marker. The object holds
+// the lock of this folder and that of a single-process run, so that only one run at a time works on
+// the film.
+class PartsAside {
+ public:
+    PartsAside(const fs::path& film, std::int64_t n_parts)
+        : suffix_(fmt::format("-of-{}{}", n_parts, film.extension().string())),
+          of_one_process_(open_frame_log(film, true)),
+          folder_(film, parts_folder(film), parts_marker(film)) {
+        // The film itself is opened when all of its parts are there.
+        check_aside(film);
+        if (!folder_.has_marker()) write_whole(folder_.marker_path(), parts_marker(film).beginning);
+        lock_.emplace(film, folder_.path() / held_name);
+        // Parts of a run with another number of jobs cannot be continued; damaged ones are drawn
+        // again.
+        for (const std::string& name : folder_.names())
+            if (name != held_name &&
+                (name.find(suffix_) == std::string::npos ||
+                 (name.front() != '.' && !is_whole_part(folder_.path() / name))))
+                folder_.remove(name);
+    }
+    ~PartsAside() {
+        lock_.reset();
+        folder_.remove_if_empty();
+    }
+    PartsAside(const PartsAside&) = delete;
+    PartsAside& operator=(const PartsAside&) = delete;
+
+    std::string part(std::int64_t number) const {
+        return (folder_.path() / fmt::format("{}{}", number, suffix_)).string();
+    }
+
+    void clear() {
+        lock_.reset();
+        folder_.remove_all();
+        of_one_process_.discard();
+    }
+
+ private:
+    std::string suffix_;
+    AtomicFile of_one_process_;
+    UnfinishedFolder folder_;
+    std::optional<AtomicFile> lock_;
+};
+
+// Jobs share the processor: with as many threads as cores in each job, they would only wait for
+// each other.
+void take_a_share_of_the_cores(int n_jobs) {
+    const int n_threads = n_drawing_threads(n_jobs, n_processors());
+    // Without threads, llvmpipe draws on the calling thread.
+    ::setenv("LP_NUM_THREADS", fmt::format("{}", n_threads > 1 ? n_threads : 0).c_str(), 0);
+}
+
+// Draws all parts in parallel.
+void draw_parts(const Session& session, const FilmRequest& request, std::int64_t n_parts,
+                const ContextChoice& context, const std::vector<std::string>& outputs,
+                const ProgressSink& progress) {
+    Children children;
+    for (std::int64_t number = 1; number <= n_parts; ++number) {
+        FilmRequest part = request;
+        part.output = outputs[static_cast<std::size_t>(number - 1)];
+        part.part = {number, n_parts};
+        children.start([&session, &context, part, n_parts](const ProgressSink& child_telling) {
+            take_a_share_of_the_cores(static_cast<int>(n_parts));
+            LazyRenderer renderer(context);
+            FilmJob(session, part).make(renderer, child_telling);
+        });
+    }
+    children.wait(progress);
+}
+
+// The default number of jobs: that of an interrupted run, else the one that choose_jobs finds.
+int n_jobs_for(const Session& session, std::int64_t n_frames, const fs::path& path,
+               const LazyRenderer& renderer) {
+    if (renderer.is_open() || has_bytes(frame_log_path(path))) return 1;
+    const std::vector<LeftPart> left = parts_left_of(path);
+    constexpr std::int64_t most = 4096;
+    if (!left.empty() && left.front().n_parts >= 1 && left.front().n_parts <= most)
+        return static_cast<int>(left.front().n_parts);
+    return choose_jobs(work_of(session, n_frames, path), this_machine()).n_jobs;
+}
+
+// Appends the entries of a part to the film's log.
+void append_all(const PartFile& part, FrameLog& log) {
+    const std::vector<PartFile> one{part};
+    JoinedEntries entries(one);
+    for (std::int64_t k = 0; k < part.n_there(); ++k)
+        log.append(entries.read(part.part().n_before + k));
+}
+
+void make_in_this_process(const FilmJob& film, const fs::path& path, LazyRenderer& renderer,
+                          const ProgressSink& progress) {
+    film.make(renderer, progress);
+    // Parts of several processes are obsolete now.
+    if (const auto folder = parts_folder_left_of(path)) folder->remove_all();
+}
+
+}  // namespace
+
+void make_in_jobs(const Session& session, const FilmRequest& request, std::optional<int> n_asked,
+                  LazyRenderer& renderer, const ProgressSink& progress) {
+    const FilmJob film(session, request);
+    const OutputPlace place(request.output, session.scene, ".mp4");
+    const fs::path& path = place.path();
+    const OutputFormat& format = format_for(path);
+    // Before anything is drawn: a folder of somebody else is refused.
+    if (format.join != nullptr) parts_folder_left_of(path);
+    const int n_jobs = n_asked ? *n_asked : n_jobs_for(session, film.n_frames(), path, renderer);
+    if (n_jobs == 1) return make_in_this_process(film, path, renderer, progress);
+    if (!format.has_parts)
+        throw InputError(fmt::format("{}: this format has no parts for --jobs; leave --jobs out",
+                                     printable(path.string())));
+    film.check_sidecars(path);
+    watch_for_interrupts();
+    const std::int64_t n_parts =
+        part_of_film(1, n_jobs, film.n_frames(), format.n_chunk_frames).n_parts;
+    if (n_parts < n_jobs)
+        progress.say(fmt::format(
+            "note: a part begins every {} frames, so {} frames make {} part{}, not {}",
+            format.n_chunk_frames, film.n_frames(), n_parts, n_parts == 1 ? "" : "s", n_jobs));
+    progress.begin(session.scene.name, film.n_frames());
+    if (format.join == nullptr) {
+        // The pictures are written under their final names; the lock prevents a second run.
+        const AtomicFile held(path, aside_path_of(path));
+        const std::vector<std::string> outputs(static_cast<std::size_t>(n_parts), path.string());
+        draw_parts(session, request, n_parts, renderer.choice(), outputs, progress);
+        film.write_sidecars(path, progress);
+    } else {
+        PartsAside aside(path, n_parts);
+        std::vector<std::string> parts;
+        parts.reserve(static_cast<std::size_t>(n_parts));
+        for (std::int64_t number = 1; number <= n_parts; ++number)
+            parts.push_back(aside.part(number));
+        draw_parts(session, request, n_parts, renderer.choice(), parts, progress);
+        join(parts, path.string(), {});
+        aside.clear();
+    }
+    progress.finish(with_film_length(printable(path.string()), film.n_frames(), film.film().rate));
+}
+
+std::int64_t gather_parts_aside(const fs::path& film) {
+    const std::vector<LeftPart> left = parts_left_of(film);
+    if (left.empty() || has_bytes(frame_log_path(film))) return 0;
+    // Fails if another run is still drawing.
+    const AtomicFile lock(film, parts_folder(film) / held_name);
+    std::optional<FrameLog> log;
+    std::vector<std::string> gathered;
+    std::int64_t n_before = 0;  // frames gathered
+    std::int64_t n_left = 0;    // frames after a gap
+    bool has_gap = false;
+    for (const LeftPart& part : left) {
+        if (part.n_parts != left.front().n_parts) continue;
+        const std::optional<PartFile> readable = part_if_readable(part.path);
+        if (!readable) continue;
+        const PartFile& file = *readable;
+        if (has_gap || file.part().n_before != n_before || file.n_there() == 0) {
+            n_left += file.n_there();
+            continue;
+        }
+        if (!log) {
+            OutputPlan plan = file.plan();
+            plan.path = film;
+            plan.part.reset();
+            plan.resume = true;
+            log.emplace(plan, file.settings(), 1);
+        }
+        append_all(file, *log);
+        n_before += file.n_there();
+        gathered.push_back(part.path.filename().string());
+        has_gap = !file.is_whole();
+    }
+    if (!log) return 0;
+    log.reset();
+    const std::optional<UnfinishedFolder> folder = parts_folder_left_of(film);
+    if (folder && n_left == 0)
+        folder->remove_all();
+    else if (folder)
+        for (const std::string& part : gathered) folder->remove(part);
+    return n_left;
+}
+
+}  // namespace poinsot

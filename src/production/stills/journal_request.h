@@ -1,0 +1,14 @@
+// What a journal's figure changes in a scene.
+#pragma once
+
+#include "production/session/files/open_session.h"
+#include "production/session/progress_sink.h"
+
+namespace poinsot {
+
+// Draws as journals ask: in theme print, with letters on the panels, and without the text that
+// belongs in the author's caption. What the scene or the command line says itself has precedence.
+// `request.print` names the journal. `keeps_text`: as --keep-text. Throws InputError.
+void apply_journal_style(bool keeps_text, SceneRequest& request, const ProgressSink& progress);
+
+}  // namespace poinsot
