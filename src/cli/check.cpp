@@ -27,7 +27,7 @@ namespace {
 struct CheckChoices {
     std::vector<std::string> scenes;
     std::vector<std::string> sweeps;
-    SceneOptions scene;
+    GivenOptions given;
     AgainstChoices against;
     bool json = false, plan = false, quiet = false;
 };
@@ -48,7 +48,7 @@ void print_words(const SceneSummary& summary) {
 SceneSummary summary_of(const CheckChoices& choices, const SweepPoint& point,
                         const ProgressSink& progress) {
     const Session session = open_session(
-        scene_request_of(choices.scenes.at(0), choices.scene, overrides_of(point)), progress);
+        scene_request(choices.scenes.at(0), choices.given, overrides_of(point)), progress);
     tell_notes(session, progress);
     SceneSummary summary = summarise(session, choices.plan, progress);
     if (choices.plan) {
@@ -118,8 +118,7 @@ int run(const CheckChoices& choices) {
             throw InputError("--against compares one motion; leave out --sweep and --plan");
         AgainstChoices against = choices.against;
         against.json = choices.json;
-        return check_against(scene_request_of(choices.scenes.at(0), choices.scene), against,
-                             progress);
+        return check_against(scene_request(choices.scenes.at(0), choices.given), against, progress);
     }
     if (!choices.against.tolerance.empty() || !choices.against.chart.empty())
         throw InputError("--tolerance and --chart belong to --against FILE.csv");
@@ -131,31 +130,30 @@ CommandLine check_line() {
     CheckChoices& c = *choices;
     return {
         &c.scenes,
-        {set_option(c.scene),
-         sweep_option(c.sweeps),
-         size_option(c.scene),
-         fps_option(c.scene),
-         quality_option(c.scene),
-         json_option(c.json,
-                     "print JSON: one object, with --sweep an array of one object per value"),
-         quiet_option(c.quiet),
-         {.flags = "--against",
-          .takes = "FILE.csv",
-          .help = "compare the motion in this table with the scene's",
-          .value = &c.against.file,
-          .completes = "file"},
-         {.flags = "--tolerance",
-          .takes = "TOL",
-          .help = "with --against, the error of the attitude that passes: pixels of the picture, "
-                  "as 0.5px, or an angle, as 0.01rad; default: the scene's accuracy_px",
-          .value = &c.against.tolerance},
-         {.flags = "--chart",
-          .takes = "FILE.png",
-          .help = "with --against, draw the errors against time",
-          .value = &c.against.chart,
-          .completes = "file"},
-         {.flags = "--plan", .help = "explain what is modelled and why", .value = &c.plan},
-         allow_outside_option(c.scene.allow_outside)},
+        joined(
+            {{set_option(c.given), sweep_option(c.sweeps)},
+             options_of(Verb::check, c.given),
+             {json_option(c.json,
+                          "print JSON: one object, with --sweep an array of one object per value"),
+              quiet_option(c.quiet),
+              {.flags = "--against",
+               .takes = "FILE.csv",
+               .help = "compare the motion in this table with the scene's",
+               .value = &c.against.file,
+               .completes = "file"},
+              {.flags = "--tolerance",
+               .takes = "TOL",
+               .help =
+                   "with --against, the error of the attitude that passes: pixels of the picture, "
+                   "as 0.5px, or an angle, as 0.01rad; default: the scene's accuracy_px",
+               .value = &c.against.tolerance},
+              {.flags = "--chart",
+               .takes = "FILE.png",
+               .help = "with --against, draw the errors against time",
+               .value = &c.against.chart,
+               .completes = "file"},
+              {.flags = "--plan", .help = "explain what is modelled and why", .value = &c.plan},
+              allow_outside_option(c.given.allow_outside)}}),
         [choices] { return run(*choices); }};
 }
 

@@ -19,10 +19,14 @@ struct Repeated {
 struct ReadText {
     std::function<void(const std::string& text)> read;
 };
+// The same for an option that may be given more than once.
+struct ReadEach {
+    std::function<void(const std::string& text)> read;
+};
 
 using OptionValue =
     std::variant<bool*, int*, std::string*, std::optional<int>*, std::optional<double>*,
-                 std::optional<std::string>*, Repeated, ReadText>;
+                 std::optional<std::string>*, Repeated, ReadText, ReadEach>;
 
 struct Option {
     std::string flags;    // "-o,--output"

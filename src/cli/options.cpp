@@ -1,71 +1,66 @@
 #include "cli/options.h"
 
-#include <fmt/format.h>
+#include <utility>
+#include <variant>
 
 #include "cli/option_values.h"
 #include "cli/scenes.h"
-#include "drawing/style/theme.h"
-#include "error/error.h"
-#include "output/quality.h"
-#include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
 
-// An option that sets a scene key. A bare word becomes a TOML string; numbers stay numbers.
-Option override_option(SceneOptions& scene, const char* flag, const char* key,
-                       const std::string& help, const char* takes, const char* completes = "") {
-    return {
-        .flags = flag,
-        .takes = takes,
-        .help = help,
-        .value = ReadText{[&scene, flag, key](const std::string& value) {
-            scene.overrides.push_back(fmt::format("{} {}={}", flag, key, parse_text(flag, value)));
-        }},
-        .completes = completes};
-}
+// How the text of an option reaches its slot.
+struct Reader {
+    const OptionRow& row;
 
-// Joins the names of a table's rows: "light, dark or print".
-template <typename Rows>
-std::string listed(const Rows& rows) {
-    std::string names;
-    for (std::size_t i = 0; i < rows.size(); ++i)
-        names += fmt::format("{}{}",
-                             i == 0                ? ""
-                             : i + 1 < rows.size() ? ", "
-                                                   : " or ",
-                             rows[i].name);
-    return names;
+    OptionValue operator()(bool* value) const { return value; }
+    OptionValue operator()(int* value) const { return value; }
+    OptionValue operator()(std::string* value) const { return value; }
+    OptionValue operator()(std::optional<double>* value) const { return value; }
+    OptionValue operator()(const InstantSlot& slot) const {
+        return ReadText{[slot, &row = row](const std::string& text) {
+            *slot.clearest = text == "auto";
+            if (!*slot.clearest) *slot.time_s = parse_number(row.flag(), text, row.wanted);
+        }};
+    }
+    OptionValue operator()(const FramesSlot& slot) const {
+        return ReadText{[slot](const std::string& text) { *slot.frames = parse_frames(text); }};
+    }
+};
+
+OptionValue value_of(const OptionRow& row, GivenOptions& given) {
+    if (row.slot != nullptr) return std::visit(Reader{row}, row.slot(given));
+    // A bare word becomes a TOML string; numbers stay numbers.
+    return ReadText{[&row, &given](const std::string& value) {
+        given.overrides.push_back(
+            {std::string(row.key), parse_text(row.flag(), value), row.flag()});
+    }};
 }
 
 }  // namespace
 
-Option set_option(SceneOptions& scene) {
+std::vector<Option> options_of(unsigned verbs, GivenOptions& given) {
+    std::vector<Option> options;
+    for (const OptionRow& row : option_rows())
+        if ((row.verbs & verbs) != 0)
+            options.push_back({.flags = row.flag(),
+                               .takes = std::string(row.takes),
+                               .help = row.help,
+                               .value = value_of(row, given),
+                               .wanted = std::string(row.wanted),
+                               .completes = std::string(row.completes)});
+    return options;
+}
+
+Option set_option(GivenOptions& given) {
     return {.flags = "--set",
             .takes = "KEY=VALUE",
             .help = "set any scene key; repeatable",
-            .value = Repeated{&scene.overrides},
+            .value = ReadEach{[&given](const std::string& assignment) {
+                given.overrides.push_back(override_of(assignment));
+            }},
             .completes = "keys"};
-}
-
-Option size_option(SceneOptions& scene) {
-    return override_option(scene, "--size", "film.size", "picture size in pixels", "WxH");
-}
-
-Option fps_option(SceneOptions& scene) {
-    return override_option(scene, "--fps", "film.fps", "video frames per second", "N[/D]");
-}
-
-Option quality_option(SceneOptions& scene) {
-    return override_option(scene, "--quality", "film.quality", listed(qualities()), "NAME",
-                           "qualities");
-}
-
-Option theme_option(SceneOptions& scene) {
-    return override_option(scene, "--theme", "theme",
-                           listed(themes()) + ", or the path of a theme file (.toml)", "NAME",
-                           "themes");
 }
 
 Option allow_outside_option(bool& allow_outside) {
@@ -74,36 +69,9 @@ Option allow_outside_option(bool& allow_outside) {
             .value = &allow_outside};
 }
 
-SceneRequest scene_request_of(const std::string& file, const SceneOptions& options,
-                              const std::vector<std::string>& more_overrides) {
-    SceneRequest request;
-    request.file = scene_file(file);
-    request.overrides = options.overrides;
-    request.overrides.insert(request.overrides.end(), more_overrides.begin(), more_overrides.end());
-    request.outside = outside_files(options.allow_outside);
-    return request;
-}
-
-OutsideFiles outside_files(bool allow_outside) {
-    return allow_outside ? OutsideFiles::allowed : OutsideFiles::refused;
-}
-
-Option backend_option(BackendOptions& context) {
-    return {.flags = "--backend",
-            .takes = "NAME",
-            .help = "auto, osmesa or egl (software), or gpu",
-            .value = &context.backend,
-            .completes = "auto|osmesa|egl|gpu"};
-}
-
-Option portable_option(BackendOptions& context) {
-    return {.flags = "--portable",
-            .help = "write the same bytes on every x86-64 processor",
-            .value = &context.portable};
-}
-
-ContextChoice context_choice_of(const BackendOptions& options) {
-    return context_choice(options.backend, options.portable);
+SceneRequest scene_request(const std::string& argument, const GivenOptions& given,
+                           const std::vector<Override>& more_overrides) {
+    return scene_request_of(scene_file(argument), given, more_overrides);
 }
 
 Option output_option(std::string& output, std::string_view help) {
@@ -120,6 +88,13 @@ Option json_option(bool& json, std::string_view help) {
 
 Option quiet_option(bool& quiet) {
     return {.flags = "--quiet,-q", .help = "hide progress and notes", .value = &quiet};
+}
+
+std::vector<Option> joined(std::initializer_list<std::vector<Option>> groups) {
+    std::vector<Option> all;
+    for (const std::vector<Option>& group : groups)
+        all.insert(all.end(), group.begin(), group.end());
+    return all;
 }
 
 }  // namespace poinsot

@@ -81,10 +81,15 @@ struct Binder {
         });
     }
     CLI::Option* operator()(const Repeated& repeated) const {
-        const auto append = [to = repeated.values](const std::vector<std::string>& values) {
-            to->insert(to->end(), values.begin(), values.end());
+        return (*this)(
+            ReadEach{[to = repeated.values](const std::string& value) { to->push_back(value); }});
+    }
+    CLI::Option* operator()(const ReadEach& each) const {
+        const auto read_all = [read = each.read](const std::vector<std::string>& values) {
+            std::for_each(values.begin(), values.end(), read);
         };
-        return app.add_option_function<std::vector<std::string>>(option.flags, append, option.help)
+        return app
+            .add_option_function<std::vector<std::string>>(option.flags, read_all, option.help)
             ->allow_extra_args(false)
             ->take_all();
     }
@@ -195,7 +200,9 @@ class LineCheck {
     }
 
     void refuse_twice(const Option& option) {
-        if (std::holds_alternative<Repeated>(option.value) || given_.insert(&option).second) return;
+        const bool may_repeat = std::holds_alternative<Repeated>(option.value) ||
+                                std::holds_alternative<ReadEach>(option.value);
+        if (may_repeat || given_.insert(&option).second) return;
         refuse(fmt::format("{} was given twice; give it once", long_name(option.flags)),
                command_.name);
     }

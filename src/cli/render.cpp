@@ -25,8 +25,7 @@ namespace {
 struct RenderChoices {
     std::vector<std::string> scenes;
     std::vector<std::string> sweeps;
-    SceneOptions scene;
-    BackendOptions context;
+    GivenOptions given;
     FilmOrder film;
     bool quiet = false;
 };
@@ -44,7 +43,7 @@ bool certified(const Session& session, const FilmPlan& film, const ProgressSink&
 int render(const SceneJob& job, const RenderChoices& choices, LazyRenderer& renderer) {
     ProgressBar bar(choices.quiet);
     const ProgressSink progress = bar.sink();
-    const SceneRequest scene = scene_request_of(job.scene, choices.scene, job.overrides);
+    const SceneRequest scene = scene_request(job.scene, choices.given, job.overrides);
     FilmOrder film = choices.film;
     (film.slides.empty() ? film.output : film.slides) = job.output;
     std::optional<Session> session;
@@ -67,8 +66,8 @@ std::string output_of(const FilmOrder& film) {
 }
 
 int run(const RenderChoices& choices) {
-    check_order(choices.film, "--");
-    LazyRenderer renderer(context_choice_of(choices.context));
+    check_order(choices.film);
+    LazyRenderer renderer(context_choice_of(choices.given));
     return for_each_scene(
         jobs_of(choices.scenes, output_of(choices.film), OutputKind::film, choices.sweeps),
         [&](const SceneJob& job) { return render(job, choices, renderer); });
@@ -79,43 +78,40 @@ CommandLine render_line() {
     RenderChoices& c = *choices;
     return {
         &c.scenes,
-        {output_option(c.film.output, "output file; default output/SCENE.mp4"),
-         {.flags = "--slides",
-          .takes = "FOLDER",
-          .help = "write a film, a PNG and a PDF for each stop (without stops: for each chapter), "
-                  "index.html, which lists them, and slides.json into this folder",
-          .value = ReadText{[&c](const std::string& text) {
-              c.film.slides = parse_text("--slides", text);
-          }},
-          .completes = "folder"},
-         set_option(c.scene),
-         sweep_option(c.sweeps),
-         size_option(c.scene),
-         fps_option(c.scene),
-         theme_option(c.scene),
-         quality_option(c.scene),
-         {.flags = "--frames",
-          .takes = "A-B",
-          .help = "draw only frames A to B, counted from 0",
-          .value = ReadText{[&c](const std::string& text) { c.film.frames = parse_frames(text); }}},
-         {.flags = "--part",
-          .takes = "K/N",
-          .help =
-              "draw only part K of N, K from 1, for poinsot join; #### in a film's name becomes K",
-          .value = ReadText{[&c](const std::string& text) { c.film.part = parse_part(text); }}},
-         {.flags = "--jobs",
-          .help = "number of processes that draw parts at the same time; the output is "
-                  "byte-identical; default: chosen for this machine, see check --plan",
-          .value = &c.film.n_jobs,
-          .wanted = "a number of processes"},
-         quiet_option(c.quiet),
-         backend_option(c.context),
-         portable_option(c.context),
-         {.flags = "--certify",
-          .help = "measure over all frames how well the motion fulfils Poinsot's construction",
-          .value = &c.film.certify},
-         allow_outside_option(c.scene.allow_outside)},
-        [choices] { return run(*choices); }};
+        joined(
+            {{output_option(c.film.output, "output file; default output/SCENE.mp4"),
+              {.flags = "--slides",
+               .takes = "FOLDER",
+               .help = "write a film, a PNG and a PDF for each stop (without stops: for each "
+                       "chapter), "
+                       "index.html, which lists them, and slides.json into this folder",
+               .value = ReadText{[&c](const std::string& text) {
+                   c.film.slides = parse_text("--slides", text);
+               }},
+               .completes = "folder"},
+              set_option(c.given),
+              sweep_option(c.sweeps)},
+             options_of(Verb::film | Verb::slides | Verb::page, c.given),
+             {{.flags = "--part",
+               .takes = "K/N",
+               .help = "draw only part K of N, K from 1, for poinsot join; #### in a film's name "
+                       "becomes K",
+               .value =
+                   ReadText{[&c](const std::string& text) { c.film.part = parse_part(text); }}},
+              {.flags = "--jobs",
+               .help = "number of processes that draw parts at the same time; the output is "
+                       "byte-identical; default: chosen for this machine, see check --plan",
+               .value = &c.film.n_jobs,
+               .wanted = "a number of processes"},
+              {.flags = "--certify",
+               .help = "measure over all frames how well the motion fulfils Poinsot's construction",
+               .value = &c.film.certify},
+              quiet_option(c.quiet),
+              allow_outside_option(c.given.allow_outside)}}),
+        [choices] {
+            choices->film.frames = choices->given.frames;
+            return run(*choices);
+        }};
 }
 
 }  // namespace

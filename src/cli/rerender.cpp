@@ -12,8 +12,7 @@ namespace {
 struct RerenderChoices {
     std::vector<std::string> files;
     std::string output;
-    BackendOptions context;
-    bool allow_outside = false;
+    GivenOptions given;
     bool quiet = false;
 };
 
@@ -23,8 +22,8 @@ int run(const RerenderChoices& choices) {
     ProgressBar bar(choices.quiet);
     redraw({.file = choices.files.at(0),
             .output = choices.output,
-            .backend = context_choice_of(choices.context).backend,
-            .outside = outside_files(choices.allow_outside)},
+            .backend = context_choice_of(choices.given).backend,
+            .outside = outside_files(choices.given.allow_outside)},
            bar.sink());
     return 0;
 }
@@ -33,8 +32,9 @@ CommandLine rerender_line() {
     const auto choices = std::make_shared<RerenderChoices>();
     RerenderChoices& c = *choices;
     return {&c.files,
-            {output_option(c.output), quiet_option(c.quiet), backend_option(c.context),
-             allow_outside_option(c.allow_outside)},
+            joined({{output_option(c.output)},
+                    options_of(Verb::rerender, c.given),
+                    {quiet_option(c.quiet), allow_outside_option(c.given.allow_outside)}}),
             [choices] { return run(*choices); }};
 }
 

@@ -31,7 +31,7 @@ namespace {
 struct SampleChoices {
     std::vector<std::string> scenes;
     std::vector<std::string> sweeps;
-    SceneOptions scene;
+    GivenOptions given;
     std::string times;       // as given; "-" is standard input
     std::string times_file;  // likewise
     std::vector<std::string> columns;
@@ -58,9 +58,9 @@ std::vector<double> instants_of(const SampleChoices& choices) {
 
 // The table of a scene with overridden keys.
 SampleTable table_of(const SampleChoices& choices, const std::string& scene,
-                     const std::vector<std::string>& overrides, const std::vector<double>& times_s,
+                     const std::vector<Override>& overrides, const std::vector<double>& times_s,
                      const ProgressSink& progress) {
-    SceneRequest request = scene_request_of(scene, choices.scene, overrides);
+    SceneRequest request = scene_request(scene, choices.given, overrides);
     request.times_s = times_s;
     request.draws = false;
     const Session session = open_session(request, progress);
@@ -169,7 +169,7 @@ CommandLine sample_line() {
     SampleChoices& c = *choices;
     return {
         &c.scenes,
-        {set_option(c.scene),
+        {set_option(c.given),
          sweep_option(c.sweeps),
          {.flags = "--times",
           .takes = "T,T,…",
@@ -202,7 +202,7 @@ CommandLine sample_line() {
               ReadText{[&c](const std::string& text) { c.output = parse_text("--output", text); }},
           .completes = "file"},
          quiet_option(c.quiet),
-         allow_outside_option(c.scene.allow_outside)},
+         allow_outside_option(c.given.allow_outside)},
         [choices] { return run(*choices); }};
 }
 

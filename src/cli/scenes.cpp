@@ -12,7 +12,6 @@
 #include "error/error.h"
 #include "output/frame_name.h"
 #include "production/stills/output_place.h"
-#include "scene/parse_scene.h"
 #include "system/files/file_kind.h"
 #include "system/files/program_files.h"
 #include "text/nearest.h"
@@ -47,7 +46,7 @@ std::string difference(const SceneJob& job, const SceneJob& other) {
     for (std::size_t i = 0; i < job.overrides.size(); ++i)
         if (job.overrides[i] != other.overrides[i])
             values +=
-                fmt::format("{}{}", values.empty() ? "" : ", ", assignment_of(job.overrides[i]));
+                fmt::format("{}{}", values.empty() ? "" : ", ", job.overrides[i].assignment());
     return values;
 }
 
@@ -77,10 +76,9 @@ void refuse_one_name(const std::vector<SceneJob>& jobs, OutputKind kind) {
 // A message without the parts that vary between runs of a sweep: the swept values, and every
 // number.
 std::string reason_of(const SceneJob& job, std::string message) {
-    for (const std::string& given : job.overrides)
-        for (std::size_t at = 0;
-             (at = message.find(assignment_of(given), at)) != std::string::npos;)
-            message.erase(at, assignment_of(given).size());
+    for (const Override& given : job.overrides)
+        for (std::size_t at = 0; (at = message.find(given.assignment(), at)) != std::string::npos;)
+            message.erase(at, given.assignment().size());
     std::string reason;
     for (const char c : message)
         if ((c < '0' || c > '9') && c != '.' && c != '-') reason += c;
@@ -180,7 +178,7 @@ int Refusals::code_of(const SceneJob& job, const std::function<int()>& run) {
             say(printable(error.what()));
         else
             likewise_.push_back(
-                difference(job, {job.scene, "", std::vector<std::string>(job.overrides.size())}));
+                difference(job, {job.scene, "", std::vector<Override>(job.overrides.size())}));
         return 2;
     }
 }

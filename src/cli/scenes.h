@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "scene/override.h"
+
 namespace poinsot {
 
 // Returns the scenes supplied with the program, next to an installed program or in the source
@@ -20,8 +22,8 @@ std::string scene_file(const std::string& given);
 
 struct SceneJob {
     std::string scene;
-    std::string output;                  // empty: named after the scene
-    std::vector<std::string> overrides;  // see load_scene; applied after those of the command line
+    std::string output;               // empty: named after the scene
+    std::vector<Override> overrides;  // applied after those of the command line
 };
 
 // The output of a command. In the name of a film made of pictures, and of pictures of one scene,

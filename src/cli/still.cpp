@@ -36,14 +36,7 @@ struct StillChoices {
     std::vector<std::string> scenes;
     std::string output;
     std::vector<std::string> sweeps;
-    SceneOptions scene;
-    BackendOptions context;
-    PrintChoices print;
-    int bit_depth = 8;
-    VectorChoices vectors;
-    std::optional<double> time_s;
-    bool keeps_text = false;                   // --keep-text
-    bool clearest = false;                     // --time auto
+    GivenOptions given;
     bool chapters = false;                     // --chapters
     std::optional<std::pair<int, int>> sheet;  // columns, rows
     bool quiet = false;
@@ -51,7 +44,7 @@ struct StillChoices {
 
 // Renders all scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
-    const PrintChoices& print = choices.print;
+    const PrintChoices& print = choices.given.print;
     struct Unfit {
         const char* option;
         bool is_given;
@@ -60,14 +53,14 @@ int draw_sheet_of(const StillChoices& choices) {
     const char* const paper = "for paper";
     const char* const alone = "for single pictures";
     const bool is_png = !is_vector_name(choices.output);
-    const VectorChoices& vectors = choices.vectors;
+    const VectorChoices& vectors = choices.given.vectors;
     const Unfit unfit[] = {
         {"--journal", !print.journal.empty(), is_png ? paper : alone},
         {"--width-mm", is_png && print.width_mm.has_value(), paper},
         {"--height-mm", print.height_mm.has_value(), is_png ? paper : alone},
         {"--dpi", is_png && print.dpi.has_value(), paper},
         {"--type-pt", is_png && print.type_pt.has_value(), paper},
-        {"--depth", choices.bit_depth != 8, alone},
+        {"--depth", choices.given.depth != 8, alone},
         {"--shading", is_png && vectors.shading != VectorChoices().shading, alone},
         {"--text", is_png && vectors.text != VectorChoices().text, alone}};
     for (const Unfit& one : unfit) {
@@ -85,16 +78,16 @@ int draw_sheet_of(const StillChoices& choices) {
     sheet.vectors = vectors;
     std::tie(sheet.n_columns, sheet.n_rows) = *choices.sheet;
     sheet.output = choices.output;
-    sheet.time_s = choices.time_s;
-    if (choices.clearest) sheet.when = StillTime::clearest;
+    sheet.time_s = choices.given.time_s;
+    if (choices.given.clearest) sheet.when = StillTime::clearest;
     for (const std::string& scene : choices.scenes) {
         for (const SweepPoint& point : points_of(choices.sweeps)) {
             SheetCell& cell = sheet.cells.emplace_back();
-            cell.scene = scene_request_of(scene, choices.scene, overrides_of(point));
+            cell.scene = scene_request(scene, choices.given, overrides_of(point));
             // Its values stand below each picture; the scene's title and caption are those of one.
             if (!is_given(cell.scene.overrides, "overlays"))
-                cell.scene.overrides.emplace_back("--sheet overlays=false");
-            if (choices.time_s) cell.scene.times_s = {*choices.time_s};
+                cell.scene.overrides.push_back({"overlays", "false", "--sheet"});
+            if (choices.given.time_s) cell.scene.times_s = {*choices.given.time_s};
             cell.caption = formula_of(point);
             cell.values = caption_of(point);
             if (choices.scenes.size() > 1 || point.empty()) {
@@ -106,18 +99,15 @@ int draw_sheet_of(const StillChoices& choices) {
         }
     }
     ProgressBar bar(choices.quiet);
-    LazyRenderer renderer(context_choice_of(choices.context));
+    LazyRenderer renderer(context_choice_of(choices.given));
     draw_sheet(sheet, renderer, bar.sink());
     return 0;
 }
 
 StillOrder order_of(const SceneJob& job, const StillChoices& choices,
                     const ProgressSink& progress) {
-    return still_order(
-        scene_request_of(job.scene, choices.scene, job.overrides),
-        {job.output, choices.time_s, choices.print, choices.bit_depth, choices.vectors,
-         choices.clearest ? StillTime::clearest : StillTime::of_scene},
-        choices.keeps_text, progress);
+    return still_order(scene_request(job.scene, choices.given, job.overrides), choices.given,
+                       job.output, progress);
 }
 
 std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
@@ -163,7 +153,8 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
 
 void check_chapters(const StillChoices& choices) {
     const std::pair<bool, std::string_view> options[] = {
-        {choices.time_s || choices.clearest, "--time"}, {choices.sheet.has_value(), "--sheet"}};
+        {choices.given.time_s || choices.given.clearest, "--time"},
+        {choices.sheet.has_value(), "--sheet"}};
     for (const auto& [is_given, option] : options)
         if (is_given)
             throw InputError(fmt::format(
@@ -181,7 +172,7 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Laz
     // Opened before another thread starts, because it changes environment variables that libraries
     // read.
     const auto opens_context = [&choices](const SceneJob& job) {
-        return !is_vector_name(job.output) || choices.vectors.shading == "picture";
+        return !is_vector_name(job.output) || choices.given.vectors.shading == "picture";
     };
     if (std::any_of(jobs.begin(), jobs.end(), opens_context)) renderer.context();
     int worst = 0;
@@ -209,9 +200,6 @@ void draw_alone(const SceneJob& job, const StillChoices& choices, LazyRenderer& 
 }
 
 int run(const StillChoices& choices) {
-    if (choices.keeps_text && choices.print.journal.empty())
-        throw InputError(
-            "--keep-text: only --journal leaves text out; add --journal, or leave it out");
     if (choices.chapters) check_chapters(choices);
     if (choices.sheet) return draw_sheet_of(choices);
     const std::vector<SceneJob> jobs =
@@ -220,7 +208,7 @@ int run(const StillChoices& choices) {
     ProgressBar bar(choices.quiet);
     const ProgressSink progress = bar.sink();
     StillWriter writer;
-    std::optional<LazyRenderer> renderer(context_choice_of(choices.context));
+    std::optional<LazyRenderer> renderer(context_choice_of(choices.given));
     int code = 0;
     if (choices.chapters)
         code = for_each_scene(jobs, [&](const SceneJob& job) {
@@ -240,77 +228,27 @@ CommandLine still_line() {
     StillChoices& c = *choices;
     return {
         &c.scenes,
-        {output_option(c.output,
-                       "output file; .pdf and .svg give vectors; default output/SCENE.png"),
-         set_option(c.scene),
-         sweep_option(c.sweeps),
-         size_option(c.scene),
-         {.flags = "--width-mm",
-          .help = "width on paper in millimetres",
-          .value = &c.print.width_mm,
-          .wanted = "millimetres"},
-         {.flags = "--height-mm",
-          .help = "height on paper in millimetres; default: the scene's shape",
-          .value = &c.print.height_mm,
-          .wanted = "millimetres"},
-         {.flags = "--dpi",
-          .help = "dots per inch on paper; default 300",
-          .value = &c.print.dpi,
-          .wanted = "dots per inch"},
-         {.flags = "--type-pt",
-          .help = "size of labels on paper in points; default 8.5; line widths scale with it",
-          .value = &c.print.type_pt,
-          .wanted = "points"},
-         {.flags = "--journal",
-          .takes = "NAME",
-          .help = "width, type and line sizes of the journal's author pages, theme print, letters "
-                  "(a), (b), … on panels, and no title, captions and clock; reports the figure's "
-                  "sizes and contrasts",
-          .value = &c.print.journal,
-          .completes = "journals"},
-         {.flags = "--keep-text",
-          .help = "with --journal: draw title, captions and clock, too",
-          .value = &c.keeps_text},
-         {.flags = "--shading",
-          .takes = "tone|none|picture",
-          .help = "how vector figures fill surfaces: tone (shaded by the light, the default), none "
-                  "(lines only) or picture (pixels at 600 dpi within the exact outlines)",
-          .value = &c.vectors.shading,
-          .completes = "tone|none|picture"},
-         {.flags = "--text",
-          .takes = "font|paths|latex",
-          .help = "text in vector figures: font (real text, the default), paths, or latex (your "
-                  "own LaTeX sets it, from a .tex file beside the figure)",
-          .value = &c.vectors.text,
-          .completes = "font|paths|latex"},
-         {.flags = "--depth",
-          .help = "bits per colour component: 8 or 16",
-          .value = &c.bit_depth,
-          .wanted = "8 or 16"},
-         {.flags = "--sheet",
-          .takes = "CxR",
-          .help = "draw all pictures on one sheet of C columns and R rows, each with its values",
-          .value = ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
-         {.flags = "--chapters",
-          .help = "draw a picture at each stop of the scene, or without stops at the end of each "
-                  "chapter; #### in the output becomes the picture's number, from 1",
-          .value = &c.chapters},
-         quality_option(c.scene),
-         theme_option(c.scene),
-         {.flags = "--time",
-          .takes = "T|auto",
-          .help = "instant of the motion in seconds, or auto, the instant of the film at which the "
-                  "arrows are farthest apart; default: film.still_s of the scene, else auto (on a "
-                  "sheet: the film's last instant)",
-          .value = ReadText{[&c](const std::string& text) {
-              c.clearest = text == "auto";
-              if (!c.clearest)
-                  c.time_s = parse_number("--time", text, "an instant in seconds, or auto");
-          }}},
-         quiet_option(c.quiet),
-         backend_option(c.context),
-         portable_option(c.context),
-         allow_outside_option(c.scene.allow_outside)},
+        joined(
+            {{output_option(c.output,
+                            "output file; .pdf and .svg give vectors; default output/SCENE.png"),
+              set_option(c.given), sweep_option(c.sweeps)},
+             options_of(Verb::still | Verb::figure, c.given),
+             {{.flags = "--depth",
+               .help = "bits per colour component: 8 or 16",
+               .value = &c.given.depth,
+               .wanted = "8 or 16"},
+              {.flags = "--sheet",
+               .takes = "CxR",
+               .help =
+                   "draw all pictures on one sheet of C columns and R rows, each with its values",
+               .value = ReadText{[&c](const std::string& text) { c.sheet = parse_sheet(text); }}},
+              {.flags = "--chapters",
+               .help =
+                   "draw a picture at each stop of the scene, or without stops at the end of each "
+                   "chapter; #### in the output becomes the picture's number, from 1",
+               .value = &c.chapters},
+              quiet_option(c.quiet),
+              allow_outside_option(c.given.allow_outside)}}),
         [choices] { return run(*choices); }};
 }
 

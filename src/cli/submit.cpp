@@ -23,6 +23,7 @@
 #include "production/films/film_job.h"
 #include "production/records/record.h"
 #include "system/run_program.h"
+#include "system/suffix.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -33,9 +34,7 @@ struct SubmitChoices {
     std::vector<std::string> scenes;
     std::string output;
     std::vector<std::string> sweeps;
-    SceneOptions scene;
-    BackendOptions context;
-    std::optional<std::pair<std::int64_t, std::int64_t>> frames;  // inclusive
+    GivenOptions given;
     int n_parts = 0;
     std::vector<std::string> slurm;
     bool native = false, dry_run = false, quiet = false;
@@ -46,32 +45,30 @@ void check(const SubmitChoices& choices) {
         throw InputError("poinsot submit: no output; name the film with -o FILE");
     if (choices.n_parts < 1)
         throw InputError("poinsot submit: no number of parts; give it with --parts N, from 1");
-    context_choice_of(choices.context);
+    context_choice_of(choices.given);
 }
 
 // The --set of an override in a task, which runs in another folder: the path of a theme file in the
 // current folder is made absolute.
-std::string for_a_task(const std::string& override_text) {
-    constexpr std::string_view theme = "theme=";
-    std::string given(assignment_of(override_text));
-    if (!given.starts_with(theme) || !given.ends_with(".toml")) return given;
+std::string for_a_task(Override given) {
     std::error_code failed;
-    const std::filesystem::path file = given.substr(theme.size());
-    if (!std::filesystem::exists(file, failed)) return given;
-    return fmt::format("{}{}", theme, std::filesystem::absolute(file).string());
+    const std::filesystem::path file = given.value;
+    if (given.key == "theme" && suffix_of(file) == ".toml" && std::filesystem::exists(file, failed))
+        given.value = std::filesystem::absolute(file).string();
+    return given.assignment();
 }
 
 // The options of every render command of the submission.
 std::vector<std::string> render_options(const SubmitChoices& choices) {
     std::vector<std::string> options;
     if (!choices.native) options.emplace_back("--portable");
-    if (choices.context.backend != "auto")
-        options.insert(options.end(), {"--backend", choices.context.backend});
-    if (choices.scene.allow_outside) options.emplace_back("--allow-outside");
-    if (choices.frames)
-        options.insert(options.end(), {"--frames", fmt::format("{}-{}", choices.frames->first,
-                                                               choices.frames->second)});
-    for (const std::string& given : choices.scene.overrides)
+    if (choices.given.backend != "auto")
+        options.insert(options.end(), {"--backend", choices.given.backend});
+    if (choices.given.allow_outside) options.emplace_back("--allow-outside");
+    if (choices.given.frames)
+        options.insert(options.end(), {"--frames", fmt::format("{}-{}", choices.given.frames->first,
+                                                               choices.given.frames->second)});
+    for (const Override& given : choices.given.overrides)
         options.insert(options.end(), {"--set", for_a_task(given)});
     return options;
 }
@@ -82,14 +79,14 @@ std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const ProgressS
     for (const SceneJob& job :
          jobs_of(choices.scenes, choices.output, OutputKind::film, choices.sweeps)) {
         const Session session =
-            open_session(scene_request_of(job.scene, choices.scene, job.overrides), progress);
+            open_session(scene_request(job.scene, choices.given, job.overrides), progress);
         FilmToSubmit& film = films.emplace_back();
         film.scene = scene_file(job.scene);
         film.scene_hash = scene_hash_of(session.scene);
-        for (const std::string& given : job.overrides)
+        for (const Override& given : job.overrides)
             film.options.insert(film.options.end(), {"--set", for_a_task(given)});
         film.output = job.output;
-        film.n_frames = FilmJob(session, {job.output, choices.frames}).n_frames();
+        film.n_frames = FilmJob(session, {job.output, choices.given.frames}).n_frames();
         const std::filesystem::path folder = film.output.parent_path();
         if (!folder.empty() && !std::filesystem::is_directory(folder))
             throw EnvironmentError(fmt::format("{}: there is no folder {}; make it first",
@@ -136,37 +133,29 @@ int run(const SubmitChoices& choices) {
 CommandLine submit_line() {
     const auto choices = std::make_shared<SubmitChoices>();
     SubmitChoices& c = *choices;
-    return {&c.scenes,
-            {output_option(c.output),
-             {.flags = "--parts",
-              .takes = "N",
-              .help = "number of parts of each film",
-              .value = &c.n_parts,
-              .wanted = "a number of parts"},
-             {.flags = "--slurm",
-              .takes = "OPTIONS",
-              .help = "options for sbatch, as \"--partition=short --time=10\"; repeatable",
-              .value = Repeated{&c.slurm}},
-             {.flags = "--dry-run",
-              .help = "write the folder with the scripts, but submit nothing",
-              .value = &c.dry_run},
-             {.flags = "--native",
-              .help = "draw without --portable: faster, but the bytes depend on the processor",
-              .value = &c.native},
-             set_option(c.scene),
-             sweep_option(c.sweeps),
-             size_option(c.scene),
-             fps_option(c.scene),
-             theme_option(c.scene),
-             quality_option(c.scene),
-             {.flags = "--frames",
-              .takes = "A-B",
-              .help = "draw only frames A to B, counted from 0",
-              .value = ReadText{[&c](const std::string& text) { c.frames = parse_frames(text); }}},
-             backend_option(c.context),
-             quiet_option(c.quiet),
-             allow_outside_option(c.scene.allow_outside)},
-            [choices] { return run(*choices); }};
+    return {
+        &c.scenes,
+        joined({{output_option(c.output),
+                 {.flags = "--parts",
+                  .takes = "N",
+                  .help = "number of parts of each film",
+                  .value = &c.n_parts,
+                  .wanted = "a number of parts"},
+                 {.flags = "--slurm",
+                  .takes = "OPTIONS",
+                  .help = "options for sbatch, as \"--partition=short --time=10\"; repeatable",
+                  .value = Repeated{&c.slurm}},
+                 {.flags = "--dry-run",
+                  .help = "write the folder with the scripts, but submit nothing",
+                  .value = &c.dry_run},
+                 {.flags = "--native",
+                  .help = "draw without --portable: faster, but the bytes depend on the processor",
+                  .value = &c.native},
+                 set_option(c.given),
+                 sweep_option(c.sweeps)},
+                options_of(Verb::submit, c.given),
+                {quiet_option(c.quiet), allow_outside_option(c.given.allow_outside)}}),
+        [choices] { return run(*choices); }};
 }
 
 }  // namespace

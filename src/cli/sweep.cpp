@@ -169,10 +169,9 @@ std::vector<SweepPoint> points_of(const std::vector<std::string>& sweeps) {
     return points;
 }
 
-std::vector<std::string> overrides_of(const SweepPoint& point) {
-    std::vector<std::string> overrides;
-    for (const auto& [key, value] : point)
-        overrides.push_back(fmt::format("--sweep {}={}", key, value));
+std::vector<Override> overrides_of(const SweepPoint& point) {
+    std::vector<Override> overrides;
+    for (const auto& [key, value] : point) overrides.push_back({key, value, "--sweep"});
     return overrides;
 }
 

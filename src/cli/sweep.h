@@ -8,6 +8,7 @@
 
 #include "cli/option.h"
 #include "cli/scenes.h"
+#include "scene/override.h"
 
 namespace poinsot {
 
@@ -29,8 +30,8 @@ Sweep parse_sweep(std::string_view text);
 using SweepPoint = std::vector<std::pair<std::string, std::string>>;
 std::vector<SweepPoint> points_of(const std::vector<std::string>& sweeps);
 
-// Returns the point as arguments of --set: "start.omega_rad_s[1]=2".
-std::vector<std::string> overrides_of(const SweepPoint& point);
+// Returns the values of a point, for a scene.
+std::vector<Override> overrides_of(const SweepPoint& point);
 
 // "start.omega_rad_s[1] = 2, fps = 30"
 std::string in_words(const SweepPoint& point);

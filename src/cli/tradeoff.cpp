@@ -21,8 +21,7 @@ namespace fs = std::filesystem;
 struct TradeoffChoices {
     std::vector<std::string> scenes;
     std::string output;
-    SceneOptions scene;
-    BackendOptions context;
+    GivenOptions given;
     bool all = false, json = false, quiet = false;
 };
 
@@ -30,9 +29,9 @@ int run(const TradeoffChoices& choices) {
     ProgressBar bar(choices.quiet);
     const ProgressSink progress = bar.sink();
     const Session session =
-        open_session(scene_request_of(choices.scenes.at(0), choices.scene), progress);
+        open_session(scene_request(choices.scenes.at(0), choices.given), progress);
     tell_notes(session, progress);
-    const ContextChoice context = context_choice_of(choices.context);
+    const ContextChoice context = context_choice_of(choices.given);
     const Tradeoff t = trade(session, context);
 
     std::string prefix = with_scene_name(choices.output, session.scene.name).string();
@@ -60,17 +59,16 @@ int run(const TradeoffChoices& choices) {
 CommandLine tradeoff_line() {
     const auto choices = std::make_shared<TradeoffChoices>();
     TradeoffChoices& c = *choices;
-    return {
-        &c.scenes,
-        {output_option(c.output),
-         set_option(c.scene),
-         size_option(c.scene),
-         json_option(c.json),
-         quiet_option(c.quiet),
-         {.flags = "--all", .help = "print every row, not only the Pareto front", .value = &c.all},
-         backend_option(c.context),
-         allow_outside_option(c.scene.allow_outside)},
-        [choices] { return run(*choices); }};
+    return {&c.scenes,
+            joined({{output_option(c.output), set_option(c.given)},
+                    options_of(Verb::tradeoff, c.given),
+                    {json_option(c.json),
+                     quiet_option(c.quiet),
+                     {.flags = "--all",
+                      .help = "print every row, not only the Pareto front",
+                      .value = &c.all},
+                     allow_outside_option(c.given.allow_outside)}}),
+            [choices] { return run(*choices); }};
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ Scene scene_of_page(const LectureFiles& files) {
                             named.key, printable(named.name)));
         return FileBytes{named.name, found->second};
     };
-    return parse_scene(files.text, files.name, files.overrides, bytes_of);
+    return parse_scene(files.text, files.name, overrides_of(files.overrides), bytes_of);
 }
 
 Session session_of_page(const Scene& scene, FontSource fonts) {

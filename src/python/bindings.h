@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "system/interrupt.h"
+#include "work/options.h"
 
 namespace poinsot::python {
 
@@ -31,6 +32,11 @@ void add_fit(py::module_& module);
 void check_rows(const Doubles& times, const std::optional<Doubles>& omega,
                 const std::optional<Doubles>& attitude);
 void add_comparison(py::module_& module);
+void add_options(py::module_& module);
+// The options that are neither missing nor None. Throws InputError for a value of another type.
+GivenOptions given_options(const py::dict& options);
+// A message with the names of keywords in place of the command line's options.
+std::string in_keywords(std::string text);
 
 // A contiguous array that owns the values.
 template <typename Value>

@@ -16,12 +16,13 @@ void raise(const char* name, const Arguments&... arguments) {
 
 // With the place of the mistake: file, line and column; the numbers are None for an option.
 void raise_input_error(const InputError& error) {
-    if (!error.place()) return raise("InputError", error.what());
+    const std::string message = in_keywords(error.what());
+    if (!error.place()) return raise("InputError", message);
     const InputPlace& place = *error.place();
     const auto number = [](int value) {
         return value > 0 ? py::object(py::int_(value)) : py::object(py::none());
     };
-    raise("InputError", error.what(), place.file, number(place.line), number(place.column));
+    raise("InputError", message, in_keywords(place.file), number(place.line), number(place.column));
 }
 
 }  // namespace

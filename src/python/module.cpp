@@ -125,6 +125,7 @@ PYBIND11_MODULE(_poinsot, module) {
     add_scene(module);
     add_fit(module);
     add_comparison(module);
+    add_options(module);
     pthread_atfork(nullptr, nullptr, forget_other_threads);
     // Before the interpreter unloads libraries in an order of its own.
     py::module_::import("atexit").attr("register")(py::cpp_function(end_calls));

@@ -3,6 +3,7 @@
 #include <memory>
 #include <string>
 
+#include "library/production/scene_access.h"
 #include "python/bindings.h"
 
 namespace poinsot::python {
@@ -10,16 +11,7 @@ namespace poinsot::python {
 namespace {
 
 using library::Scene;
-
-library::PaperOptions paper_of(const py::dict& options) {
-    library::PaperOptions paper;
-    paper.width_mm = option<double>(options, "width_mm");
-    paper.height_mm = option<double>(options, "height_mm");
-    paper.dpi = option<double>(options, "dpi");
-    paper.type_pt = option<double>(options, "type_pt");
-    paper.journal = option<std::string>(options, "journal").value_or("");
-    return paper;
-}
+using library::SceneAccess;
 
 // The pixels share the memory of the still.
 py::array pixels_of(const library::Still& still) {
@@ -92,44 +84,44 @@ struct Told {
     }
 };
 
-py::tuple still(const Scene& scene, std::optional<double> time_s, bool clearest,
-                const py::dict& paper, const std::string& backend, bool portable) {
-    const library::StillOptions options{time_s, clearest, paper_of(paper), {backend, portable}};
+py::tuple still(const Scene& scene, const py::dict& options) {
+    const GivenOptions given = given_options(options);
     std::optional<library::Still> made;
     Told told;
     InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
-        made = scene.still(options, told.listening(watch));
+        made = SceneAccess::still(scene, given, told.listening(watch));
     });
     return py::make_tuple(*made, told.notes, told.report);
 }
 
-py::tuple figure(const Scene& scene, const std::string& format, std::optional<double> time_s,
-                 bool clearest, const py::dict& paper, const std::string& shading,
-                 const std::string& text, const std::string& backend, bool portable) {
-    const library::FigureOptions options{
-        time_s, clearest, paper_of(paper), {backend, portable}, format, shading, text};
+py::tuple figure(const Scene& scene, const std::string& format, const py::dict& options) {
+    const GivenOptions given = given_options(options);
     std::string bytes;
     Told told;
     InterruptibleCall(py::none(), py::none()).run([&](const library::Watch& watch) {
-        bytes = scene.figure(options, told.listening(watch));
+        bytes = SceneAccess::figure(scene, given, format, told.listening(watch));
     });
     return py::make_tuple(py::bytes(bytes), told.notes, told.report);
 }
 
-void render(const Scene& scene, const std::string& path,
-            std::optional<std::pair<std::int64_t, std::int64_t>> frames, const std::string& backend,
-            bool portable, const py::object& say, const py::object& progress) {
-    const library::RenderOptions options{frames, {backend, portable}};
+void make(const Scene& scene, const FilmOrder& order, const py::dict& options,
+          const py::object& say, const py::object& progress) {
+    const GivenOptions given = given_options(options);
     InterruptibleCall(say, progress).run([&](const library::Watch& watch) {
-        scene.render(path, options, watch);
+        SceneAccess::film(scene, order, given, watch);
     });
 }
 
-void slides(const Scene& scene, const std::string& folder, const std::string& backend,
-            bool portable, const py::object& say, const py::object& progress) {
-    InterruptibleCall(say, progress).run([&](const library::Watch& watch) {
-        scene.slides(folder, {backend, portable}, watch);
-    });
+void render(const Scene& scene, const std::string& path, const py::dict& options,
+            const py::object& say, const py::object& progress) {
+    if (path.empty()) throw InputError("the output has no name; give one, as film.mp4");
+    make(scene, {.output = path}, options, say, progress);
+}
+
+void slides(const Scene& scene, const std::string& folder, const py::dict& options,
+            const py::object& say, const py::object& progress) {
+    if (folder.empty()) throw InputError("the folder of the slides has no name; give one");
+    make(scene, {.slides = folder}, options, say, progress);
 }
 
 }  // namespace
@@ -158,12 +150,10 @@ void add_scene(py::module_& module) {
         .def("check_json", check_json)
         .def("sample", sample, "times_s"_a, "columns"_a)
         .def("departure", departure, "times_s"_a, "omega"_a, "attitude"_a)
-        .def("still", still, "time_s"_a, "clearest"_a, "paper"_a, "backend"_a, "portable"_a)
-        .def("figure", figure, "format"_a, "time_s"_a, "clearest"_a, "paper"_a, "shading"_a,
-             "text"_a, "backend"_a, "portable"_a)
-        .def("render", render, "path"_a, "frames"_a, "backend"_a, "portable"_a, "say"_a,
-             "progress"_a)
-        .def("slides", slides, "folder"_a, "backend"_a, "portable"_a, "say"_a, "progress"_a);
+        .def("still", still, "options"_a)
+        .def("figure", figure, "format"_a, "options"_a)
+        .def("render", render, "path"_a, "options"_a, "say"_a, "progress"_a)
+        .def("slides", slides, "folder"_a, "options"_a, "say"_a, "progress"_a);
 }
 
 }  // namespace poinsot::python

@@ -6,7 +6,7 @@
 
 #include "error/error.h"
 #include "scene/scene_error.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "text/nearest.h"

@@ -5,7 +5,7 @@
 #include "scene/draft_checks.h"
 #include "scene/given_value.h"
 #include "scene/scene_key_rows.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "text/printable.h"
 
 namespace poinsot {

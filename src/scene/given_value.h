@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "scene/scene_keys.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 
 namespace poinsot {
 

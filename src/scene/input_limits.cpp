@@ -5,7 +5,7 @@
 #include <cstdint>
 
 #include "scene/scene_error.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "text/utf8.h"
 
 namespace poinsot {

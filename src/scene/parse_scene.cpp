@@ -10,20 +10,13 @@
 #include "scene/scene_draft.h"
 #include "scene/scene_error.h"
 #include "scene/scene_keys.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "text/label_text.h"
 #include "text/printable.h"
 
 namespace poinsot {
 
 namespace {
-
-// A --set, split at its first "=".
-struct Override {
-    std::string key;  // as typed: "body.masses[0].mass_kg"
-    SourceLocation where;
-    TomlValue value;
-};
 
 // Sets the location of every part of an override's value to the command line.
 void locate(TomlValue& value, const SourceLocation& where) {
@@ -35,25 +28,9 @@ void locate(TomlValue& value, const SourceLocation& where) {
     }
 }
 
-// The override as it was typed: "--set film.fps=30", "--fps 30".
-std::string as_typed(std::string_view given) {
-    const std::string_view text = assignment_of(given);
-    if (text.size() == given.size()) return fmt::format("--set {}", text);
-    const std::string_view option = given.substr(0, given.find(' '));
-    const bool has_key = option == "--set" || option == "--sweep";
-    return fmt::format("{} {}", option, has_key ? text : text.substr(text.find('=') + 1));
-}
-
-Override parse_override(const std::string& given) {
-    const SourceLocation where{as_typed(given), 0, 0};
-    const std::string text(assignment_of(given));
-    const std::size_t equals = text.find('=');
-    if (equals == std::string::npos) {
-        throw SceneError(where, "no \"=\"; write --set key=value");
-    }
-    std::string key = text.substr(0, equals);
-    key.erase(key.find_last_not_of(" \t") + 1);
-    key.erase(0, key.find_first_not_of(" \t"));
+// The value of an override, as its key needs it.
+TomlValue value_of(const Override& given, const SourceLocation& where) {
+    const std::string& key = given.key;
     const std::string path = path_of_assignment(key);
     const SceneKey* row = find_scene_key(path);
     if (row == nullptr && find_scene_array(path) == nullptr) {
@@ -65,18 +42,17 @@ Override parse_override(const std::string& given) {
                                                   scene_key_remedy(path, false)));
     }
 
-    const std::string_view written = std::string_view(text).substr(equals + 1);
-    TomlValue value = parse_override_value(written, where);
+    TomlValue value = parse_override_value(given.value, where);
     const bool may_be_text = row != nullptr && row->type.may_be_text();
     const bool is_boolean =
         row != nullptr && row->type.or_boolean && value.type == TomlValue::Type::boolean;
     if (may_be_text && !is_boolean && value.type != TomlValue::Type::array) {
         // A string value needs no quotes on the command line: title=2024.
-        value.text = value.type == TomlValue::Type::text ? value.text : std::string(written);
+        value.text = value.type == TomlValue::Type::text ? value.text : given.value;
         value.type = TomlValue::Type::text;
     }
     locate(value, where);
-    return {std::move(key), where, std::move(value)};
+    return value;
 }
 
 // The entry of a table, created if missing.
@@ -110,8 +86,9 @@ TomlValue& item_of(TomlValue& array, std::string_view part, const SourceLocation
     return *item;
 }
 
-void apply_override(TomlValue& root, const std::string& text) {
-    Override given = parse_override(text);
+void apply_override(TomlValue& root, const Override& given) {
+    const SourceLocation where{given.as_typed(), 0, 0};
+    TomlValue given_value = value_of(given, where);
     TomlValue* table = &root;
     std::string_view rest = given.key;
     while (true) {
@@ -123,25 +100,25 @@ void apply_override(TomlValue& root, const std::string& text) {
                                       find_scene_key(path.substr(0, path.size() - 1)) != nullptr &&
                                       is_scene_table(path.substr(0, path.size() - 1));
         if (stands_for_table && !table->boolean)
-            throw SceneError(given.where, fmt::format("{} = false leaves nothing to set here; set "
-                                                      "{} to true, or leave this key out",
-                                                      path.substr(0, path.size() - 1),
-                                                      path.substr(0, path.size() - 1)));
+            throw SceneError(where, fmt::format("{} = false leaves nothing to set here; set "
+                                                "{} to true, or leave this key out",
+                                                path.substr(0, path.size() - 1),
+                                                path.substr(0, path.size() - 1)));
         if (stands_for_table) table->type = TomlValue::Type::table;
         if (table->type != TomlValue::Type::table) return;
         const std::size_t dot = rest.find('.');
         const std::string_view part = rest.substr(0, dot);
         const std::size_t bracket = part.find('[');
-        TomlEntry& entry = entry_of(*table, part.substr(0, bracket), given.where);
+        TomlEntry& entry = entry_of(*table, part.substr(0, bracket), where);
         if (dot == std::string_view::npos) {
-            TomlValue& value = item_of(entry.value, part, given.where);
+            TomlValue& value = item_of(entry.value, part, where);
             // [labels] says that there are labels: labels = true changes nothing.
             const bool is_said = value.type == TomlValue::Type::table &&
-                                 given.value.type == TomlValue::Type::boolean &&
-                                 given.value.boolean && is_scene_table(given.key);
+                                 given_value.type == TomlValue::Type::boolean &&
+                                 given_value.boolean && is_scene_table(given.key);
             if (is_said) return;
-            entry.where = given.where;
-            value = std::move(given.value);
+            entry.where = where;
+            value = std::move(given_value);
             return;
         }
         table = &entry.value;
@@ -149,7 +126,7 @@ void apply_override(TomlValue& root, const std::string& text) {
         if (bracket == std::string_view::npos) continue;
 
         // One item of an array of tables, which must exist in the file.
-        table = &item_of(entry.value, part, given.where);
+        table = &item_of(entry.value, part, where);
     }
 }
 
@@ -235,30 +212,14 @@ FileBytes no_scene_file(const NamedFile& file) {
                                  printable(file.name)));
 }
 
-bool is_given(std::span<const std::string> overrides, std::string_view key) {
-    return std::any_of(overrides.begin(), overrides.end(), [key](const std::string& given) {
-        const std::string_view text = assignment_of(given);
-        const std::string_view name = text.substr(0, text.find('='));
-        const std::size_t first = name.find_first_not_of(" \t");
-        const std::size_t last = name.find_last_not_of(" \t");
-        return first != std::string_view::npos && name.substr(first, last - first + 1) == key;
-    });
-}
-
-std::string_view assignment_of(std::string_view override_text) {
-    const bool has_option = override_text.starts_with("--");
-    const std::size_t space = has_option ? override_text.find(' ') : std::string_view::npos;
-    return space == std::string_view::npos ? override_text : override_text.substr(space + 1);
-}
-
 Scene parse_scene(std::string_view text, const std::string& file_name,
-                  std::span<const std::string> overrides, const SceneFiles& files) {
+                  std::span<const Override> overrides, const SceneFiles& files) {
     if (text.find_first_not_of(" \t\r\n") == std::string_view::npos) {
         throw SceneError({file_name, 1, 1},
                          "the file is empty; a scene needs at least [body] and [start]");
     }
     TomlValue root = parse_toml(text, file_name);
-    for (const std::string& text_of_override : overrides) apply_override(root, text_of_override);
+    for (const Override& given : overrides) apply_override(root, given);
 
     SceneDraft draft;
     draft.files = files;

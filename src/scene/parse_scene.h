@@ -9,6 +9,7 @@
 #include <string>
 #include <string_view>
 
+#include "scene/override.h"
 #include "scene/scene.h"
 
 namespace poinsot {
@@ -39,19 +40,11 @@ using SceneFiles = std::function<FileBytes(const NamedFile& file)>;
 // For a scene without files: throws InputError.
 FileBytes no_scene_file(const NamedFile& file);
 
-// Returns the "key=value" of an override. An override is the "key=value" of --set; if another
-// option stands for it, the override begins with that option, for messages: "--size
-// film.size=640x360".
-std::string_view assignment_of(std::string_view override_text);
-
-// Whether one of the overrides gives this key a value.
-bool is_given(std::span<const std::string> overrides, std::string_view key);
-
 // Reads a scene from text; `file_name` is used in messages, for the scene's name and for its
 // folder. The overrides replace values of the text, in order; a value that is not TOML is taken as
-// a string. `files` gives the bytes of the files that the scene names. Throws SceneError.
+// a text. `files` gives the bytes of the files that the scene names. Throws SceneError.
 Scene parse_scene(std::string_view text, const std::string& file_name,
-                  std::span<const std::string> overrides = {},
+                  std::span<const Override> overrides = {},
                   const SceneFiles& files = no_scene_file);
 
 }  // namespace poinsot

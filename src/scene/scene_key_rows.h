@@ -16,7 +16,7 @@
 #include "scene/given_value.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_keys.h"
-#include "scene/toml_text.h"
+#include "scene/toml/toml_text.h"
 
 namespace poinsot {
 

@@ -25,9 +25,8 @@ Kind kind_of(const FilmOrder& order) {
 }
 
 // Why an output has none of some options.
-std::string reason(const FilmOrder& order, Kind kind, std::string_view prefix) {
-    if (kind == slides)
-        return fmt::format("{}slides writes a film for each stop into its folder", prefix);
+std::string reason(const FilmOrder& order, Kind kind) {
+    if (kind == slides) return "--slides writes a film for each stop into its folder";
     return printable(order.output) + (kind == page
                                           ? ": a page has no frames, it shows every instant"
                                           : ": a presentation has a film for each stop");
@@ -35,7 +34,7 @@ std::string reason(const FilmOrder& order, Kind kind, std::string_view prefix) {
 
 }  // namespace
 
-void check_order(const FilmOrder& order, std::string_view prefix) {
+void check_order(const FilmOrder& order) {
     struct Row {
         std::string_view option;
         bool is_given;
@@ -49,21 +48,19 @@ void check_order(const FilmOrder& order, std::string_view prefix) {
     const Kind kind = kind_of(order);
     for (const Row& row : rows)
         if (row.is_given && (row.outputs & kind) == 0)
-            throw InputError(
-                fmt::format("{}; leave {}{} out", reason(order, kind, prefix), prefix, row.option));
+            throw InputError(fmt::format("{}; leave --{} out", reason(order, kind), row.option));
     constexpr int most = 4096;
     if (order.n_jobs && (*order.n_jobs < 1 || *order.n_jobs > most))
-        throw InputError(fmt::format("{}jobs {}: not a number of processes; give 1 to {}", prefix,
-                                     *order.n_jobs, most));
+        throw InputError(
+            fmt::format("--jobs {}: not a number of processes; give 1 to {}", *order.n_jobs, most));
     if (order.n_jobs && *order.n_jobs > 1 && order.part)
         throw InputError(
-            fmt::format("one process draws a {0}part; leave {0}jobs out, or draw all parts here "
-                        "with {0}jobs alone",
-                        prefix));
+            "one process draws a --part; leave --jobs out, or draw all parts here with --jobs "
+            "alone");
     if (order.frames && (order.frames->first < 0 || order.frames->second < order.frames->first))
         throw InputError(fmt::format(
-            "{}frames {} to {}: not a range of frames; give the first and the last one, from 0",
-            prefix, order.frames->first, order.frames->second));
+            "--frames {} to {}: not a range of frames; give the first and the last one, from 0",
+            order.frames->first, order.frames->second));
 }
 
 bool make_output(const SceneRequest& scene, const FilmOrder& order, const FilmCaller& caller,

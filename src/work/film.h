@@ -6,7 +6,6 @@
 #include <functional>
 #include <optional>
 #include <string>
-#include <string_view>
 #include <utility>
 
 #include "production/session/files/open_session.h"
@@ -28,9 +27,8 @@ struct FilmOrder {
     bool certify = false;  // `accepts` is called before anything is drawn
 };
 
-// Refuses what the output cannot have. `prefix` stands before the names of options in messages: --
-// on the command line. Throws InputError.
-void check_order(const FilmOrder& order, std::string_view prefix);
+// Refuses what the output cannot have, and impossible numbers. Throws InputError.
+void check_order(const FilmOrder& order);
 
 // What the caller adds. `session` opens the scene, at most once; a page does without. `accepts`
 // looks at the film before it is drawn.

@@ -2,17 +2,26 @@
 
 #include <utility>
 
+#include "error/error.h"
 #include "production/stills/journal_request.h"
 
 namespace poinsot {
 
-StillOrder still_order(SceneRequest scene, StillRequest still, bool keeps_text,
+StillOrder still_order(SceneRequest scene, const GivenOptions& given, const std::string& output,
                        const ProgressSink& progress) {
-    scene.print = still.print;
-    if (!still.print.journal.empty()) apply_journal_style(keeps_text, scene, progress);
-    if (is_vector_name(still.output) && !scene.print.dpi) scene.print.dpi = default_dpi;
-    if (still.time_s) scene.times_s = {*still.time_s};
-    still.print = scene.print;
+    if (given.keep_text && given.print.journal.empty())
+        throw InputError(
+            "--keep-text: only --journal leaves text out; add --journal, or leave it out");
+    scene.print = given.print;
+    if (!scene.print.journal.empty()) apply_journal_style(given.keep_text, scene, progress);
+    if (is_vector_name(output) && !scene.print.dpi) scene.print.dpi = default_dpi;
+    if (given.time_s) scene.times_s = {*given.time_s};
+    StillRequest still{.output = output,
+                       .time_s = given.time_s,
+                       .print = scene.print,
+                       .bit_depth = given.depth,
+                       .vectors = given.vectors,
+                       .when = given.clearest ? StillTime::clearest : StillTime::of_scene};
     return {std::move(scene), std::move(still)};
 }
 

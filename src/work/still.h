@@ -1,9 +1,12 @@
 // The request of a still, as the command line and the library make it.
 #pragma once
 
+#include <string>
+
 #include "production/session/files/open_session.h"
 #include "production/session/progress_sink.h"
 #include "production/stills/still_job.h"
+#include "work/options.h"
 
 namespace poinsot {
 
@@ -15,9 +18,8 @@ struct StillOrder {
     StillRequest still;
 };
 
-// `keeps_text`: title, captions and clock, which a journal's figure does without. Throws
-// InputError.
-StillOrder still_order(SceneRequest scene, StillRequest still, bool keeps_text,
+// Throws InputError.
+StillOrder still_order(SceneRequest scene, const GivenOptions& given, const std::string& output,
                        const ProgressSink& progress);
 
 }  // namespace poinsot

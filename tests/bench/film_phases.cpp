@@ -123,8 +123,8 @@ void make(const Film& film, FrameSink& sink, const std::vector<Image>& frames) {
 int run(const std::string& phase, const std::string& scene, const std::string& size,
         const std::string& settings, std::int64_t n_frames) {
     using Clock = std::chrono::steady_clock;
-    std::vector<std::string> overrides{"film.size=" + size};
-    if (is_quality(settings)) overrides.push_back("film.quality=" + settings);
+    std::vector<Override> overrides{{"film.size", size}};
+    if (is_quality(settings)) overrides.push_back({"film.quality", settings});
     const Session session = session_of(load_scene(scene, overrides), {installed_fonts()});
     const FilmPlan plan = film_plan(session);
     LazyRenderer renderer;

@@ -33,7 +33,8 @@ class Film {
  public:
     explicit Film(const std::vector<std::string>& overrides, std::int64_t first = 100)
         : n_drawn_(first),
-          session_(session_of(load_scene(scene_file, overrides), {installed_fonts()})),
+          session_(
+              session_of(load_scene(scene_file, overrides_of(overrides)), {installed_fonts()})),
           plan_(film_plan(session_)),
           pictures_(session_, easel_, {plan_.time_of(0), plan_.last_time_s()}) {
         for (int k = 0; k < 3; ++k) draw();

@@ -96,7 +96,7 @@ TEST(Render, PageIsOneFile) {
     const std::string page = text_of(folder.path() / "a.html");
     EXPECT_LE(page.size(), 1'200'000U);
     EXPECT_TRUE(contains(page, "<title>&lt;/script&gt;"));
-    EXPECT_TRUE(contains(page, "--theme theme=dark"));
+    EXPECT_TRUE(contains(page, "\"theme=dark\""));
     EXPECT_EQ(run_program_in(folder, "render bad.toml -o b.html").code, 2);
     EXPECT_EQ(std::filesystem::exists(folder.path() / "b.html"), false);
     // The same scene and options give the same bytes.

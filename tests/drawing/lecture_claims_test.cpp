@@ -33,7 +33,7 @@ struct Lecture {
 
     explicit Lecture(const std::string& name)
         : scene(load_scene(source_folder() / "scenes" / (name + ".toml"),
-                           std::vector<std::string>{"crossings=through"})),  // whole curves
+                           std::vector<Override>{{"crossings", "through"}})),  // whole curves
           last_time_s(scene.film.start_s + scene.film.duration_s.value_or(default_film_s)),
           staged(scene, last_time_s) {}
 

@@ -24,7 +24,7 @@ struct FilmScene {
 
     explicit FilmScene(const std::string& name)
         : scene(load_scene(source_folder() / "scenes" / (name + ".toml"),
-                           std::vector<std::string>{"crossings=through"})),  // whole curves
+                           std::vector<Override>{{"crossings", "through"}})),  // whole curves
           last_time_s(scene.film.start_s + scene.film.duration_s.value_or(default_film_s)) {}
     double time_of(int k, int n) const {
         return scene.film.start_s + (last_time_s - scene.film.start_s) * k / n;

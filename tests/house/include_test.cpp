@@ -44,7 +44,7 @@ const std::map<std::string, std::set<std::string>> allowed{
      {"error", "colour", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "vector", "image", "output"}},
     // What several doors ask of production/: the command line, the library.
-    {"work", {"error", "text", "output", "production"}},
+    {"work", {"error", "text", "scene", "drawing", "output", "production"}},
     // The library for programs in C++.
     {"library",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
@@ -58,7 +58,7 @@ const std::map<std::string, std::set<std::string>> allowed{
       "render", "image", "output", "production"}},
     {"report", {"error", "text", "system", "image", "scene", "output", "production"}},
     // The module of the Python package; the library's headers are included as programs do.
-    {"python", {"system", "measured", "image", "report", "production"}},
+    {"python", {"system", "measured", "image", "report", "production", "library", "work"}},
     {"cli",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "image", "output", "report", "production", "work",
@@ -76,7 +76,8 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"image/files", {}},
     {"mesh/files", {}},
     {"measured/files", {}},
-    {"scene/files", {}},
+    {"scene/files", {"scene/toml"}},
+    {"scene/toml", {}},
     {"typeset/files", {}},
     {"production/session", {}},
     {"production/session/files", {"production/session"}},

@@ -20,8 +20,9 @@ namespace {
 TEST(Gallery, ThumbnailsHaveNoLetters) {
     int n_scenes = 0, n_shapes = 0;
     for (const std::filesystem::path& file : supplied_scenes()) {
-        std::vector<std::string> overrides = thumbnail_overrides();
-        overrides.push_back(fmt::format("film.size={}x{}", thumbnail_px, thumbnail_px * 9 / 16));
+        std::vector<Override> overrides = thumbnail_overrides();
+        overrides.push_back(
+            {"film.size", fmt::format("{}x{}", thumbnail_px, thumbnail_px * 9 / 16)});
         SessionRequest request;
         request.fonts = installed_fonts();
         const Session session = session_of(load_scene(file, overrides), request);

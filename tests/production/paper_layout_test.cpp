@@ -34,9 +34,8 @@ SessionRequest on_a_column(double type_pt = default_type_pt) {
     return request;
 }
 
-Session session_at_column(const std::filesystem::path& file,
-                          std::vector<std::string> overrides = {}) {
-    overrides.emplace_back("theme=print");
+Session session_at_column(const std::filesystem::path& file, std::vector<Override> overrides = {}) {
+    overrides.push_back({"theme", "print"});
     return session_of(load_scene(file, overrides), on_a_column());
 }
 
@@ -68,7 +67,7 @@ TEST(PaperLayout, HandOutsOfTheLectureNameTheirArrows) {
     request.print.width_mm = 160.0;
     request.print.type_pt = 11.0;
     const Session session = session_of(
-        load_scene((source_folder() / "scenes/lecture.toml").string(), std::vector<std::string>{}),
+        load_scene((source_folder() / "scenes/lecture.toml").string(), std::vector<Override>{}),
         request);
     const FilmPlan film = film_plan(session);
     PictureSpan span = whole_film(film);
@@ -201,7 +200,7 @@ TEST(PaperLayout, TallPanelsStandAboveTheOthers) {
 // Title > headings > names > numbers, each of one size in the whole figure, at any size of labels.
 // Names and axes have no room in a panel of two centimetres: a note says so.
 TEST(PaperLayout, NarrowPanelsAreNoted) {
-    const auto narrow = [](std::vector<std::string> overrides) {
+    const auto narrow = [](std::vector<Override> overrides) {
         const std::string file = (source_folder() / "scenes/four_views.toml").string();
         std::vector<std::string> found;
         for (const std::string& note : session_at_column(file, std::move(overrides)).notes)
@@ -209,7 +208,7 @@ TEST(PaperLayout, NarrowPanelsAreNoted) {
         return found;
     };
     EXPECT_TRUE(narrow({}).empty());  // two panels of 42.5 mm
-    const std::vector<std::string> notes = narrow({"grid.columns=[1.0, 3.0]"});
+    const std::vector<std::string> notes = narrow({{"grid.columns", "[1.0, 3.0]"}});
     ASSERT_EQ(notes.size(), 1u);
     EXPECT_NE(notes[0].find("on a page 85 mm wide, the narrowest panel is 21 mm wide"),
               std::string::npos)
@@ -224,7 +223,7 @@ TEST(PaperLayout, SizesOfTypeFollowOneHierarchy) {
             request.print.height_mm = 200.0;  // space for all text
             const Session session = session_of(
                 load_scene((source_folder() / "scenes" / (std::string(name) + ".toml")).string(),
-                           std::vector<std::string>{"theme=print"}),
+                           std::vector<Override>{{"theme", "print"}}),
                 request);
             const Stage stage =
                 poinsot::stage_of(session, {}, setting_of(session.scene, request.print));

@@ -22,13 +22,13 @@ const std::string looping =
     "[film]\nloop = \"5/3\"\nsize = [640, 360]\n";
 
 // The values of as_read, each as an override of a scene.
-std::vector<std::string> overrides_of(const std::string& as_read) {
-    std::vector<std::string> overrides;
+std::vector<Override> overrides_as_read(const std::string& as_read) {
+    std::vector<Override> overrides;
     for (std::size_t from = 0; from < as_read.size();) {
         const std::size_t end = std::min(as_read.find("; ", from), as_read.size());
         std::string value = as_read.substr(from, end - from);
         value.erase(value.find(" = "), 1);
-        overrides.push_back(value.erase(value.find("= ") + 1, 1));
+        overrides.push_back(override_of(value.erase(value.find("= ") + 1, 1)));
         from = end + 2;
     }
     return overrides;
@@ -59,7 +59,7 @@ TEST(Resolve, SaysEveryValueThatItReplaced) {
                                     "[[keyframes]]\nat_s = 3.0\nspeed = 1.0\n";
     const Scene read = parse_scene(with_length, "a.toml");
     const ResolvedScene resolved = resolve(read, of_width_mm(85.0));
-    const std::vector<std::string> before = overrides_of(resolved.as_read);
+    const std::vector<Override> before = overrides_as_read(resolved.as_read);
     EXPECT_EQ(before.size(), 4u) << resolved.as_read;
     EXPECT_NE(to_toml(resolved.scene), to_toml(read));
     const Scene again = parse_scene(to_toml(resolved.scene), "a.toml", before);

@@ -69,7 +69,7 @@ inline Image seen_alone(LazyRenderer& renderer, const std::string& scene,
     settings.push_back("names=false");  // they would cover what is measured
     SessionRequest request{installed_fonts()};
     request.times_s = {time_s};
-    StillJob job(session_of(parse_scene(scene, "scene.toml", settings), request),
+    StillJob job(session_of(parse_scene(scene, "scene.toml", overrides_of(settings)), request),
                  {.time_s = time_s});
     Image image;
     job.draw_into(renderer, image);

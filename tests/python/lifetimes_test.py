@@ -448,7 +448,7 @@ def wait_for_the_fork(n_done, n_frames):
     forked.wait()
 
 film = poinsot.Scene("generic", {"film.size": [64, 36], "film.duration_s": 60.0})._native
-thread = threading.Thread(target=film.render, args=("film.mp4", None, "auto", False, None, wait_for_the_fork))
+thread = threading.Thread(target=film.render, args=("film.mp4", {}, None, wait_for_the_fork))
 thread.start()
 begun.wait()
 child = os.fork()

@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "scene_text.h"
 #include "text/utf8.h"
 

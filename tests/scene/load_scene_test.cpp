@@ -6,7 +6,7 @@
 #include <fstream>
 #include <string>
 
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "scene_text.h"
 #include "text/random_decimals.h"
 
@@ -371,7 +371,7 @@ TEST(BadScene, OverrideNamesItself) {
     EXPECT_EQ(refusal(a_scene, {"title=\"$\\vec{H}$\""}),
               "--set title=\"$\\vec{H}$\": the quoted text is not a TOML string; leave the quotes "
               "out, or double each backslash");
-    EXPECT_EQ(parse_scene(a_scene, "a.toml", std::vector<std::string>{"title='a' or 'b'"}).title,
+    EXPECT_EQ(parse_scene(a_scene, "a.toml", std::vector<Override>{{"title", "'a' or 'b'"}}).title,
               "'a' or 'b'");
     EXPECT_EQ(refusal(a_scene, {"film"}), "--set film: no \"=\"; write --set key=value");
     EXPECT_EQ(refusal(a_scene, {"film=3"}),

@@ -24,7 +24,7 @@
 #include "scene/scene.h"
 #include "scene/scene_keys.h"
 #include "scene/style_keys.h"
-#include "scene/toml_text.h"
+#include "scene/toml/toml_text.h"
 
 namespace poinsot::random_scenes_tests {
 

@@ -15,7 +15,7 @@
 #include "mesh_folder.h"
 #include "random_scene.h"
 #include "scene/scene_keys.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "scene/write_scene.h"
 #include "scene_text.h"
 

@@ -16,7 +16,7 @@
 #include "mesh_folder.h"
 #include "refusal.h"
 #include "scene/scene_key_rows.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "scene/write_scene.h"
 #include "scene_key_claims.h"
 #include "scene_text.h"

@@ -11,7 +11,7 @@
 
 #include "scene/files/load_scene.h"
 #include "scene/scene_error.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 
 namespace poinsot {
 
@@ -21,7 +21,7 @@ inline const std::string a_start = "\n[start]\nomega_rad_s = [0.5, 2.0, 0.25]\n"
 inline const std::string a_scene = a_body + a_start;
 
 inline Scene scene_of(const std::string& text, const std::vector<std::string>& overrides = {}) {
-    return parse_scene(text, "scenes/a.toml", overrides, files_of_folder());
+    return parse_scene(text, "scenes/a.toml", overrides_of(overrides), files_of_folder());
 }
 
 // Returns the message about a scene that is refused.

@@ -8,7 +8,7 @@
 
 #include "places.h"
 #include "scene/camera_views.h"
-#include "scene/toml_text.h"
+#include "scene/toml/toml_text.h"
 #include "scene_text.h"
 
 namespace poinsot {

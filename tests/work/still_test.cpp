@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "refusal.h"
+
 namespace poinsot {
 namespace {
 
@@ -16,44 +18,48 @@ SceneRequest scene() {
     return request;
 }
 
-StillRequest with_dpi(const std::string& output, double dpi) {
-    StillRequest still{.output = output};
-    still.print.dpi = dpi;
-    return still;
+GivenOptions with_dpi(double dpi) {
+    GivenOptions given;
+    given.print.dpi = dpi;
+    return given;
 }
 
-StillRequest for_journal(const std::string& journal) {
-    StillRequest still{.output = "a.pdf"};
-    still.print.journal = journal;
-    return still;
+GivenOptions for_journal(const std::string& journal) {
+    GivenOptions given;
+    given.print.journal = journal;
+    return given;
 }
 
 TEST(StillOrder, OfVectorsIsForPaperAndOfPixelsIsNot) {
     for (const std::string output : {"a.pdf", "a.svg", "a.PDF"}) {
-        const StillOrder order = still_order(scene(), {.output = output}, false, {});
+        const StillOrder order = still_order(scene(), {}, output, {});
         EXPECT_EQ(order.still.print.dpi, default_dpi) << output;
         EXPECT_EQ(order.scene.print.dpi, default_dpi) << output;
-        EXPECT_EQ(still_order(scene(), with_dpi(output, 600.0), false, {}).still.print.dpi, 600.0);
+        EXPECT_EQ(still_order(scene(), with_dpi(600.0), output, {}).still.print.dpi, 600.0);
     }
     for (const std::string output : {"", "a.png"})
-        EXPECT_FALSE(still_order(scene(), {.output = output}, false, {}).still.print.dpi) << output;
+        EXPECT_FALSE(still_order(scene(), {}, output, {}).still.print.dpi) << output;
 }
 
 // A motion by steps ends with the film unless an instant beyond it is asked for.
 TEST(StillOrder, CoversItsInstant) {
-    EXPECT_EQ(still_order(scene(), {.time_s = 99.0}, false, {}).scene.times_s,
+    EXPECT_EQ(still_order(scene(), {.time_s = 99.0}, "", {}).scene.times_s,
               std::vector<double>{99.0});
-    EXPECT_TRUE(still_order(scene(), {}, false, {}).scene.times_s.empty());
+    EXPECT_TRUE(still_order(scene(), {}, "", {}).scene.times_s.empty());
 }
 
 TEST(StillOrder, FollowsAJournal) {
-    const StillOrder order = still_order(scene(), for_journal("iop"), false, {});
+    const StillOrder order = still_order(scene(), for_journal("iop"), "a.pdf", {});
     EXPECT_EQ(scene_of(order.scene).theme, "print");
     EXPECT_TRUE(scene_of(order.scene).panel_letters);
     EXPECT_FALSE(scene_of(order.scene).overlays);
     EXPECT_EQ(order.still.print.width_mm, 85.0);  // a column, as its author pages say
-    const StillOrder with_text = still_order(scene(), for_journal("iop"), true, {});
+    GivenOptions keeping = for_journal("iop");
+    keeping.keep_text = true;
+    const StillOrder with_text = still_order(scene(), keeping, "a.pdf", {});
     EXPECT_TRUE(scene_of(with_text.scene).overlays);
+    EXPECT_EQ(refusal_message([] { still_order(scene(), {.keep_text = true}, "a.pdf", {}); }),
+              "--keep-text: only --journal leaves text out; add --journal, or leave it out");
 }
 
 }  // namespace

@@ -39,6 +39,7 @@ struct ContextOptions {
 struct PaperOptions {
     std::optional<double> width_mm{}, height_mm{}, dpi{}, type_pt{};
     std::string journal{};
+    bool keep_text = false;  // with a journal: draw title, captions and clock, too
 };
 
 // One picture. The instant is `time_s` of the motion, in seconds; without it film.still_s of the
@@ -70,7 +71,7 @@ class __attribute__((visibility("default"))) Still {
     ~Still() = default;
 
  private:
-    friend class Scene;
+    friend struct SceneAccess;
     struct Impl;
     explicit Still(std::shared_ptr<const Impl> contents) : impl_(std::move(contents)) {}
     std::shared_ptr<const Impl> impl_;
@@ -115,7 +116,7 @@ class __attribute__((visibility("default"))) Scene {
     std::string name() const;
     std::string title() const;
     const std::string& text() const;
-    const std::vector<std::string>& values() const;
+    std::vector<std::string> values() const;
     // As given to from_file or from_text.
     const std::string& file() const;
     bool allows_outside() const;
@@ -158,6 +159,7 @@ class __attribute__((visibility("default"))) Scene {
     ~Scene() = default;
 
  private:
+    friend struct SceneAccess;
     struct Impl;
     explicit Scene(std::shared_ptr<const Impl> contents) : impl_(std::move(contents)) {}
     std::shared_ptr<const Impl> impl_;

@@ -7,6 +7,7 @@
 
 #include "error/error.h"
 #include "library/production/drawing_thread.h"
+#include "library/production/scene_access.h"
 #include "measured/departure.h"
 #include "production/sampling/sample_table.h"
 #include "production/session/files/open_session.h"
@@ -22,16 +23,25 @@ namespace poinsot::library {
 
 namespace {
 
-ContextChoice choice_of(const ContextOptions& options) {
-    return context_choice(options.backend, options.portable);
+void set_context(const ContextOptions& context, GivenOptions& given) {
+    given.backend = context.backend;
+    given.portable = context.portable;
 }
 
-PrintChoices print_of(const PaperOptions& paper) {
-    return {.width_mm = paper.width_mm,
-            .height_mm = paper.height_mm,
-            .dpi = paper.dpi,
-            .type_pt = paper.type_pt,
-            .journal = paper.journal};
+// What pictures and figures have in common.
+template <typename Options>
+GivenOptions given_of(const Options& options) {
+    const PaperOptions& paper = options.paper;
+    GivenOptions given{.time_s = options.time_s,
+                       .clearest = options.clearest,
+                       .print = {.width_mm = paper.width_mm,
+                                 .height_mm = paper.height_mm,
+                                 .dpi = paper.dpi,
+                                 .type_pt = paper.type_pt,
+                                 .journal = paper.journal},
+                       .keep_text = paper.keep_text};
+    set_context(options.context, given);
+    return given;
 }
 
 // A session that says nothing; the caller can stop its stepping.
@@ -90,19 +100,6 @@ struct Scene::Impl {
         longer.times_s = std::move(times_s);
         return quiet_session(longer, watch);
     }
-
-    // In this process: several are the command line's.
-    void make(FilmOrder order, const ContextOptions& context, const Watch& watch) const {
-        check_order(order, "");
-        order.n_jobs = 1;
-        // A page is made from the request; what else there is, from a session that the caller's
-        // thread opens, so that it can be stopped.
-        const Session* opened = is_page_name(order.output) ? nullptr : &session(watch);
-        draw(choice_of(context), watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-            make_output(request, order, {.session = [&]() -> const Session& { return *opened; }},
-                        renderer, progress);
-        });
-    }
 };
 
 Scene Scene::from_file(const std::string& file, const std::vector<std::string>& values,
@@ -112,27 +109,38 @@ Scene Scene::from_file(const std::string& file, const std::vector<std::string>& 
 
 Scene Scene::from_text(const std::string& text, const std::string& name,
                        const std::vector<std::string>& values, bool allow_outside) {
-    auto contents = std::make_shared<Impl>();
-    SceneRequest& request = contents->request;
-    request.file = name;
-    request.text = text;
-    request.overrides = values;
-    request.outside = allow_outside ? OutsideFiles::allowed : OutsideFiles::refused;
-    contents->scene = scene_of(request);
+    return SceneAccess::of(
+        {.file = name,
+         .text = text,
+         .overrides = overrides_of(values),
+         .outside = allow_outside ? OutsideFiles::allowed : OutsideFiles::refused});
+}
+
+Scene SceneAccess::of(SceneRequest request) {
+    auto contents = std::make_shared<Scene::Impl>();
+    contents->request = std::move(request);
+    contents->scene = scene_of(contents->request);
     return Scene(std::move(contents));
 }
 
+Scene SceneAccess::with(const Scene& scene, const std::vector<Override>& more) {
+    SceneRequest request = scene.impl_->request;
+    request.overrides.insert(request.overrides.end(), more.begin(), more.end());
+    return of(std::move(request));
+}
+
 Scene Scene::with(const std::vector<std::string>& values) const {
-    const SceneRequest& request = impl_->request;
-    std::vector<std::string> all = request.overrides;
-    all.insert(all.end(), values.begin(), values.end());
-    return from_text(*request.text, request.file, all, request.outside == OutsideFiles::allowed);
+    return SceneAccess::with(*this, overrides_of(values));
 }
 
 std::string Scene::name() const { return impl_->scene.name; }
 std::string Scene::title() const { return title_of(impl_->scene); }
 const std::string& Scene::text() const { return *impl_->request.text; }
-const std::vector<std::string>& Scene::values() const { return impl_->request.overrides; }
+std::vector<std::string> Scene::values() const {
+    std::vector<std::string> values;
+    for (const Override& given : impl_->request.overrides) values.push_back(given.assignment());
+    return values;
+}
 const std::string& Scene::file() const { return impl_->request.file; }
 bool Scene::allows_outside() const { return impl_->request.outside == OutsideFiles::allowed; }
 int Scene::width_px() const { return impl_->scene.film.width_px; }
@@ -207,48 +215,47 @@ Table Scene::departure(std::span<const double> times_s, std::span<const double> 
     return table;
 }
 
-Still Scene::still(const StillOptions& options, const Watch& watch) const {
-    StillOrder order =
-        still_order(impl_->request,
-                    {.time_s = options.time_s,
-                     .print = print_of(options.paper),
-                     .when = options.clearest ? StillTime::clearest : StillTime::of_scene},
-                    false, {});
+Still SceneAccess::still(const Scene& scene, const GivenOptions& given, const Watch& watch) {
+    if (!given.overrides.empty()) {
+        GivenOptions rest = given;
+        rest.overrides.clear();
+        return still(with(scene, given.overrides), rest, watch);
+    }
+    const Scene::Impl& of = *scene.impl_;
+    StillOrder order = still_order(of.request, given, "", {});
     // Without a size on paper, the session of the scene serves.
-    const bool is_for_paper = print_size_of(order.still.print, width_px(), height_px()).has_value();
+    const bool is_for_paper =
+        print_size_of(order.still.print, scene.width_px(), scene.height_px()).has_value();
     Session session = is_for_paper ? quiet_session(order.scene, watch)
-                                   : impl_->session_at(order.scene.times_s, watch);
+                                   : of.session_at(order.scene.times_s, watch);
     StillJob job(std::move(session), std::move(order.still));
     tell(job, watch);
     auto made = std::make_shared<Still::Impl>();
-    draw(choice_of(options.context), watch,
+    draw(context_choice_of(given), watch,
          [&job, &made](LazyRenderer& renderer, const ProgressSink&) {
              made->still = job.pixels(renderer);
          });
     return Still(std::move(made));
 }
 
-std::string Scene::figure(const FigureOptions& options, const Watch& watch) const {
-    if (options.format != "svg" && options.format != "pdf")
+std::string SceneAccess::figure(const Scene& scene, const GivenOptions& given,
+                                const std::string& format, const Watch& watch) {
+    if (format != "svg" && format != "pdf")
         throw InputError(fmt::format("format \"{}\": a figure is svg or pdf; choose one of these",
-                                     printable(options.format)));
-    if (options.text == "latex")
+                                     printable(format)));
+    if (given.vectors.text == "latex")
         throw InputError(
             "text \"latex\": needs a .tex file beside the figure; write it with poinsot still");
-    StillOrder order =
-        still_order(impl_->request,
-                    {.output = "figure." + options.format,
-                     .time_s = options.time_s,
-                     .print = print_of(options.paper),
-                     .vectors = {options.shading, options.text},
-                     .when = options.clearest ? StillTime::clearest : StillTime::of_scene},
-                    false, {});
+    SceneRequest request = scene.impl_->request;
+    request.overrides.insert(request.overrides.end(), given.overrides.begin(),
+                             given.overrides.end());
+    StillOrder order = still_order(std::move(request), given, "figure." + format, {});
     check_vector_choices(order.still.vectors);
     StillJob job(quiet_session(order.scene, watch), std::move(order.still));
     tell(job, watch);
     VectorStill drawn;
     if (job.opens_context()) {
-        draw(choice_of(options.context), watch,
+        draw(context_choice_of(given), watch,
              [&job, &drawn](LazyRenderer& renderer, const ProgressSink&) {
                  drawn = job.vectors(renderer);
              });
@@ -260,16 +267,47 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
     return std::move(drawn.bytes);
 }
 
+void SceneAccess::film(const Scene& scene, FilmOrder order, const GivenOptions& given,
+                       const Watch& watch) {
+    order.frames = given.frames;
+    check_order(order);
+    order.n_jobs = 1;
+    const Scene changed = given.overrides.empty() ? scene : with(scene, given.overrides);
+    const Scene::Impl& of = *changed.impl_;
+    // A page is made from the request; what else there is, from a session that the caller's thread
+    // opens, so that it can be stopped.
+    const Session* opened = is_page_name(order.output) ? nullptr : &of.session(watch);
+    draw(
+        context_choice_of(given), watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
+            make_output(of.request, order, {.session = [&]() -> const Session& { return *opened; }},
+                        renderer, progress);
+        });
+}
+
+Still Scene::still(const StillOptions& options, const Watch& watch) const {
+    return SceneAccess::still(*this, given_of(options), watch);
+}
+
+std::string Scene::figure(const FigureOptions& options, const Watch& watch) const {
+    GivenOptions given = given_of(options);
+    given.vectors = {options.shading, options.text};
+    return SceneAccess::figure(*this, given, options.format, watch);
+}
+
 void Scene::render(const std::string& path, const RenderOptions& options,
                    const Watch& watch) const {
     if (path.empty()) throw InputError("the output has no name; give one, as film.mp4");
-    impl_->make({.output = path, .frames = options.frames}, options.context, watch);
+    GivenOptions given{.frames = options.frames};
+    set_context(options.context, given);
+    SceneAccess::film(*this, {.output = path}, given, watch);
 }
 
 void Scene::slides(const std::string& folder, const ContextOptions& context,
                    const Watch& watch) const {
     if (folder.empty()) throw InputError("the folder of the slides has no name; give one");
-    impl_->make({.slides = folder}, context, watch);
+    GivenOptions given;
+    set_context(context, given);
+    SceneAccess::film(*this, {.slides = folder}, given, watch);
 }
 
 }  // namespace poinsot::library

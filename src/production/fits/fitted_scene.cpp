@@ -7,7 +7,7 @@
 
 #include "mechanics/free/free_rotation.h"
 #include "mechanics/torque.h"
-#include "scene/toml_text.h"
+#include "scene/toml/toml_text.h"
 
 namespace poinsot {
 

@@ -15,7 +15,7 @@ struct PageContents {
     std::string title;                         // as plain text
     std::string language;                      // of languages()
     std::string scene_text;                    // TOML
-    std::vector<std::string> overrides;        // as for parse_scene
+    std::vector<std::string> overrides;        // "key=value"
     std::map<std::string, std::string> files;  // name as the scene gives it → bytes
     std::vector<std::string> controls;         // keys that a link may set
     int width_px = 0, height_px = 0;           // of the scene's pictures

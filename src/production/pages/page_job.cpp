@@ -57,13 +57,13 @@ Scene read_again(const SceneRequest& request, PageContents& contents) {
 // A picture of the scene at the instant of its still.
 std::vector<std::uint8_t> still_png(const SceneRequest& request, PageContents& contents,
                                     LazyRenderer& renderer, int width_px,
-                                    const std::vector<std::string>& changes = {}) {
+                                    const std::vector<Override>& changes = {}) {
     SceneRequest small = request;
     small.overrides.insert(small.overrides.end(), changes.begin(), changes.end());
     const int height_px =
         std::max(1, static_cast<int>(std::lround(static_cast<double>(width_px) *
                                                  contents.height_px / contents.width_px)));
-    small.overrides.push_back(fmt::format("film.size={}x{}", width_px, height_px));
+    small.overrides.push_back({"film.size", fmt::format("{}x{}", width_px, height_px)});
     const Session session = open_session(small);
     const FilmTime moment = still_moment(session, {}, StillTime::of_scene);
     // The herpolhode and other histories begin with the film, as in a still.
@@ -89,7 +89,8 @@ PageContents contents_of(const SceneRequest& request) {
     contents.scene_name = scene.name;
     contents.title = title_of(scene);
     contents.language = scene.language;
-    contents.overrides = request.overrides;
+    for (const Override& given : request.overrides)
+        contents.overrides.push_back(given.assignment());
     contents.controls = controls_of(scene);
     contents.width_px = scene.film.width_px;
     contents.height_px = scene.film.height_px;
@@ -113,8 +114,8 @@ void need_module() {
 
 }  // namespace
 
-std::vector<std::string> thumbnail_overrides() {
-    return {"overlays=false", "labels=false", "type_scale=0.25"};
+std::vector<Override> thumbnail_overrides() {
+    return {{"overlays", "false"}, {"labels", "false"}, {"type_scale", "0.25"}};
 }
 
 void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,

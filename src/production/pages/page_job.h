@@ -19,7 +19,7 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
 // A picture of the gallery is an icon: its text would be smaller than anybody can read, and type of
 // the least scale is not drawn at this width.
 inline constexpr int thumbnail_px = 240;
-std::vector<std::string> thumbnail_overrides();
+std::vector<Override> thumbnail_overrides();
 
 struct WorkbenchRequest {
     std::vector<SceneRequest> scenes;  // of the gallery; the workbench opens the first

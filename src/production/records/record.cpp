@@ -7,7 +7,7 @@
 #include "error/error.h"
 #include "output/frame_sink.h"
 #include "production/records/record_fields.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "scene/write_scene.h"
 #include "system/sha256.h"
 #include "text/numbers.h"

@@ -11,7 +11,7 @@
 
 #include "error/error.h"
 #include "production/records/record_fields.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "text/printable.h"
 
 namespace poinsot {

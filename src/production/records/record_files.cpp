@@ -13,7 +13,7 @@
 #include "production/records/record.h"
 #include "scene/files/load_scene.h"
 #include "scene/scene_error.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/files/processor.h"

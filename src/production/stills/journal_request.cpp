@@ -18,7 +18,7 @@ void apply_journal_style(bool keeps_text, SceneRequest& request, const ProgressS
                 fmt::format("note: {} is drawn in theme {}, not in its own theme {}; "
                             "--theme {} keeps that",
                             request.file, theme, scene.theme, scene.theme));
-        request.overrides.emplace_back(fmt::format("--journal theme={}", theme));
+        request.overrides.push_back({"theme", std::string(theme), "--journal"});
     } else if (scene.theme != theme) {
         progress.say(
             fmt::format("note: {} is drawn in theme {}, as the command line says; the default "
@@ -26,9 +26,9 @@ void apply_journal_style(bool keeps_text, SceneRequest& request, const ProgressS
                         request.file, scene.theme, theme));
     }
     if (!keeps_text && !scene.locations.contains("overlays"))
-        request.overrides.emplace_back("--journal overlays=false");
+        request.overrides.push_back({"overlays", "false", "--journal"});
     if (!scene.locations.contains("panel_letters"))
-        request.overrides.emplace_back("--journal panel_letters=true");
+        request.overrides.push_back({"panel_letters", "true", "--journal"});
 }
 
 }  // namespace poinsot

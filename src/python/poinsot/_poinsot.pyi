@@ -94,43 +94,24 @@ class Scene:
     def departure(
         self, times_s: NDArray[np.float64], omega: Optional[NDArray[np.float64]], attitude: Optional[NDArray[np.float64]]
     ) -> Tuple[List[str], NDArray[np.float64]]: ...
-    def still(
-        self,
-        time_s: Optional[float],
-        clearest: bool,
-        paper: Dict[str, Any],
-        backend: str,
-        portable: bool,
-    ) -> Tuple[Still, List[str], Optional[str]]: ...
-    def figure(
-        self,
-        format: str,
-        time_s: Optional[float],
-        clearest: bool,
-        paper: Dict[str, Any],
-        shading: str,
-        text: str,
-        backend: str,
-        portable: bool,
-    ) -> Tuple[bytes, List[str], Optional[str]]: ...
+    def still(self, options: Dict[str, Any]) -> Tuple[Still, List[str], Optional[str]]: ...
+    def figure(self, format: str, options: Dict[str, Any]) -> Tuple[bytes, List[str], Optional[str]]: ...
     def render(
         self,
         path: str,
-        frames: Optional[Tuple[int, int]],
-        backend: str,
-        portable: bool,
+        options: Dict[str, Any],
         say: Optional[Callable[[str], object]],
         progress: Optional[Callable[[int, int], object]],
     ) -> None: ...
     def slides(
         self,
         folder: str,
-        backend: str,
-        portable: bool,
+        options: Dict[str, Any],
         say: Optional[Callable[[str], object]],
         progress: Optional[Callable[[int, int], object]],
     ) -> None: ...
 
+def keywords(verb: str) -> List[Tuple[str, str, Any]]: ...
 def fit(
     times: NDArray[np.float64],
     omega: NDArray[np.float64],

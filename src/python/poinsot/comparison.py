@@ -107,8 +107,12 @@ def _profile(given: Any) -> str:
     return toml.unicode_text("profile", str(profile or ""))
 
 
-def _limits(**given: Any) -> Dict[str, Any]:
-    return {name: plain_limit(name, value) for name, value in given.items()}
+#: The limits of a comparison without a profile.
+limit_names = (*(name for name, _, _ in _poinsot.keywords("compare")), "antialiasing", "ignore")
+
+
+def _limits(arguments: Dict[str, Any]) -> Dict[str, Any]:
+    return {name: plain_limit(name, arguments[name]) for name in limit_names}
 
 
 def png_bytes(name: str, picture: Any) -> bytes:
@@ -131,11 +135,13 @@ def compare(
     actual: Picture,
     *,
     profile: Optional[str] = None,
+    # keywords of compare
     max_differing: Optional[Share] = None,
     max_over: Optional[Share] = None,
     over_levels: Optional[int] = None,
     max_flip: Optional[float] = None,
     min_ssim: Optional[float] = None,
+    # end
     antialiasing: Optional[bool] = None,
     ignore: Iterable[str] = (),
     measures: bool = False,
@@ -157,10 +163,7 @@ def compare(
     >>> bool(compare(grey, other, max_differing="10%", over_levels=2))
     True
     """
-    limits = _limits(
-        max_differing=max_differing, max_over=max_over, over_levels=over_levels, max_flip=max_flip, min_ssim=min_ssim,
-        antialiasing=antialiasing, ignore=ignore,
-    )
+    limits = _limits(locals())
     with tempfile.TemporaryDirectory() as folder:
         a, b = _file("expected", expected, folder), _file("actual", actual, folder)
         for name, file in (("expected", a), ("actual", b)):
@@ -177,20 +180,19 @@ def compare_folders(
     report: Optional[Path] = None,
     title: Optional[str] = None,
     profile: Optional[str] = None,
+    # keywords of compare
     max_differing: Optional[Share] = None,
     max_over: Optional[Share] = None,
     over_levels: Optional[int] = None,
     max_flip: Optional[float] = None,
     min_ssim: Optional[float] = None,
+    # end
     antialiasing: Optional[bool] = None,
     ignore: Iterable[str] = (),
     measures: bool = False,
 ) -> List[Comparison]:
     """Compares all pictures of two folders, worst first; `report` names an HTML page to be written."""
-    limits = _limits(
-        max_differing=max_differing, max_over=max_over, over_levels=over_levels, max_flip=max_flip, min_ssim=min_ssim,
-        antialiasing=antialiasing, ignore=ignore,
-    )
+    limits = _limits(locals())
     a, b = path_text(expected), path_text(actual)
     page = "" if report is None else page_name(report)
     heading = toml.unicode_text("title", title or f"{b} compared with {a}")

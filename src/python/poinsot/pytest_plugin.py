@@ -32,7 +32,6 @@ import pytest
 if TYPE_CHECKING:
     from . import Comparison
 
-_limits = ("profile", "max_differing", "max_over", "over_levels", "max_flip", "min_ssim", "antialiasing", "ignore")
 _session_key = "poinsot-session"
 _mark = "poinsot_image"
 
@@ -230,12 +229,13 @@ def _checked_name(given: Any) -> str:
 def _checked_limits(where: str, given: Dict[str, Any]) -> Dict[str, Any]:
     """The limits as plain values, which can be sent from a worker of xdist."""
     from . import InputError
-    from .comparison import plain_limit
+    from .comparison import limit_names, plain_limit
 
+    known = ("profile", *limit_names)
     for name in given:
-        if name not in _limits:
-            near = difflib.get_close_matches(name, (*_limits, "baseline"), 1)
-            hint = f'did you mean "{near[0]}"?' if near else "there are baseline, " + ", ".join(_limits)
+        if name not in known:
+            near = difflib.get_close_matches(name, (*known, "baseline"), 1)
+            hint = f'did you mean "{near[0]}"?' if near else "there are baseline, " + ", ".join(known)
             raise InputError(f'{where}: there is no limit "{name}"; {hint}')
     return {name: plain_limit(name, value) for name, value in given.items()}
 

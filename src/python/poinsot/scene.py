@@ -7,7 +7,7 @@ import json
 import operator
 import os
 import tempfile
-from typing import TYPE_CHECKING, Any, Dict, List, Mapping, Optional, Sequence, Tuple, Union
+from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, Sequence, Tuple, Union
 
 from numpy.typing import ArrayLike
 
@@ -205,36 +205,11 @@ class Scene:
 
         return departure_of(self._native, times, omega, attitude)
 
-    def _drawn(
-        self,
-        size: Optional[Size],
-        theme: Optional[str],
-        quality: Optional[str],
-        fps: Any = None,
-        backend: Any = "auto",
-        portable: Any = False,
-    ) -> _poinsot.Scene:
-        """The scene with the options that stand for keys; it also looks at those that say where to draw."""
-        changes = []
-        if size is not None:
-            changes.append(f"--size film.size={_size_text(size)}")
-        if fps is not None:
-            changes.append(f"--fps film.fps={fps}")
-        if quality is not None:
-            changes.append(f"--quality film.quality={toml.unicode_text('quality', quality)}")
-        if theme is not None:
-            changes.append(f"--theme theme={toml.unicode_text('theme', theme)}")
-        if not isinstance(backend, str):
-            raise InputError(f"backend: choose auto, osmesa, egl or gpu, and this is {backend!r}")
-        if not hasattr(type(portable), "__bool__"):
-            raise InputError(f"portable: is True or False, and this is {portable!r}")
-        checked = [toml.unicode_text("options", change) for change in changes]
-        return self._native.with_values(checked) if checked else self._native
-
     def still(
         self,
         time_s: Union[None, float, str] = None,
         *,
+        # keywords of still
         size: Optional[Size] = None,
         theme: Optional[str] = None,
         quality: Optional[str] = None,
@@ -243,23 +218,23 @@ class Scene:
         dpi: Optional[float] = None,
         type_pt: Optional[float] = None,
         journal: Optional[str] = None,
+        keep_text: bool = False,
         backend: str = "auto",
         portable: bool = False,
+        # end
     ) -> Still:
         """One picture, at `time_s` seconds of the motion; "auto": where the arrows are farthest apart.
 
         The options are those of `poinsot still`. Any thread may draw; a process that was forked
         after or while its parent drew a picture may not. Raises InputError, EnvironmentError.
         """
-        instant, clearest = _instant(time_s)
-        paper = {"width_mm": width_mm, "height_mm": height_mm, "dpi": dpi, "type_pt": type_pt, "journal": journal}
-        scene = self._drawn(size, theme, quality, None, backend, portable)
-        return Still(*scene.still(instant, clearest, paper, backend, portable))
+        return Still(*self._native.still(_given(locals())))
 
     def figure(
         self,
         time_s: Union[None, float, str] = None,
         *,
+        # keywords of figure
         size: Optional[Size] = None,
         theme: Optional[str] = None,
         quality: Optional[str] = None,
@@ -267,27 +242,24 @@ class Scene:
         height_mm: Optional[float] = None,
         type_pt: Optional[float] = None,
         journal: Optional[str] = None,
+        keep_text: bool = False,
         shading: str = "tone",
         text: str = "font",
         backend: str = "auto",
         portable: bool = False,
+        # end
     ) -> Figure:
         """The same as vectors, for print. The options are those of `poinsot still -o NAME.pdf`."""
-        instant, clearest = _instant(time_s)
-        paper = {"width_mm": width_mm, "height_mm": height_mm, "type_pt": type_pt, "journal": journal}
-        shading, text = toml.unicode_text("shading", shading), toml.unicode_text("text", text)
-        scene = self._drawn(size, theme, quality, None, backend, portable)
-
-        def made(kind: str) -> Tuple[bytes, List[str], Optional[str]]:
-            return scene.figure(kind, instant, clearest, paper, shading, text, backend, portable)
-
-        svg, notes, report = made("svg")
-        return Figure(svg.decode("utf-8"), lambda: made("pdf")[0], notes, report)
+        native, options = self._native, _given(locals())
+        svg, notes, report = native.figure("svg", options)
+        return Figure(svg.decode("utf-8"), lambda: native.figure("pdf", options)[0], notes, report)
 
     def render(
         self,
         path: Path,
         *,
+        progress: bool = True,
+        # keywords of render
         size: Optional[Size] = None,
         fps: Any = None,
         theme: Optional[str] = None,
@@ -295,7 +267,7 @@ class Scene:
         frames: Union[None, Tuple[int, int], range] = None,
         backend: str = "auto",
         portable: bool = False,
-        progress: bool = True,
+        # end
     ) -> Film:
         """Writes a film (.mp4, .webm, .mov, .gif), a presentation (.pptx) or, with #### in the name, a
         PNG sequence.
@@ -304,55 +276,60 @@ class Scene:
         that was interrupted, also by Ctrl-C, continues at the next call. `progress` shows a bar.
         Raises InputError, EnvironmentError.
         """
+        options = _given(locals())
         name = path_text(path)
         if name.lower().endswith(".html"):
             raise InputError(f"{name}: .page({name!r}) writes a page")
-        if frames is not None:
-            try:
-                first, last = (frames[0], frames[-1]) if isinstance(frames, range) and frames.step == 1 else frames
-                frames = operator.index(first), operator.index(last)
-                if max(frames) >= 2**63 or min(frames) < -(2**63):
-                    raise ValueError
-            except (IndexError, TypeError, ValueError):
-                raise InputError(f"frames: {frames!r} is not a range of frames; give (first, last), from 0") from None
-        scene = self._drawn(size, theme, quality, fps, backend, portable)
-        with Progress(progress, scene.name) as shown:
-            scene.render(name, frames, backend, portable, shown.say, shown.frames)
+        with Progress(progress, self.name) as shown:
+            self._native.render(name, options, shown.say, shown.frames)
         return Film(name, shown.notes)
 
     def slides(
         self,
         folder: Path,
         *,
+        progress: bool = True,
+        # keywords of slides
         size: Optional[Size] = None,
         fps: Any = None,
         theme: Optional[str] = None,
         quality: Optional[str] = None,
         backend: str = "auto",
         portable: bool = False,
-        progress: bool = True,
+        # end
     ) -> Dict[str, Any]:
         """Writes a film and stills for each stop, as `poinsot render --slides`; returns slides.json."""
+        options = _given(locals())
         name = path_text(folder)
-        scene = self._drawn(size, theme, quality, fps, backend, portable)
-        with Progress(progress, scene.name) as shown:
-            scene.slides(name, backend, portable, shown.say, shown.frames)
+        with Progress(progress, self.name) as shown:
+            self._native.slides(name, options, shown.say, shown.frames)
         with open(os.path.join(name, "slides.json"), encoding="utf-8") as file:
             deck: Dict[str, Any] = json.load(file)
         return deck
 
-    def page(self, path: Optional[Path] = None, *, theme: Optional[str] = None, size: Optional[Size] = None) -> Page:
+    def page(
+        self,
+        path: Optional[Path] = None,
+        *,
+        # keywords of page
+        size: Optional[Size] = None,
+        theme: Optional[str] = None,
+        backend: str = "auto",
+        portable: bool = False,
+        # end
+    ) -> Page:
         """The scene as a page that plays, turns and is edited; written to `path` if one is given.
 
         With a path, a notebook holds only the page's poster (60 kB) instead of the page (1.2 MB).
         Raises EnvironmentError where the package was built without the module for browsers.
         """
-        scene = self._drawn(size, theme, None)
+        options = _given(locals())
+        changed = self.set({"film.size": options["size"]}) if "size" in options else self
         with tempfile.TemporaryDirectory() as folder:
-            name = os.path.join(folder, scene.name + ".html") if path is None else page_name(path)
-            scene.render(name, None, "auto", False, None, None)
+            name = os.path.join(folder, self.name + ".html") if path is None else page_name(path)
+            self._native.render(name, options, None, None)
             with open(name, encoding="utf-8") as file:
-                return Page(file.read(), scene.width_px, scene.height_px, None if path is None else name)
+                return Page(file.read(), *changed.size_px, None if path is None else name)
 
     def _repr_png_(self) -> bytes:
         # As wide as a notebook's cell, or smaller: outputs are stored in the notebook.
@@ -371,14 +348,36 @@ def _same_scene(text: str, file: str, values: List[str], allow_outside: bool) ->
     return same
 
 
-def _instant(time_s: Union[None, float, str]) -> Tuple[Optional[float], bool]:
-    if time_s is None:
-        return None, False
+def _instant(time_s: Any) -> Union[float, str]:
     if isinstance(time_s, str):
         if time_s == "auto":
-            return None, True
+            return time_s
         raise InputError(f'time_s: {time_s!r} is not an instant in seconds; give a number or "auto"')
     instant = numbers("time_s", time_s)
     if instant.size != 1:
         raise InputError("time_s: a picture shows one instant; give one number")
-    return float(instant.ravel()[0]), False
+    return float(instant.ravel()[0])
+
+
+def _frames(frames: Any) -> Tuple[int, int]:
+    try:
+        first, last = (frames[0], frames[-1]) if isinstance(frames, range) and frames.step == 1 else frames
+        first, last = operator.index(first), operator.index(last)
+        if max(first, last) >= 2**63 or min(first, last) < -(2**63):
+            raise ValueError
+    except (IndexError, TypeError, ValueError):
+        raise InputError(f"frames: {frames!r} is not a range of frames; give (first, last), from 0") from None
+    return first, last
+
+
+# Options whose values have forms of their own in Python.
+_own_forms: Dict[str, Callable[[Any], Any]] = {"size": _size_text, "fps": str, "time_s": _instant, "frames": _frames}
+
+
+def _given(arguments: Dict[str, Any]) -> Dict[str, Any]:
+    """The options among a method's arguments, as the module reads them."""
+    return {
+        name: _own_forms.get(name, lambda same: same)(value)
+        for name, value in arguments.items()
+        if value is not None and name != "self"
+    }

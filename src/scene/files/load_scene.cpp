@@ -10,7 +10,7 @@
 #include "image/files/png_files.h"
 #include "mesh/files/mesh_file.h"
 #include "scene/scene_error.h"
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "text/nearest.h"
@@ -134,8 +134,7 @@ std::string text_of_file(const fs::path& file) {
     return text;
 }
 
-Scene load_scene(const fs::path& file, std::span<const std::string> overrides,
-                 OutsideFiles outside) {
+Scene load_scene(const fs::path& file, std::span<const Override> overrides, OutsideFiles outside) {
     return parse_scene(text_of_file(file), file.string(), overrides, files_of_folder(outside));
 }
 

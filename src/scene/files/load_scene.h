@@ -17,7 +17,7 @@ SceneFiles files_of_folder(OutsideFiles outside = OutsideFiles::refused);
 
 // Reads a scene file and the files that it names; see parse_scene. Throws SceneError, also if the
 // file cannot be read.
-Scene load_scene(const std::filesystem::path& file, std::span<const std::string> overrides = {},
+Scene load_scene(const std::filesystem::path& file, std::span<const Override> overrides = {},
                  OutsideFiles outside = OutsideFiles::refused);
 
 // Returns the text of a scene or theme file, at most most_scene_file_bytes of it. Throws SceneError

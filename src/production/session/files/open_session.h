@@ -16,11 +16,11 @@ struct SceneRequest {
     // The scene itself; `file` is then its name in messages, in whose folder the files that it
     // names lie. Empty: it is read from the file.
     std::optional<std::string> text{};
-    std::vector<std::string> overrides;  // see load_scene
+    std::vector<Override> overrides{};
     OutsideFiles outside = OutsideFiles::refused;
-    PrintChoices print;
-    std::vector<double> times_s;  // instants outside of the film that a stepped motion must cover
-    bool draws = true;            // false: only numbers are asked for
+    PrintChoices print{};
+    std::vector<double> times_s{};  // instants outside of the film that a stepped motion must cover
+    bool draws = true;              // false: only numbers are asked for
 };
 
 // The text of a scene, and the scene. Throw SceneError.

@@ -1,6 +1,6 @@
 // The only translation unit with toml++; built with NDEBUG, because its assertions abort on bad
 // input.
-#include "scene/toml_document.h"
+#include "scene/toml/toml_document.h"
 
 #include <fmt/format.h>
 

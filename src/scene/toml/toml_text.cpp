@@ -1,4 +1,4 @@
-#include "scene/toml_text.h"
+#include "scene/toml/toml_text.h"
 
 #include <fmt/format.h>
 
