@@ -44,7 +44,7 @@ struct StillChoices {
 
 // Renders all scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
-    const PrintChoices& print = choices.given.print;
+    const library::PaperOptions& print = choices.given.paper;
     struct Unfit {
         const char* option;
         bool is_given;
@@ -74,7 +74,7 @@ int draw_sheet_of(const StillChoices& choices) {
                               one.option, one.kind));
     }
     SheetRequest sheet;
-    sheet.print = print;
+    sheet.print = print_choices(print);
     sheet.vectors = vectors;
     std::tie(sheet.n_columns, sheet.n_rows) = *choices.sheet;
     sheet.output = choices.output;

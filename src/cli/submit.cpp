@@ -62,8 +62,8 @@ std::string for_a_task(Override given) {
 std::vector<std::string> render_options(const SubmitChoices& choices) {
     std::vector<std::string> options;
     if (!choices.native) options.emplace_back("--portable");
-    if (choices.given.backend != "auto")
-        options.insert(options.end(), {"--backend", choices.given.backend});
+    if (choices.given.context.backend != "auto")
+        options.insert(options.end(), {"--backend", choices.given.context.backend});
     if (choices.given.allow_outside) options.emplace_back("--allow-outside");
     if (choices.given.frames)
         options.insert(options.end(), {"--frames", fmt::format("{}-{}", choices.given.frames->first,

@@ -120,16 +120,17 @@ GivenOptions given_options(const py::dict& options) {
 }
 
 std::string in_keywords(std::string text) {
-    for (const OptionRow& row : option_rows()) {
-        const std::string flag = row.flag();
+    const auto rename = [&text](const std::string& flag, std::string_view name) {
         for (std::size_t at = 0; (at = text.find(flag, at)) != std::string::npos;) {
             const std::size_t end = at + flag.size();
             const bool is_whole = end == text.size() ||
                                   std::string_view(" :;,.").find(text[end]) != std::string::npos;
-            if (is_whole) text.replace(at, flag.size(), row.name);
-            at += is_whole ? row.name.size() : flag.size();
+            if (is_whole) text.replace(at, flag.size(), name);
+            at += is_whole ? name.size() : flag.size();
         }
-    }
+    };
+    rename("--set", "set");
+    for (const OptionRow& row : option_rows()) rename(row.flag(), row.name);
     return text;
 }
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <type_traits>
 
 #include "error/error.h"
 #include "production/stills/picture_regions.h"
@@ -55,22 +56,53 @@ double checked_ssim(double value) {
 
 constexpr std::string_view share_wanted = "a share of the pixels, as 0.001 or \"0.1%\"";
 constexpr NumberLimit limit_rows[] = {
-    {"max_differing", &GivenLimits::max_differing, LimitKind::share,
-     "share of the pixels that may differ, as 0.001 or 0.1%", "SHARE", share_wanted, checked_share},
-    {"max_over", &GivenLimits::max_over, LimitKind::share,
-     "share of the pixels that may differ by more than --over-levels", "SHARE", share_wanted,
-     checked_share},
-    {"over_levels", &GivenLimits::over_levels, LimitKind::level,
-     "threshold of --max-over in levels of 255; default 2", "N", "a level from 0 to 255",
-     checked_level},
-    {"max_flip", &GivenLimits::max_flip, LimitKind::number,
-     "largest visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of pixels "
-     "may differ unless another option limits it",
-     "FLIP", "a number from 0 to 1", checked_flip},
-    {"min_ssim", &GivenLimits::min_ssim, LimitKind::number,
-     "least structural similarity (SSIM, 1: equal) that passes, as 0.99; then any number of pixels "
-     "may differ unless another option limits it",
-     "SSIM", "a number of at most 1", checked_ssim},
+    {.name = "max_differing",
+     .value = &GivenLimits::max_differing,
+     .limits = &CompareLimits::differing_share,
+     .json_name = "differing_share",
+     .kind = LimitKind::share,
+     .help = "share of the pixels that may differ, as 0.001 or 0.1%",
+     .takes = "SHARE",
+     .wanted = share_wanted,
+     .checked = checked_share},
+    {.name = "max_over",
+     .value = &GivenLimits::max_over,
+     .limits = &CompareLimits::over_level_share,
+     .json_name = "over_level_share",
+     .kind = LimitKind::share,
+     .help = "share of the pixels that may differ by more than --over-levels",
+     .takes = "SHARE",
+     .wanted = share_wanted,
+     .checked = checked_share},
+    {.name = "over_levels",
+     .value = &GivenLimits::over_levels,
+     .limits = &CompareLimits::level,
+     .json_name = "level",
+     .kind = LimitKind::level,
+     .help = "threshold of --max-over in levels of 255; default 2",
+     .takes = "N",
+     .wanted = "a level from 0 to 255",
+     .checked = checked_level},
+    {.name = "max_flip",
+     .value = &GivenLimits::max_flip,
+     .limits = &CompareLimits::most_flip,
+     .json_name = "max_flip",
+     .kind = LimitKind::number,
+     .help = "largest visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of "
+             "pixels may differ unless another option limits it",
+     .takes = "FLIP",
+     .wanted = "a number from 0 to 1",
+     .checked = checked_flip},
+    {.name = "min_ssim",
+     .value = &GivenLimits::min_ssim,
+     .limits = &CompareLimits::least_ssim,
+     .json_name = "min_ssim",
+     .kind = LimitKind::number,
+     .help = "least structural similarity (SSIM, 1: equal) that passes, as 0.99; then any number "
+             "of pixels may differ unless another option limits it",
+     .takes = "SSIM",
+     .wanted = "a number of at most 1",
+     .checked = checked_ssim},
 };
 
 }  // namespace
@@ -157,11 +189,14 @@ CompareLimits limits_of(const GivenLimits& given, const std::optional<CompareLim
         limits = {};
     else if (!profile && (given.max_flip || given.min_ssim))
         limits = CompareLimits::any_pixels();
-    if (given.max_differing) limits.differing_share = *given.max_differing;
-    if (given.max_over) limits.over_level_share = *given.max_over;
-    if (given.over_levels) limits.level = static_cast<int>(*given.over_levels);
-    limits.most_flip = given.max_flip;
-    limits.least_ssim = given.min_ssim;
+    for (const NumberLimit& limit : limit_rows) {
+        const std::optional<double>& value = given.*limit.value;
+        const auto set = [&](const auto member) {
+            using Value = std::remove_reference_t<decltype(limits.*member)>;
+            if (value) limits.*member = static_cast<Value>(*value);
+        };
+        std::visit(set, limit.limits);
+    }
     limits.antialiasing = given.antialiasing.value_or(false);
     return limits;
 }

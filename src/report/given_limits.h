@@ -7,6 +7,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "image/compare.h"
@@ -61,6 +62,11 @@ enum class LimitKind { share, level, number };
 struct NumberLimit {
     std::string_view name;  // "max_flip"; the option is --max-flip
     std::optional<double> GivenLimits::*value;
+    // What it limits, and the name of that in JSON.
+    std::variant<double CompareLimits::*, int CompareLimits::*,
+                 std::optional<double> CompareLimits::*>
+        limits;
+    std::string_view json_name;
     LimitKind kind;
     std::string_view help, takes;      // of the option
     std::string_view wanted;           // what the value is, for messages

@@ -6,19 +6,20 @@ namespace poinsot {
 
 namespace {
 
-std::string json_or_null(const std::optional<double>& value) {
+std::string json_of(const std::optional<double>& value) {
     return value ? json_number(*value) : "null";
 }
 
 std::string json_of(const CompareLimits& limits) {
-    return JsonObject()
-        .add("differing_share", limits.differing_share)
-        .add("level", limits.level)
-        .add("over_level_share", limits.over_level_share)
-        .json("max_flip", json_or_null(limits.most_flip))
-        .json("min_ssim", json_or_null(limits.least_ssim))
-        .add("antialiasing", limits.antialiasing)
-        .line();
+    JsonObject object;
+    for (const NumberLimit& limit : number_limits())
+        std::visit(
+            [&](const auto member) {
+                object.json(std::string(limit.json_name),
+                            json_of(std::optional<double>(limits.*member)));
+            },
+            limit.limits);
+    return object.add("antialiasing", limits.antialiasing).line();
 }
 
 std::string json_strings(const std::vector<std::string>& texts) {
@@ -61,7 +62,7 @@ std::string json_report(std::span<const ComparedPicture> pictures,
         row.add("n_ignored", m.n_ignored);
         row.add("largest_difference", m.largest_difference);
         row.add("mean_difference", m.mean_difference);
-        row.json("ssim", json_or_null(m.ssim)).json("flip", json_or_null(m.flip));
+        row.json("ssim", json_of(m.ssim)).json("flip", json_of(m.flip));
         row.json("limits", json_of(p.limits)).json("ignored", json_strings(p.ignored));
         if (p.film) row.json("film", json_of(*p.film));
         rows.push_back(row.line());

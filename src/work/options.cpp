@@ -64,22 +64,22 @@ std::vector<OptionRow> make_rows() {
          .verbs = Verb::still | Verb::figure,
          .help = "width on paper in millimetres",
          .wanted = "millimetres",
-         .slot = [](GivenOptions& given) -> OptionSlot { return &given.print.width_mm; }},
+         .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.width_mm; }},
         {.name = "height_mm",
          .verbs = Verb::still | Verb::figure,
          .help = "height on paper in millimetres; default: the scene's shape",
          .wanted = "millimetres",
-         .slot = [](GivenOptions& given) -> OptionSlot { return &given.print.height_mm; }},
+         .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.height_mm; }},
         {.name = "dpi",
          .verbs = Verb::still,
          .help = "dots per inch on paper; default 300",
          .wanted = "dots per inch",
-         .slot = [](GivenOptions& given) -> OptionSlot { return &given.print.dpi; }},
+         .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.dpi; }},
         {.name = "type_pt",
          .verbs = Verb::still | Verb::figure,
          .help = "size of labels on paper in points; default 8.5; line widths scale with it",
          .wanted = "points",
-         .slot = [](GivenOptions& given) -> OptionSlot { return &given.print.type_pt; }},
+         .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.type_pt; }},
         {.name = "journal",
          .verbs = Verb::still | Verb::figure,
          .takes = "NAME",
@@ -87,11 +87,11 @@ std::vector<OptionRow> make_rows() {
                  "(a), (b), … on panels, and no title, captions and clock; reports the figure's "
                  "sizes and contrasts",
          .completes = "journals",
-         .slot = [](GivenOptions& given) -> OptionSlot { return &given.print.journal; }},
+         .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.journal; }},
         {.name = "keep_text",
          .verbs = Verb::still | Verb::figure,
          .help = "with --journal: draw title, captions and clock, too",
-         .slot = [](GivenOptions& given) -> OptionSlot { return &given.keep_text; }},
+         .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.keep_text; }},
         {.name = "shading",
          .verbs = Verb::figure,
          .takes = "tone|none|picture",
@@ -116,11 +116,11 @@ std::vector<OptionRow> make_rows() {
          .takes = "NAME",
          .help = "auto, osmesa or egl (software), or gpu",
          .completes = "auto|osmesa|egl|gpu",
-         .slot = [](GivenOptions& given) -> OptionSlot { return &given.backend; }},
+         .slot = [](GivenOptions& given) -> OptionSlot { return &given.context.backend; }},
         {.name = "portable",
          .verbs = Verb::every_drawing,
          .help = "write the same bytes on every x86-64 processor",
-         .slot = [](GivenOptions& given) -> OptionSlot { return &given.portable; }},
+         .slot = [](GivenOptions& given) -> OptionSlot { return &given.context.portable; }},
     };
 }
 
@@ -151,8 +151,16 @@ OutsideFiles outside_files(bool allow_outside) {
     return allow_outside ? OutsideFiles::allowed : OutsideFiles::refused;
 }
 
+PrintChoices print_choices(const library::PaperOptions& paper) {
+    return {.width_mm = paper.width_mm,
+            .height_mm = paper.height_mm,
+            .dpi = paper.dpi,
+            .type_pt = paper.type_pt,
+            .journal = paper.journal};
+}
+
 ContextChoice context_choice_of(const GivenOptions& given) {
-    return context_choice(given.backend, given.portable);
+    return context_choice(given.context.backend, given.context.portable);
 }
 
 }  // namespace poinsot

@@ -12,10 +12,10 @@
 #include <vector>
 
 #include "production/session/files/open_session.h"
-#include "production/session/print_size.h"
 #include "production/stills/picture.h"
 #include "production/vectors/vector_still.h"
 #include "scene/override.h"
+#include "work/poinsot/options.h"
 
 namespace poinsot {
 
@@ -25,13 +25,11 @@ struct GivenOptions {
     bool allow_outside = false;
     std::optional<double> time_s{};  // of the motion
     bool clearest = false;           // time "auto"
-    PrintChoices print{};
-    bool keep_text = false;  // title, captions and clock in a journal's figure
+    library::PaperOptions paper{};
     VectorChoices vectors{};
     int depth = 8;                                                  // bits of a colour component
     std::optional<std::pair<std::int64_t, std::int64_t>> frames{};  // inclusive, from 0
-    std::string backend = "auto";
-    bool portable = false;
+    library::ContextOptions context{};
 };
 
 // What can be asked for, as bits: each option belongs to some.
@@ -81,6 +79,7 @@ std::span<const OptionRow> option_rows();
 SceneRequest scene_request_of(std::string file, const GivenOptions& given,
                               const std::vector<Override>& more_overrides = {});
 OutsideFiles outside_files(bool allow_outside);
+PrintChoices print_choices(const library::PaperOptions& paper);
 // Throws InputError for a backend that does not exist.
 ContextChoice context_choice_of(const GivenOptions& given);
 

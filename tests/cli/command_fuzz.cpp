@@ -63,7 +63,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
         refusable([&] { poinsot::parse_whole("--depth", words[k], "8 or 16"); });
     }
     const std::vector<std::string> given(words.begin() + 1, words.end());
-    refusable([&] { poinsot::parse_scene(a_scene, "fuzz.toml", given); });
+    refusable([&] { poinsot::parse_scene(a_scene, "fuzz.toml", poinsot::overrides_of(given)); });
     if (given.size() > 1)
         refusable([&] {
             poinsot::jobs_of({given.begin() + 1, given.end()}, given.front(),

@@ -10,6 +10,8 @@ import re
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
+# Written from the tables of options and of limits: `ninja keywords`.
+GENERATED = re.compile(r"( *)# keywords of \w+\n.*?# end\n", re.S)
 SUFFIXES = (".cpp", ".h", ".py", ".pyi", ".js", ".html")
 # The beginning of a heading, and the names by which an existing one is found.
 EXISTING = {
@@ -21,7 +23,8 @@ EXISTING = {
     "A scene key": r"&Scene::labels\b|bool labels\b",
     "An integrator": r"\bsplitting\(const MethodStart|make = splitting",
     "A command": r"explain_command",
-    "A limit of `compare`": r"\b(max|most)_flip\b",
+    "An option of `still`": r"\bkeep_text\b",
+    "A limit of `compare`": r"\b(min|least)_ssim\b",
     "A theme": r'"colour-blind"',
     "A quality": r'"reference"',
     "A shape": r"\bConePass\b|std::vector<Cone>",
@@ -30,7 +33,7 @@ EXISTING = {
 
 
 def main():
-    texts = {file.relative_to(ROOT): file.read_text("utf-8") for folder in ("src", "page") for file in sorted((ROOT / folder).rglob("*"))
+    texts = {file.relative_to(ROOT): GENERATED.sub("", file.read_text("utf-8")) for folder in ("src", "page") for file in sorted((ROOT / folder).rglob("*"))
              if file.suffix in SUFFIXES and file.is_file() and "node_modules" not in file.parts}
     headings = re.findall(r"^## (.*) \((\d+)(?: to (\d+))? files?\b.*\)$", (ROOT / "docs/extending.md").read_text("utf-8"), re.M)
     wrong = []

@@ -106,6 +106,7 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"drawing/figures/panels",
      {"drawing/style", "drawing/stage", "drawing/stage/type", "drawing/figures/charts",
       "drawing/figures/elements"}},
+    {"work/poinsot", {}},
     {"library/poinsot", {}},
     {"library/mechanics", {"library/poinsot"}},
     {"library/construction", {"library/poinsot", "library/mechanics"}},

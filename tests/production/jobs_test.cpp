@@ -26,7 +26,7 @@ Session small_session() {
         parse_scene(
             "[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, 0.75]\n"
             "[film]\nlength_s = 1.0\nfps = 10\n",
-            "a.toml", std::vector<std::string>{"film.size=[96, 54]"}),
+            "a.toml", std::vector<Override>{{"film.size", "[96, 54]"}}),
         {installed_fonts()});
 }
 

@@ -20,7 +20,7 @@ const std::string motion =
 
 Session session_from(const std::string& text) {
     return session_of(
-        parse_scene(motion + text, "a.toml", std::vector<std::string>{"film.size=[240, 136]"}),
+        parse_scene(motion + text, "a.toml", std::vector<Override>{{"film.size", "[240, 136]"}}),
         {installed_fonts()});
 }
 

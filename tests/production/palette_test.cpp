@@ -97,8 +97,8 @@ class Surfaces {
           job_(session_of(scene_of(theme, scene), SessionRequest{installed_fonts()}), {}) {}
 
     static Scene scene_of(const Theme& theme, const std::string& scene) {
-        const std::vector<std::string> settings{"film.size=[640, 360]",
-                                                fmt::format("theme=\"{}\"", theme.name)};
+        const std::vector<Override> settings{{"film.size", "[640, 360]"},
+                                             {"theme", std::string(theme.name)}};
         return load_scene(source_folder() / "scenes" / (scene + ".toml"), settings);
     }
 

@@ -19,7 +19,7 @@ Session session_with(const std::string& events, const std::string& fps = "10") {
         parse_scene("[body]\nmoments_kg_m2 = [1.0, 2.0, 2.9]\n[start]\nomega_rad_s = [1.5, 0.3, "
                     "0.75]\n[film]\nlength_s = 3.0\nfps = " +
                         fps + "\n" + events,
-                    "a.toml", std::vector<std::string>{"film.size=[96, 54]"}));
+                    "a.toml", std::vector<Override>{{"film.size", "[96, 54]"}}));
 }
 
 std::vector<Slide> slides_with(const std::string& events) {

@@ -222,8 +222,8 @@ def test_an_input_error_says_file_line_and_column(tmp_path):
 
     with pytest.raises(poinsot.InputError) as caught:
         poinsot.Scene("generic").set({"film.sise": 3})
-    assert (caught.value.file, caught.value.line, caught.value.column) == ("--set film.sise=3", None, None)
-    assert str(caught.value) == '--set film.sise=3: unknown key "film.sise"; did you mean "film.size"?'
+    assert (caught.value.file, caught.value.line, caught.value.column) == ("set film.sise=3", None, None)
+    assert str(caught.value) == 'set film.sise=3: unknown key "film.sise"; did you mean "film.size"?'
 
 
 def test_errors_survive_pickling():

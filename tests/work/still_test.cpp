@@ -20,13 +20,13 @@ SceneRequest scene() {
 
 GivenOptions with_dpi(double dpi) {
     GivenOptions given;
-    given.print.dpi = dpi;
+    given.paper.dpi = dpi;
     return given;
 }
 
 GivenOptions for_journal(const std::string& journal) {
     GivenOptions given;
-    given.print.journal = journal;
+    given.paper.journal = journal;
     return given;
 }
 
@@ -55,11 +55,12 @@ TEST(StillOrder, FollowsAJournal) {
     EXPECT_FALSE(scene_of(order.scene).overlays);
     EXPECT_EQ(order.still.print.width_mm, 85.0);  // a column, as its author pages say
     GivenOptions keeping = for_journal("iop");
-    keeping.keep_text = true;
+    keeping.paper.keep_text = true;
     const StillOrder with_text = still_order(scene(), keeping, "a.pdf", {});
     EXPECT_TRUE(scene_of(with_text.scene).overlays);
-    EXPECT_EQ(refusal_message([] { still_order(scene(), {.keep_text = true}, "a.pdf", {}); }),
-              "--keep-text: only --journal leaves text out; add --journal, or leave it out");
+    EXPECT_EQ(
+        refusal_message([] { still_order(scene(), {.paper = {.keep_text = true}}, "a.pdf", {}); }),
+        "--keep-text: only --journal leaves text out; add --journal, or leave it out");
 }
 
 }  // namespace

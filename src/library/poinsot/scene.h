@@ -5,6 +5,8 @@
 // pictures, one after another.
 #pragma once
 
+#include <poinsot/options.h>
+
 #include <cstdint>
 #include <functional>
 #include <memory>
@@ -26,20 +28,6 @@ struct Watch {
     // What a still or a figure for a journal contains, a line each: size, least sizes, contrasts,
     // and what is left out. As `poinsot still --journal` prints it.
     std::function<void(const std::string& lines)> report{};
-};
-
-// How pictures are drawn. `backend`: auto, osmesa, egl or gpu. `portable`: the same bytes on every
-// x86-64 processor; the first picture of a process must ask for it.
-struct ContextOptions {
-    std::string backend = "auto";
-    bool portable = false;
-};
-
-// The size on paper: millimetres, dots per inch, points. As the options of `poinsot still`.
-struct PaperOptions {
-    std::optional<double> width_mm{}, height_mm{}, dpi{}, type_pt{};
-    std::string journal{};
-    bool keep_text = false;  // with a journal: draw title, captions and clock, too
 };
 
 // One picture. The instant is `time_s` of the motion, in seconds; without it film.still_s of the

@@ -23,25 +23,13 @@ namespace poinsot::library {
 
 namespace {
 
-void set_context(const ContextOptions& context, GivenOptions& given) {
-    given.backend = context.backend;
-    given.portable = context.portable;
-}
-
 // What pictures and figures have in common.
 template <typename Options>
 GivenOptions given_of(const Options& options) {
-    const PaperOptions& paper = options.paper;
-    GivenOptions given{.time_s = options.time_s,
-                       .clearest = options.clearest,
-                       .print = {.width_mm = paper.width_mm,
-                                 .height_mm = paper.height_mm,
-                                 .dpi = paper.dpi,
-                                 .type_pt = paper.type_pt,
-                                 .journal = paper.journal},
-                       .keep_text = paper.keep_text};
-    set_context(options.context, given);
-    return given;
+    return {.time_s = options.time_s,
+            .clearest = options.clearest,
+            .paper = options.paper,
+            .context = options.context};
 }
 
 // A session that says nothing; the caller can stop its stepping.
@@ -297,17 +285,14 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
 void Scene::render(const std::string& path, const RenderOptions& options,
                    const Watch& watch) const {
     if (path.empty()) throw InputError("the output has no name; give one, as film.mp4");
-    GivenOptions given{.frames = options.frames};
-    set_context(options.context, given);
-    SceneAccess::film(*this, {.output = path}, given, watch);
+    SceneAccess::film(*this, {.output = path},
+                      {.frames = options.frames, .context = options.context}, watch);
 }
 
 void Scene::slides(const std::string& folder, const ContextOptions& context,
                    const Watch& watch) const {
     if (folder.empty()) throw InputError("the folder of the slides has no name; give one");
-    GivenOptions given;
-    set_context(context, given);
-    SceneAccess::film(*this, {.slides = folder}, given, watch);
+    SceneAccess::film(*this, {.slides = folder}, {.context = context}, watch);
 }
 
 }  // namespace poinsot::library
