@@ -1,5 +1,5 @@
 // Elements of textbook figures of the body and its rates: axes, half-axes, rates of precession.
-// Rows of the table in elements.cpp; picture axes.
+// Rows of the table in element_rows.h; picture axes.
 #include "drawing/figures/elements/figure_elements.h"
 
 #include <fmt/format.h>

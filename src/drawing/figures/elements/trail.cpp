@@ -7,7 +7,7 @@
 #include <numbers>
 #include <utility>
 
-#include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/filled_annulus.h"
 #include "drawing/stage/marks.h"
 #include "drawing/stage/smooth_paths.h"
 #include "mechanics/top/heavy_top.h"
@@ -48,9 +48,9 @@ double fading_length_s(const StageContext& stage) {
     return stage.polhode_period_s.value_or(endless);
 }
 
-// Most points of a path, and of a herpolhode that has not yet filled its ring.
+// Most points of a path, and of a herpolhode that has not yet filled its annulus.
 constexpr std::size_t most_points = 200'000;
-constexpr std::size_t most_ring_points = 1'000'000;
+constexpr std::size_t most_annulus_points = 1'000'000;
 
 }  // namespace
 
@@ -263,34 +263,36 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
         path.off += seen_drift(stage, point, *period_s, tolerance);
         if (path.off <= tolerance) return as_curve(std::move(path), period_s);
     }
-    // or it may fill its ring.
-    const auto ring =
-        kind == "fading" ? std::nullopt : filled_ring(stage, point, tolerance, width, most_points);
-    if (!ring || !(span_s >= ring->filled_after_s)) {
-        kept(options.first_time_s, options.last_time_s, most_ring_points);
+    // or it may fill its annulus.
+    const auto annulus = kind == "fading"
+                             ? std::nullopt
+                             : filled_annulus(stage, point, tolerance, width, most_points);
+    if (!annulus || !(span_s >= annulus->filled_after_s)) {
+        kept(options.first_time_s, options.last_time_s, most_annulus_points);
         return as_curve(std::move(path), {});
     }
     const bool always = kind == "whole";
-    const double filled_s = options.first_time_s + ring->filled_after_s;
+    const double filled_s = options.first_time_s + annulus->filled_after_s;
     // A curve of one point if no instant shows it.
     const bool is_shown = !always && first_shown_s < filled_s;
-    if (!kept(options.first_time_s, is_shown ? filled_s : options.first_time_s, most_ring_points))
+    if (!kept(options.first_time_s, is_shown ? filled_s : options.first_time_s,
+              most_annulus_points))
         return as_curve(std::move(path), {});
     TimedCurve timed = as_curve(std::move(path), {});
-    timed.ring = RingFromThen{always ? -endless : filled_s, ring->points};
+    timed.annulus = AnnulusFromThen{always ? -endless : filled_s, annulus->points};
     return timed;
 }
 
-double herpolhode_width_px(const Panel& panel, double ring_px) {
+double herpolhode_width_px(const Panel& panel, double annulus_px) {
     const StageContext& stage = *panel.stage;
     const double usual_px = 4.0 * stage.theme.herpolhode_weight;
     if (!is_on_paper(stage) || stage.rolling->dissipates) return usual_px;
-    // In its ring the turns are on average this far apart.
+    // In its annulus the turns are on average this far apart.
     const double span_s =
         std::max(stage.options.last_time_s - stage.options.first_time_s, stage.options.loop_s);
     const double rate_rad_s = stage.motion.motion().free_constants().mean_advance_rate_rad_s;
     const double n_turns = std::abs(rate_rad_s) * span_s / (2.0 * std::numbers::pi);
-    const double apart_px = ring_px / std::max(n_turns, 1.0);
+    const double apart_px = annulus_px / std::max(n_turns, 1.0);
     constexpr double share = 0.75;
     const double least_px = std::min(stage.options.least.line_px / panel.px, usual_px);
     return std::clamp(share * apart_px / panel.px, least_px, usual_px);

@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "drawing/figures/elements/direction_marks.h"
-#include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/filled_annulus.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/measured_points.h"
 #include "drawing/figures/elements/trail.h"
@@ -168,7 +168,7 @@ struct HerpolhodeCurve {
     Curve curve;
     Trail trail;
     std::optional<DirectionMarks> marks;
-    std::optional<RingCurve> ring;
+    std::optional<AnnulusCurve> annulus;
 };
 
 HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanScale& scale) {
@@ -205,9 +205,9 @@ HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanS
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel))
         marks.emplace(panel, store, *curve.geometry, Marking{.spacing = mark_spacing});
-    std::optional<RingCurve> ring = ring_of(
+    std::optional<AnnulusCurve> annulus = annulus_of(
         panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
-    return {curve, std::move(timed.trail), std::move(marks), std::move(ring)};
+    return {curve, std::move(timed.trail), std::move(marks), std::move(annulus)};
 }
 
 Curve circle_of(const Panel& panel, double radius) {
@@ -324,8 +324,8 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         name_shapes("radius", builder);
         beside(instant, builder);
         name_shapes("drift", builder);
-        if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
-            builder.view.curves.push_back(timed->ring->curve);
+        if (timed && timed->annulus && instant.time_s >= timed->annulus->from_s) {
+            builder.view.curves.push_back(timed->annulus->curve);
         } else if (timed) {
             Curve shown = timed->curve;
             const ShownStretch stretch = timed->trail.at(instant.time_s);

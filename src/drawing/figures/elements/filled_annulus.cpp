@@ -1,4 +1,4 @@
-#include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/filled_annulus.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,9 +22,9 @@ double advance_turns(const StageContext& stage) {
     return stage.motion.motion().free_constants().advance_per_period_rad.value_or(0.0) / (2.0 * pi);
 }
 
-Polhode::Annulus annulus_of(const StageContext& stage) { return stage.rolling->polhode.annulus(); }
+Polhode::Annulus circles_of(const StageContext& stage) { return stage.rolling->polhode.annulus(); }
 
-// An instant at which the curve touches a circle of the ring, searched through half a period, in
+// An instant at which the curve touches a circle of the annulus, searched through half a period, in
 // which it touches each once.
 double touching_s(const PathPoint& point, double period_s, bool outer) {
     constexpr int n = 4096;
@@ -37,12 +37,12 @@ double touching_s(const PathPoint& point, double period_s, bool outer) {
     return period_s * best / n;
 }
 
-// Largest distance of the curve from a circle of the ring after it has turned about L by half of
+// Largest distance of the curve from a circle of the annulus after it has turned about L by half of
 // `gap_rad` from the point where it touches this circle: there two neighbouring turns meet that
 // touch the circle `gap_rad` apart.
 double notch(const StageContext& stage, const PathPoint& point, double period_s, double gap_rad,
              bool outer) {
-    const Polhode::Annulus annulus = annulus_of(stage);
+    const Polhode::Annulus annulus = circles_of(stage);
     const double radius = outer ? annulus.outer : annulus.inner;
     const double touches_s = touching_s(point, period_s, outer);
     const Eigen::Vector3d from = point(touches_s);
@@ -67,7 +67,7 @@ double notch(const StageContext& stage, const PathPoint& point, double period_s,
 std::optional<double> retracing_s(const StageContext& stage, double span_s, double longest_s,
                                   double tolerance) {
     const FreeRotationConstants constants = stage.motion.motion().free_constants();
-    const double outer = annulus_of(stage).outer;
+    const double outer = circles_of(stage).outer;
     if (stage.rolling->polhode.kind() == Polhode::Kind::circle) {
         // A circle, traversed at a constant rate; in axes that turn with it, a point.
         const double rate_rad_s = std::abs(constants.mean_advance_rate_rad_s);
@@ -89,10 +89,11 @@ std::optional<double> retracing_s(const StageContext& stage, double span_s, doub
     return static_cast<double>(*k) * period_s;
 }
 
-std::optional<FilledRing> filled_ring(const StageContext& stage, const PathPoint& point,
-                                      double tolerance, double width, std::size_t most_points) {
+std::optional<FilledAnnulus> filled_annulus(const StageContext& stage, const PathPoint& point,
+                                            double tolerance, double width,
+                                            std::size_t most_points) {
     const FreeRotationConstants constants = stage.motion.motion().free_constants();
-    const Polhode::Annulus annulus = annulus_of(stage);
+    const Polhode::Annulus annulus = circles_of(stage);
     if (!constants.polhode_period_s || stage.turns() || !(width > 0.0)) return std::nullopt;
     // After half a polhode period, ω has returned with two components reversed, and the curve
     // repeats, rotated about L by half of the period's advance.
@@ -114,8 +115,8 @@ std::optional<FilledRing> filled_ring(const StageContext& stage, const PathPoint
     const auto n_periods = marks_until_gap(turned, gap_rad / (2.0 * pi));
     if (!n_periods) return std::nullopt;
 
-    FilledRing ring;
-    ring.filled_after_s = (*n_periods + 1.0) * period_s;
+    FilledAnnulus filled;
+    filled.filled_after_s = (*n_periods + 1.0) * period_s;
 
     // A spiral from one circle to the other, with one turn along each. The sagitta r(1 − cos(π/n))
     // stays below the tolerance.
@@ -132,24 +133,24 @@ std::optional<FilledRing> filled_ring(const StageContext& stage, const PathPoint
         const double share = std::clamp((turn - 1.0) / n_turns, 0.0, 1.0);
         const double radius = annulus.inner + share * (annulus.outer - annulus.inner);
         const double angle = 2.0 * pi * turn;
-        ring.points.push_back(radius * (std::cos(angle) * across + std::sin(angle) * along));
+        filled.points.push_back(radius * (std::cos(angle) * across + std::sin(angle) * along));
     }
-    return ring;
+    return filled;
 }
 
-std::optional<RingCurve> ring_of(
+std::optional<AnnulusCurve> annulus_of(
     const Panel& panel, StageStore& store, const TimedCurve& timed, const Curve& curve,
     const std::function<CurveGeometry(const std::vector<Eigen::Vector3d>& points)>& place) {
-    if (!timed.ring) return std::nullopt;
-    RingCurve ring{timed.ring->from_s, curve};
-    ring.curve.geometry =
-        keep(panel, store, place(timed.ring->points), panel.curve_units(), "the ring");
-    ring.curve.dash_px = 0.0;
-    ring.curve.lasting = true;
+    if (!timed.annulus) return std::nullopt;
+    AnnulusCurve annulus{timed.annulus->from_s, curve};
+    annulus.curve.geometry =
+        keep(panel, store, place(timed.annulus->points), panel.curve_units(), "the ring");
+    annulus.curve.dash_px = 0.0;
+    annulus.curve.lasting = true;
     store.note(
         "the herpolhode has so many turns that its curve covers its ring; it is drawn as a filled "
         "ring");
-    return ring;
+    return annulus;
 }
 
 }  // namespace poinsot
