@@ -157,7 +157,7 @@ struct Stage::Contents {
             if (stop.loop_s) loops.push_back({stop.at_s - *stop.loop_s, stop.at_s});
         for (std::size_t i = 0; i < panels.size(); ++i)
             if (!names[i].empty())
-                plan_names(panels[i], std::move(instants[i]), context.options.loop_s > 0.0, loops,
+                plan_names(panels[i], std::move(instants[i]), context.options.repeat_s > 0.0, loops,
                            names[i]);
     }
 };

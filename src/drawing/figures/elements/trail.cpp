@@ -62,7 +62,7 @@ Trail::Trail(const StageContext& stage, const std::string& kind, const TimedPath
       last_time_s_(stage.options.last_time_s),
       period_s_(period_s),
       length_s_(fading_length_s(stage)),
-      loops_(stage.options.loop_s > 0.0) {}
+      loops_(stage.options.repeat_s > 0.0) {}
 
 ShownStretch Trail::at(double time_s) const {
     // Wrapped into the period that was sampled from the film's first instant on.
@@ -232,7 +232,7 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
         return timed;
     };
 
-    auto period_s = options.loop_s > 0.0 ? std::optional(options.loop_s) : std::nullopt;
+    auto period_s = options.repeat_s > 0.0 ? std::optional(options.repeat_s) : std::nullopt;
     TimedPath path = sampled(stage, point, period_s, wanted, tolerance);
     if (period_s) path.off += seen_drift(stage, point, *period_s, tolerance);
     const bool is_exact = is_smooth(stage) && !stage.rolling->dissipates;
@@ -289,7 +289,7 @@ double herpolhode_width_px(const Panel& panel, double annulus_px) {
     if (!is_on_paper(stage) || stage.rolling->dissipates) return usual_px;
     // In its annulus the turns are on average this far apart.
     const double span_s =
-        std::max(stage.options.last_time_s - stage.options.first_time_s, stage.options.loop_s);
+        std::max(stage.options.last_time_s - stage.options.first_time_s, stage.options.repeat_s);
     const double rate_rad_s = stage.motion.motion().free_constants().mean_advance_rate_rad_s;
     const double n_turns = std::abs(rate_rad_s) * span_s / (2.0 * std::numbers::pi);
     const double apart_px = annulus_px / std::max(n_turns, 1.0);

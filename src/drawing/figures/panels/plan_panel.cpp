@@ -335,7 +335,7 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         }
 
         // The start of the film's curve; a loop has none.
-        if (timed && !(panel.stage->options.loop_s > 0.0)) {
+        if (timed && !(panel.stage->options.repeat_s > 0.0)) {
             Dot start = dot_at(panel, timed->curve.geometry->points.front(),
                                panel.stage->theme.herpolhode, 4.5);
             start.occlusion = Occlusion::none;
