@@ -111,7 +111,7 @@ struct Stage::Contents {
         if (comparison != nullptr && !shows_comparison) {
             throw SceneError(scene.location_of("beside"),
                              "no panel here shows the comparison method; add a panel " +
-                                 panels_that_take(takes_comparison, "or"));
+                                 panels_that_use(uses_comparison, "or"));
         }
         // What an inset shows has its names in the panel around it.
         for (const Panel& panel : panels)

@@ -581,7 +581,7 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
         return std::find(list.begin(), list.end(), name) != list.end();
     };
     std::vector<ThingName> names;
-    if ((panel_kind_named(panel.spec.kind).takes & takes_names) == 0) return names;
+    if ((panel_kind_named(panel.spec.kind).uses & uses_names) == 0) return names;
     if (!scene.labels || is_in(scene.unlabelled, panel.spec.kind)) return names;
     for (const NamedThing& thing : things) {
         if (scene.names && !is_in(*scene.names, thing.name)) continue;

@@ -119,11 +119,11 @@ inline constexpr Element element_rows[] = {
     {"inertial-forces",
      "in panel object, the inertial forces on point masses in the axes that turn with the body: "
      "from each mass the centrifugal force −m ω × (ω × r), from its tip −m dω/dt × r",
-     never_shown, attitude_too, make_inertial_forces, false, takes_forces},
+     never_shown, attitude_too, make_inertial_forces, false, uses_forces},
     {"solid-angle",
      "in panel momentum, the part of the sphere that L encloses in one polhode period, as a flat "
      "area",
-     never_shown, omega_alone, make_solid_angle, false, takes_solid_angle},
+     never_shown, omega_alone, make_solid_angle, false, uses_solid_angle},
     {"measured",
      "ρ = ω/√(2T) of the measured motion in [measured] up to the instant, with the scene's T: on "
      "the ellipsoid and on the plane",

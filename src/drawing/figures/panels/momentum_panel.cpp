@@ -223,7 +223,7 @@ void make_momentum_panel(Panel& panel, StageStore& store) {
         set_label(panel, store, "-\\boldsymbol{\\omega}\\times\\mathbf{L}", 0.85);
     const Drawer comparison = make_momentum_comparison(panel, store);
     const Drawer spiral = dissipates ? make_momentum_spiral(panel, store) : Drawer();
-    const Drawer elements = make_shown_elements(panel, store, takes_solid_angle);
+    const Drawer elements = make_shown_elements(panel, store, uses_solid_angle);
     panel.draw = [&panel, spiral, elements, sphere, energy, curves, axis_lengths, axis_types,
                   momentum_type, omega_type, velocity_type, legend,
                   comparison](const FrameInput& instant, ViewBuilder& builder) {

@@ -226,7 +226,7 @@ void make_object_panel(Panel& panel, StageStore& store) {
     const StageContext& stage = *panel.stage;
     const BodyShape shape = body_shape(panel, store);
     const ArrowScale arrows(stage);
-    const Drawer elements = make_shown_elements(panel, store, takes_forces);
+    const Drawer elements = make_shown_elements(panel, store, uses_forces);
 
     const TorqueScale torque_scale(stage);
     const auto margin = [&panel](double names_em) {

@@ -48,40 +48,40 @@ inline constexpr Phrase effective_potential_title{"Effective potential", "Effekt
 inline constexpr PanelKind panel_rows[] = {
     {"space", "the ellipsoid rolling on the invariable plane", invariable_plane_title, false,
      keeps_momentum, needs_turning, make_space_panel,
-     takes_elements | takes_direction_marks | takes_marks_on_ellipsoid | takes_marks_in_space |
-         takes_mark_trails | takes_comparison | takes_names | takes_measured | takes_inset,
+     uses_elements | uses_direction_marks | uses_marks_on_ellipsoid | uses_marks_in_space |
+         uses_mark_trails | uses_comparison | uses_names | uses_measured | uses_inset,
      CameraUse::all, nullptr, "invariable-plane"},
     {"body", "the ellipsoid at rest, all its polhodes and the separatrices", body_axes_title, true,
      keeps_momentum, needs_turning, make_body_panel,
-     takes_curves | takes_spiral | takes_marks_on_ellipsoid | takes_comparison | takes_names |
-         takes_measured,
+     uses_curves | uses_polhode_trail | uses_marks_on_ellipsoid | uses_comparison | uses_names |
+         uses_measured,
      CameraUse::direction, principal_view_direction},
     {"plan", "the herpolhode on the plane, seen along its normal", herpolhode_title, true, rolls,
      needs_free_turning, make_plan_panel,
-     takes_herpolhode | takes_direction_marks | takes_azimuth | takes_comparison | takes_names |
-         takes_measured,
+     uses_herpolhode | uses_direction_marks | uses_azimuth | uses_comparison | uses_names |
+         uses_measured,
      CameraUse::none, nullptr, "herpolhode"},
     {"momentum",
      "the sphere of constant |L| and the energy ellipsoid, which meet in the path of L in body "
      "axes",
      momentum_in_body_axes_title, true, keeps_momentum, needs_turning, make_momentum_panel,
-     takes_spiral | takes_comparison | takes_solid_angle | takes_names, CameraUse::direction,
+     uses_polhode_trail | uses_comparison | uses_solid_angle | uses_names, CameraUse::direction,
      principal_view_direction},
     {"object", "the turning body itself, with its principal axes, ω and L", body_in_space_title,
      true, any_motion, "", make_object_panel,
-     takes_object | takes_marks_on_body | takes_mark_trails | takes_comparison | takes_forces,
+     uses_object | uses_marks_on_body | uses_mark_trails | uses_comparison | uses_forces,
      CameraUse::direction},
     {"plot", "ω, angles, energies or residuals against time, with a moving cursor", no_words, true,
-     any_motion, "", make_plot_panel, takes_quantity | takes_comparison | takes_measured},
+     any_motion, "", make_plot_panel, uses_quantity | uses_comparison | uses_measured},
     {"top", "a heavy top with its Euler angles and the path of its axis on the unit sphere",
      heavy_top_title, true, is_heavy_top, needs_heavy_top, make_top_panel,
-     takes_axis_path | takes_comparison | takes_names, CameraUse::direction},
+     uses_axis_path | uses_comparison | uses_names, CameraUse::direction},
     {"potential", "effective potential of a heavy top, with its energy E and its current tilt",
      effective_potential_title, true, is_heavy_top, needs_heavy_top, make_potential_panel,
-     takes_nothing},
+     uses_nothing},
     {"sweep",
      "the quantity that [construction] sweep varies: an axis of a body at rest, or √(2T)/L",
-     no_words, true, sweeps, "[construction] sweep", make_sweep_panel, takes_object | takes_names,
+     no_words, true, sweeps, "[construction] sweep", make_sweep_panel, uses_object | uses_names,
      CameraUse::direction},
 };
 

@@ -161,7 +161,7 @@ Drawer make_marks(Panel& panel, StageStore& store) {
 void make_space_panel(Panel& panel, StageStore& store) {
     aim_along(panel);
 
-    std::vector<Drawer> drawers{make_shown_elements(panel, store, takes_elements)};
+    std::vector<Drawer> drawers{make_shown_elements(panel, store, uses_elements)};
     if (!panel.stage->scene.marks.empty())
         drawers.emplace_back(
             [marks = make_marks(panel, store)](const FrameInput& instant, ViewBuilder& builder) {
