@@ -187,7 +187,7 @@ Drawing Stage::at(double time_s) const {
 
 namespace {
 
-LineRules line_rules(const StageContext& stage, const StageStore& store) {
+LineStyleRules line_style_rules(const StageContext& stage, const StageStore& store) {
     const auto said = [](std::string_view by_scene, std::string_view by_theme) {
         return by_scene.empty() ? by_theme : by_scene;
     };
@@ -241,7 +241,7 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
                  panel, contents_->names[i], rules.overlays, moment.film_s, is_planned, view))
             drawing.unnamed.push_back(thing);
         for (Label& label : view.labels) label.colour = letter_colour(context.theme, label.colour);
-        follow_line_rules(line_rules(context, contents_->store), view);
+        apply_line_style(line_style_rules(context, contents_->store), view);
         drawing.views.push_back(std::move(view));
     }
     if (!over.labels.empty()) drawing.views.push_back(std::move(over));
