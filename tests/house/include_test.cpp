@@ -172,6 +172,7 @@ const std::map<std::string, std::string> tests_without_source{
     {"cli/unfinished", "what lies in the place of the unfinished work of every command"},
     {"drawing/dissipation", "friction and drag in all panels"},
     {"drawing/level_scale", "the scale of distances beside the body"},
+    {"drawing/evaluations", "what panels and elements do not compute"},
     {"drawing/kept_curves", "the bound of every curve of every panel"},
     {"production/page_labels", "labels over the whole page, in all scenes"},
     {"drawing/lecture_claims", "what the scenes of the lecture say, in all panels"},

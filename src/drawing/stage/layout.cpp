@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "drawing/stage/fade.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/possible_motions.h"
+#include "drawing/stage/stage_context.h"
 #include "drawing/stage/thing_names.h"
 #include "drawing/stage/type/labels.h"
 #include "scene/camera_views.h"

@@ -11,9 +11,9 @@
 
 #include "drawing/stage/fade.h"
 #include "drawing/stage/live_values.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/thing_names.h"
 #include "drawing/stage/type/clock_text.h"
+#include "drawing/stage/type/scene_symbols.h"
 #include "drawing/stage/type/time_unit.h"
 #include "drawing/style/theme_contrast.h"
 #include "drawing/style/theme_roles.h"

@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "drawing/stage/drawing_primitives.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/layout.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/stage_context.h"

@@ -12,7 +12,7 @@
 #include <utility>
 #include <variant>
 
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/style/theme_roles.h"
 #include "numerics/smooth_step.h"

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "drawing/figures/charts/chart_fit.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
+#include "drawing/stage/type/type_sizes.h"
 
 namespace poinsot {
 

@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/stage_store.h"
 #include "drawing/style/picture_quality.h"
 #include "scene/scene_error.h"

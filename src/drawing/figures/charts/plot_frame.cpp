@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "text/languages.h"
 
 namespace poinsot {

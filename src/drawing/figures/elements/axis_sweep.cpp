@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "construction/adaptive_curve.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "text/languages.h"
 
 namespace poinsot {
@@ -98,7 +99,7 @@ void AxisSweep::add_trace(const Eigen::Matrix3d& picture_from_principal, double 
     Arrow rho_arrow = arrow_to(panel, rho, theme.rho, 1.35);
     rho_arrow.hidden_opacity = 0.9;
     builder.view.arrows.push_back(rho_arrow);
-    wish_beside(panel, 0.62 * rho, rho, rho_type_, theme.rho, builder);
+    request_label_beside(panel, 0.62 * rho, rho, rho_type_, theme.rho, builder);
     name_shapes("radius", builder);
 }
 

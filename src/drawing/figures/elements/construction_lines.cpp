@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "drawing/figures/elements/elements.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
+#include "drawing/stage/label_requests.h"
 #include "numerics/smooth_step.h"
 #include "shapes/projection.h"
 #include "text/languages.h"
@@ -28,9 +29,9 @@ namespace {
 constexpr double seen_through = 0.9;
 
 // A label beside the middle part of a line, on the left in the line's direction in the picture.
-void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                      double share, const TextBlock& type, const LineStyle& colour,
-                      ViewBuilder& builder) {
+void request_label_beside_line(const Panel& panel, const Eigen::Vector3d& from,
+                               const Eigen::Vector3d& to, double share, const TextBlock& type,
+                               const LineStyle& colour, ViewBuilder& builder) {
     const Eigen::Vector2d a = project(builder.view, from).px;
     const Eigen::Vector2d b = project(builder.view, to).px;
     LabelRequest request;
@@ -152,7 +153,7 @@ Drawer make_momentum(const Panel& panel, StageStore& store) {
                             arrow.colour, presence, builder);
             builder.view.dots.push_back(here);
         }
-        wish_at_tip(panel, arrow, type, builder);
+        request_label_at_tip(panel, arrow, type, builder);
     };
 }
 
@@ -171,8 +172,8 @@ Drawer make_omega(const Panel& panel, StageStore& store) {
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         // The label is further along the line, away from the contact and the lines that meet there.
-        wish_beside(panel, beyond ? arrow.tip : past_contact(rho), Eigen::Vector3d::Zero(), type,
-                    arrow.colour, builder);
+        request_label_beside(panel, beyond ? arrow.tip : past_contact(rho), Eigen::Vector3d::Zero(),
+                             type, arrow.colour, builder);
         builder.requests.back().side = 1;
     };
 }
@@ -211,7 +212,7 @@ Drawer make_radius(const Panel& panel, StageStore& store) {
         Arrow arrow = arrow_to(panel, rho, colour, 1.3);
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
-        wish_beside_line(panel, Eigen::Vector3d::Zero(), rho, 0.5, type, colour, builder);
+        request_label_beside_line(panel, Eigen::Vector3d::Zero(), rho, 0.5, type, colour, builder);
     };
 }
 
@@ -238,7 +239,7 @@ Drawer make_tangent(const Panel& panel, StageStore& store) {
         const Eigen::Vector3d right = right_of(builder);
         const Eigen::Vector3d away = Eigen::Vector3d::UnitZ().cross(right);
         const Eigen::Vector3d edge = here.centre - 0.85 * plane.radius * (0.6 * right + 0.8 * away);
-        wish_beside(panel, edge, edge + right, type, panel.stage->theme.text, builder);
+        request_label_beside(panel, edge, edge + right, type, panel.stage->theme.text, builder);
     };
 }
 
@@ -276,8 +277,8 @@ Drawer make_projection(const Panel& panel, StageStore& store) {
         across.hidden_opacity = seen_through;
         for (const Curve& line : {along, across}) builder.view.curves.push_back(line);
         // On the side of L away from ρ.
-        wish_beside_line(panel, Eigen::Vector3d::Zero(), foot, 0.55, type, panel.stage->theme.text,
-                         builder);
+        request_label_beside_line(panel, Eigen::Vector3d::Zero(), foot, 0.55, type,
+                                  panel.stage->theme.text, builder);
         const Eigen::Vector2d to_rho =
             project(builder.view, rho).px - project(builder.view, foot).px;
         Eigen::Vector2d& away = builder.requests.back().away;
@@ -307,7 +308,7 @@ Drawer make_distance(const Panel& panel, StageStore& store) {
             arrow.hidden_opacity = seen_through;
             builder.view.arrows.push_back(arrow);
         }
-        wish_beside_line(panel, from, to, 0.5, type, colour, builder);
+        request_label_beside_line(panel, from, to, 0.5, type, colour, builder);
         // Away from the ellipsoid, for both directions of the line.
         Eigen::Vector2d& away = builder.requests.back().away;
         away.x() = std::abs(away.x());
@@ -448,12 +449,12 @@ Drawer make_velocity(const Panel& panel, StageStore& store) {
             arrow.hidden_opacity = 0.8;
             builder.view.arrows.push_back(arrow);
             builder.view.dots.push_back(dot_at(panel, point, colour, 4.0));
-            if (k == named) wish_at_tip(panel, arrow, type, builder);
+            if (k == named) request_label_at_tip(panel, arrow, type, builder);
         }
         // Beyond the contact, as seen from the foot of L, and clear of the curves: at the end of a
         // leader.
-        wish_beside(panel, rho, picture.foot(instant) - 0.5 * picture.normal, rest_type, colour,
-                    builder);
+        request_label_beside(panel, rho, picture.foot(instant) - 0.5 * picture.normal, rest_type,
+                             colour, builder);
         LabelRequest& rest = builder.requests.back();
         rest.away = Eigen::Vector2d(rest.away.x() < 0.0 ? -0.85 : 0.85, 0.53);
         rest.gap_px = 44.0 * panel.px;

@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "drawing/figures/elements/element_rows.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/overlay.h"
 #include "error/error.h"
 #include "scene/scene_error.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drawing/figures/elements/elements.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/possible_motions.h"
 #include "error/error.h"
 #include "measured/table_faults.h"

@@ -11,7 +11,7 @@
 #include "drawing/figures/elements/direction_marks.h"
 #include "drawing/figures/elements/filled_annulus.h"
 #include "drawing/figures/elements/trail.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/smooth_paths.h"
 #include "numerics/smooth_step.h"
 #include "shapes/projection.h"

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "drawing/figures/elements/filled_annulus.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/smooth_paths.h"
+#include "drawing/stage/stage_context.h"
 #include "mechanics/top/heavy_top.h"
 
 namespace poinsot {

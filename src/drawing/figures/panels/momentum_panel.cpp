@@ -15,9 +15,10 @@
 #include "drawing/figures/elements/elements.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/trail.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/style/theme_contrast.h"
 

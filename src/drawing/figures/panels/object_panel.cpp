@@ -15,9 +15,10 @@
 #include "drawing/figures/elements/inertial_forces.h"
 #include "drawing/figures/elements/object_shapes.h"
 #include "drawing/figures/elements/user_marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "mechanics/torque.h"
 #include "shapes/projection.h"
 

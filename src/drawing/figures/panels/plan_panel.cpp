@@ -17,9 +17,10 @@
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/measured_points.h"
 #include "drawing/figures/elements/trail.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/possible_motions.h"
 
 namespace poinsot {
@@ -348,8 +349,8 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         builder.view.dots.push_back(dot);
         name_shapes("contact", builder);
         add_end_on(panel, towards, panel.stage->theme.momentum, builder);
-        wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
-                    panel.stage->theme.momentum, builder);
+        request_label_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
+                             panel.stage->theme.momentum, builder);
         name_shapes("momentum", builder);
         words(instant, builder);
     };

@@ -14,8 +14,9 @@
 #include "drawing/figures/charts/plot_record.h"
 #include "drawing/figures/charts/plotted_chart.h"
 #include "drawing/figures/elements/ghost.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/possible_motions.h"
+#include "drawing/stage/type/scene_symbols.h"
 #include "measured/table_faults.h"
 #include "text/languages.h"
 

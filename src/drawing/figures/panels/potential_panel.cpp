@@ -7,7 +7,7 @@
 
 #include "construction/adaptive_curve.h"
 #include "drawing/figures/charts/plot_frame.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "mechanics/top/heavy_top.h"
 #include "text/languages.h"
 

@@ -19,9 +19,10 @@
 #include "drawing/figures/elements/construction_lines.h"
 #include "drawing/figures/elements/figure_elements.h"
 #include "drawing/figures/elements/object_shapes.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/overlay.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
@@ -251,8 +252,8 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
         Curve axis = line_between(panel, contact, past_contact(contact), theme.omega, 2.0);
         axis.hidden_opacity = 0.6;
         builder.view.curves.push_back(axis);
-        wish_beside(panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type, theme.omega,
-                    builder);
+        request_label_beside(panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type,
+                             theme.omega, builder);
         name_shapes("omega", builder);
         Dot dot = dot_at(panel, contact, theme.contact);
         dot.occlusion = Occlusion::none;

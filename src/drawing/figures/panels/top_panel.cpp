@@ -14,9 +14,10 @@
 #include "construction/timed_path.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/trail.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/possible_motions.h"
 #include "drawing/style/theme_contrast.h"
 #include "mesh/solid_meshes.h"
@@ -252,8 +253,8 @@ class TopDrawer {
             line_between(*panel_, -0.35 * node_length * node, node_length * node, theme.text, 2.0);
         nodes.dash_px = 7.0 * panel_->px;
         sheet_->view.curves.push_back(nodes);
-        wish_beside(*panel_, node_length * node, Eigen::Vector3d::Zero(), names.node, theme.text,
-                    *sheet_);
+        request_label_beside(*panel_, node_length * node, Eigen::Vector3d::Zero(), names.node,
+                             theme.text, *sheet_);
 
         arc(z, leaning, theta_radius, euler_.theta_rad, theme.angles[0], names.theta);
         precession(theme.angles[1], names.phi);
@@ -290,14 +291,14 @@ class TopDrawer {
         sheet_->view.dots.push_back(dot_at(*panel_, mass, colour, 6.0));
         if (!is_named) return;
         // Where its upper end is, above the arc of φ; clear of the bar.
-        wish_beside(*panel_, level, mass, name, colour, *sheet_);
+        request_label_beside(*panel_, level, mass, name, colour, *sheet_);
         sheet_->requests.back().gap_px += 7.0 * panel_->px;
     }
 
     void arrow(const Eigen::Vector3d& tip, const LineStyle& colour, double weight,
                const TextBlock& name) {
         sheet_->view.arrows.push_back(arrow_to(*panel_, tip, colour, weight));
-        wish_at_tip(*panel_, sheet_->view.arrows.back(), name, *sheet_);
+        request_label_at_tip(*panel_, sheet_->view.arrows.back(), name, *sheet_);
     }
 
  private:
@@ -339,7 +340,7 @@ class TopDrawer {
         sheet_->view.curves.push_back(
             arc_about(*panel_, centre, from, towards, radius, angle_rad, colour, 3.2));
         sheet_->view.curves.back().hidden_opacity = 0.5;
-        wish_beside(*panel_, at(0.5 * angle_rad), centre, name, colour, *sheet_);
+        request_label_beside(*panel_, at(0.5 * angle_rad), centre, name, colour, *sheet_);
     }
 
     const Panel* panel_;
@@ -374,9 +375,9 @@ void make_top_panel(Panel& panel, StageStore& store) {
         builder.view.curves = stand.curves;
         name_shapes("unit-sphere", builder);
         for (const Arrow& arrow : stand.arrows) builder.view.arrows.push_back(arrow);
-        wish_at_tip(panel, stand.arrows[0], names.z, builder);
-        wish_at_tip(panel, stand.arrows[1], names.x, builder);
-        wish_at_tip(panel, stand.arrows[2], names.y, builder);
+        request_label_at_tip(panel, stand.arrows[0], names.z, builder);
+        request_label_at_tip(panel, stand.arrows[1], names.x, builder);
+        request_label_at_tip(panel, stand.arrows[2], names.y, builder);
         name_shapes("space-axes", builder);
         TopDrawer drawer(panel, builder, instant.euler);
         drawer.body(body, spokes, hangs);

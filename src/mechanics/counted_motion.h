@@ -1,5 +1,4 @@
-// Evaluating a motion at an instant, and counting the evaluations: quantities that are not shown
-// are not computed.
+// A motion that counts its evaluations, to show that nothing is computed that is not shown.
 #pragma once
 
 #include <cstdint>
@@ -8,7 +7,7 @@
 
 namespace poinsot {
 
-// Number of evaluations of a motion since its stage was made. Every evaluation gives ω and is
+// Number of evaluations of a motion since the count began. Every evaluation gives ω and is
 // counted there, and also under each further quantity that was requested.
 struct EvaluationCounts {
     std::int64_t n_omega = 0;
