@@ -233,7 +233,7 @@ class Strands {
           part_(part),
           from_(begin_of(shape, part)),
           to_(end_of(shape, part)) {
-        // The lines on the near side begin at one end of a ring's outline on the page: its other
+        // The lines on the near side begin at one end of a ring's outline on the paper: its other
         // end is two open radii further along the axis.
         const double radius = part == ArrowPart::shaft ? shape.shaft_radius : shape.head_radius;
         constexpr double most_radii = 2.0;
@@ -275,7 +275,7 @@ class Strands {
         return stretch;
     }
 
-    // The region of the page with this cover.
+    // The region of the paper with this cover.
     Path region_of(const Cover& cover) const {
         Path region;
         for (std::size_t first = 0; first < strands_.size();) {
@@ -489,7 +489,7 @@ void draw_arrow(const Canvas& canvas, const Arrow& arrow, ArrowLayer layer) {
         const bool is_group = part == ArrowPart::head && arrow.head_px > arrow.shaft_px &&
                               !arrow.name.element.empty();
         if (is_group)
-            canvas.page.begin_group(
+            canvas.paper.begin_group(
                 canvas.id_of(arrow.name, layer == ArrowLayer::hidden ? "hidden-head" : "head"));
         draw_part(canvas, arrow, shape, part, layer);
         if (is_group) canvas.add(GroupEnd{});
@@ -509,15 +509,15 @@ void fill_dot(const Canvas& canvas, const Dot& dot, double opacity) {
     const double radius = canvas.pt(dot.radius_px), inner = canvas.pt(dot.radius_px - dot.rim_px);
     if (dot.rim_px > 0.0) {
         Fill rim;
-        rim.path = circle(middle, radius, canvas.page.off_pt);
-        if (inner > 0.0) rim.path.add(circle(middle, inner, canvas.page.off_pt));
+        rim.path = circle(middle, radius, canvas.paper.off_pt);
+        if (inner > 0.0) rim.path.add(circle(middle, inner, canvas.paper.off_pt));
         rim.even_odd = true;
         rim.paint = as_in_light(dot.rim_colour, opacity, behind);
         canvas.add(std::move(rim));
     }
     if (inner <= 0.0) return;
     Fill fill;
-    fill.path = circle(middle, inner, canvas.page.off_pt);
+    fill.path = circle(middle, inner, canvas.paper.off_pt);
     fill.paint = as_in_light(dot.colour, opacity, behind);
     canvas.add(std::move(fill));
 }

@@ -256,7 +256,7 @@ struct ConeAxes {
     double radius = 0.0;  // of the rim
 };
 
-// The colour of a cone at a point of the page, with the colour behind it.
+// The colour of a cone at a point of the paper, with the colour behind it.
 struct ConeSeen {
     int n_sheets = 0;
     ColourOver look;
@@ -442,7 +442,7 @@ void draw_cone(const Canvas& canvas, const Cone& cone) {
 
     if (canvas.has_fills()) {
         // Rim and apex, and the region between them.
-        const Eigen::Vector2d from_rim = ellipse->page_from_circle().inverse() * apex;
+        const Eigen::Vector2d from_rim = ellipse->paper_from_circle().inverse() * apex;
         const double apart = from_rim.norm();
         Path hull;
         if (apart > 1.0) {

@@ -72,14 +72,14 @@ ShadedDisc lit_disc(const Canvas& canvas, std::size_t number, const PaperEllipse
     const bool one = canvas.view.ellipsoids.size() == 1;
     const int n_rings = one ? 5 : 7, n_spokes = one ? 9 : 11;
     ShadedDisc disc;
-    disc.page_from_disc = outline.page_from_circle();
+    disc.paper_from_disc = outline.paper_from_circle();
     disc.n_rings = n_rings;
     disc.n_spokes = n_spokes;
     std::vector<Colour> wanted, behind;
     // All ellipsoids drawn so far, and this one.
     std::vector<std::size_t> all = canvas.ellipsoids;
     all.push_back(number);
-    const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
+    const double size_pt = std::sqrt(std::abs(disc.paper_from_disc.linear().determinant()));
     const double limb_radius = std::max(1.0 - 0.25 / std::max(size_pt, 1e-9), 0.95);
     double alpha = 0.0;
     for (int ring = 0; ring <= n_rings; ++ring) {
@@ -102,7 +102,7 @@ ShadedDisc lit_disc(const Canvas& canvas, std::size_t number, const PaperEllipse
     return disc;
 }
 
-// The look of a line of the ellipsoid at a point of the page, over the shading there.
+// The look of a line of the ellipsoid at a point of the paper, over the shading there.
 Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::Vector2d& at,
                          bool front, double opacity) {
     const Ellipsoid& ellipsoid = canvas.view.ellipsoids[number];
@@ -128,7 +128,7 @@ Canvas::LineLook line_on(const Canvas& canvas, std::size_t number, const Eigen::
 bool is_within(const Canvas& canvas, const PaperEllipse& outline, const Track& track,
                const Canvas::ConstantColourSpan& part, double margin_pt) {
     constexpr int n = 8;
-    const double shorter = outline.page_from_circle().linear().jacobiSvd().singularValues()[1];
+    const double shorter = outline.paper_from_circle().linear().jacobiSvd().singularValues()[1];
     for (int k = 0; k <= n; ++k) {
         const double s = part.from + (part.to - part.from) * k / n;
         const Eigen::Vector2d at = canvas.projection.place(track.flow(s).position);
@@ -291,7 +291,7 @@ Colour under_sheets(const Canvas& canvas, const Eigen::Vector3d& point, const Co
     Colour needed = encoded(
         through_ellipsoids(canvas, numbers, at, linear(colour), canvas.projection.depth(point)));
     for (auto sheet = canvas.sheets.rbegin(); sheet != canvas.sheets.rend(); ++sheet) {
-        const Eigen::Vector2d in_disc = sheet->disc.page_from_disc.inverse() * at;
+        const Eigen::Vector2d in_disc = sheet->disc.paper_from_disc.inverse() * at;
         if (in_disc.norm() >= 1.0 || sheet->disc.alpha >= 1.0) continue;
         // The drawn colour under the sheet gives the needed colour over it: that is the needed
         // ink's `colour`.

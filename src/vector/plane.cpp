@@ -36,11 +36,11 @@ void fill_disc(const Canvas& canvas, const Plane& plane, double share) {
         picture_of(circle_of(plane, share * plane.fade_from * plane.radius), canvas.projection);
     if (!rim || !inner) return;
     RadialFade fade;
-    fade.page_from_circle = rim->page_from_circle();
+    fade.paper_from_circle = rim->paper_from_circle();
     // The projections of the discs in between shrink approximately about one point.
-    const Eigen::Affine2d to_circle = fade.page_from_circle.inverse();
+    const Eigen::Affine2d to_circle = fade.paper_from_circle.inverse();
     const Eigen::Vector2d inner_centre = to_circle * inner->centre;
-    const Eigen::Matrix2d shrunk = to_circle.linear() * inner->page_from_circle().linear();
+    const Eigen::Matrix2d shrunk = to_circle.linear() * inner->paper_from_circle().linear();
     const double inner_radius = std::sqrt(std::abs(shrunk.determinant()));
     fade.focus = inner_centre / std::max(1.0 - inner_radius, 1e-6);
     if (fade.focus.norm() > 0.95) fade.focus *= 0.95 / fade.focus.norm();

@@ -68,10 +68,10 @@ Paint ramp(const Outline& outer, const Outline& inner, const PaperInk& ink) {
     const std::optional<PaperEllipse> rim = ellipse_through(outer), core = ellipse_through(inner);
     if (!rim) return ink;
     RadialFade fade;
-    fade.page_from_circle = rim->page_from_circle();
-    const Eigen::Affine2d to_circle = fade.page_from_circle.inverse();
+    fade.paper_from_circle = rim->paper_from_circle();
+    const Eigen::Affine2d to_circle = fade.paper_from_circle.inverse();
     const double share =
-        core ? std::clamp(std::sqrt((to_circle * core->page_from_circle()).linear().determinant()),
+        core ? std::clamp(std::sqrt((to_circle * core->paper_from_circle()).linear().determinant()),
                           0.0, 0.98)
              : 0.0;
     // The circles in between shrink about one point.

@@ -43,7 +43,7 @@ std::string hex(const Colour& colour) {
     return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.r), byte(colour.g), byte(colour.b));
 }
 
-// The transform from own axes to the page, in points.
+// The transform from own axes to the paper, in points.
 std::string matrix(const Eigen::Affine2d& map) {
     const Eigen::Matrix3d m =
         Eigen::Vector3d(units_per_pt, units_per_pt, 1.0).asDiagonal() * map.matrix();
@@ -370,7 +370,7 @@ class SvgWriter {
                 "<radialGradient id=\"{}\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" "
                 "r=\"1\" fx=\"{:.5g}\" fy=\"{:.5g}\" "
                 "gradientTransform=\"{}\">{}</radialGradient>\n",
-                id, radial->focus.x(), radial->focus.y(), matrix(radial->page_from_circle),
+                id, radial->focus.x(), radial->focus.y(), matrix(radial->paper_from_circle),
                 stops_of(radial->stops));
         }
         return fmt::format(" fill=\"url(#{})\"", id);
@@ -389,7 +389,7 @@ class SvgWriter {
                 const double angle = 2.0 * std::numbers::pi * spoke / n_spokes;
                 const Eigen::Vector2d place =
                     disc.radius(ring) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-                triangle.corners[k] = disc.page_from_disc * place;
+                triangle.corners[k] = disc.paper_from_disc * place;
                 triangle.colours[k] = disc.at(place);
             }
         };
@@ -462,17 +462,17 @@ class SvgWriter {
 
 }  // namespace
 
-std::string svg_of(const Page& page, std::string_view title, std::string_view text) {
+std::string svg_of(const SheetOfPaper& paper, std::string_view title, std::string_view text) {
     SvgWriter writer;
-    for (const Item& item : page.items) std::visit(writer, item);
+    for (const Item& item : paper.items) std::visit(writer, item);
     const std::string body = writer.take_body();
     constexpr double mm_per_pt = 25.4 / 72.0;
     std::string svg = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
         "width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 {2} {3}\">\n",
-        mm_per_pt * page.width_pt, mm_per_pt * page.height_pt, number(page.width_pt),
-        number(page.height_pt));
+        mm_per_pt * paper.width_pt, mm_per_pt * paper.height_pt, number(paper.width_pt),
+        number(paper.height_pt));
     if (!title.empty()) svg += fmt::format("<title>{}</title>\n", escaped(title));
     if (!text.empty())
         svg += fmt::format("{}{}{}\n", metadata_opening, escaped(text), metadata_end);

@@ -1,4 +1,4 @@
-#include "vector/page.h"
+#include "vector/sheet_of_paper.h"
 
 #include <algorithm>
 #include <cmath>
@@ -83,7 +83,7 @@ void Path::add(const Path& other) {
     steps.insert(steps.end(), other.steps.begin(), other.steps.end());
 }
 
-void Page::add(Item&& item) {
+void SheetOfPaper::add(Item&& item) {
     const ClipBegin* clip = std::get_if<ClipBegin>(&item);
     if (clip != nullptr && !items.empty() && std::holds_alternative<ClipEnd>(items.back()) &&
         *clip == last_ended(items))
@@ -96,14 +96,14 @@ void Page::add(Item&& item) {
         items.push_back(std::move(item));
 }
 
-void Page::begin_group(const std::string& id) {
+void SheetOfPaper::begin_group(const std::string& id) {
     std::string unique = id;
     for (int n = 2; ids[unique] > 0; ++n) unique = id + "-" + std::to_string(n);
     ++ids[unique];
     items.emplace_back(GroupBegin{std::move(unique)});
 }
 
-void Page::enter_group(const std::string& id) {
+void SheetOfPaper::enter_group(const std::string& id) {
     if (id == entered) return;
     if (!entered.empty()) add(GroupEnd{});
     if (!id.empty()) begin_group(id);

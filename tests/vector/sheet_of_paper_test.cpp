@@ -1,5 +1,5 @@
-// Files of a page, PDF and SVG, are reproducible, accepted by other programs, and return their
-// metadata.
+// Files of a sheet of paper, PDF and SVG, are reproducible, accepted by other programs, and return
+// their metadata.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -68,9 +68,9 @@ struct Everything {
     Drawing drawing;
 };
 
-Page page_of_everything(Shading shading = Shading::tone) {
+SheetOfPaper paper_of_everything(Shading shading = Shading::tone) {
     const Everything everything;
-    return page_of(everything.drawing, {.pt_per_px = print_pt_per_px, .shading = shading});
+    return paper_of(everything.drawing, {.pt_per_px = print_pt_per_px, .shading = shading});
 }
 
 std::string output_of(const std::string& command) {
@@ -100,15 +100,15 @@ class Files : public ::testing::Test {
 };
 
 TEST_F(Files, AreReproducible) {
-    EXPECT_EQ(pdf_of(page_of_everything()), pdf_of(page_of_everything()));
-    EXPECT_EQ(svg_of(page_of_everything(), "a", "b"), svg_of(page_of_everything(), "a", "b"));
+    EXPECT_EQ(pdf_of(paper_of_everything()), pdf_of(paper_of_everything()));
+    EXPECT_EQ(svg_of(paper_of_everything(), "a", "b"), svg_of(paper_of_everything(), "a", "b"));
 }
 
 TEST_F(Files, PdfIsValidAndHasNoRaster) {
     for (const Shading shading : {Shading::tone, Shading::none}) {
         const std::string text = "a (text) with \\ and ω\r\nin it";
         const std::string pdf =
-            with_pdf_text(pdf_of(page_of_everything(shading)), "t (ω)", "X", text);
+            with_pdf_text(pdf_of(paper_of_everything(shading)), "t (ω)", "X", text);
         const std::string path = write("a.pdf", pdf);
         EXPECT_EQ(output_of("qpdf --check " + path).find("exit"), std::string::npos)
             << output_of("qpdf --check " + path);
@@ -117,14 +117,14 @@ TEST_F(Files, PdfIsValidAndHasNoRaster) {
         EXPECT_EQ(std::count(images.begin(), images.end(), '\n'), 2) << images;
         const PdfText found = pdf_text(pdf, "X");
         EXPECT_EQ(found.text, text);
-        EXPECT_EQ(found.before, pdf_of(page_of_everything(shading)));
+        EXPECT_EQ(found.before, pdf_of(paper_of_everything(shading)));
     }
 }
 
 TEST_F(Files, SvgIsWellFormedAndHasNoRaster) {
     for (const Shading shading : {Shading::tone, Shading::none}) {
         const std::string text = "<&> and ω\r\nin it";
-        const std::string svg = svg_of(page_of_everything(shading), "t & t", text);
+        const std::string svg = svg_of(paper_of_everything(shading), "t & t", text);
         const std::string path = write("a.svg", svg);
         EXPECT_EQ(output_of("xmllint --noout " + path), "");
         EXPECT_EQ(svg.find("<image"), std::string::npos);
@@ -142,7 +142,7 @@ std::vector<std::string> ids_of(const std::string& svg, const std::string& eleme
 }
 
 TEST_F(Files, SvgGroupsEachObjectByItsName) {
-    const std::string svg = svg_of(page_of_everything(), "", "");
+    const std::string svg = svg_of(paper_of_everything(), "", "");
     const std::vector<std::string> groups = ids_of(svg, "g");
     for (const char* name :
          {"ellipsoid", "plane", "polhode", "omega", "omega-head", "contact", "cones", "body"})
@@ -168,7 +168,8 @@ TEST_F(Files, SvgIdsAreUniqueAndValidInSeveralPanels) {
         more.x_px = x_px;
         drawing.views.push_back(more);
     }
-    const std::string svg = svg_of(page_of(drawing, {.pt_per_px = print_pt_per_px}), "several", "");
+    const std::string svg =
+        svg_of(paper_of(drawing, {.pt_per_px = print_pt_per_px}), "several", "");
     const std::vector<std::string> ids = ids_of(svg);
     EXPECT_EQ(std::set<std::string>(ids.begin(), ids.end()).size(), ids.size());
     const std::regex valid("[A-Za-z][A-Za-z0-9-]*");
@@ -188,9 +189,9 @@ TEST_F(Files, SvgIdsAreUniqueAndValidInSeveralPanels) {
 }
 
 TEST_F(Files, HaveNoGradientsWithoutShading) {
-    const std::string svg = svg_of(page_of_everything(Shading::none), "", "");
+    const std::string svg = svg_of(paper_of_everything(Shading::none), "", "");
     EXPECT_EQ(svg.find("Gradient"), std::string::npos);
-    EXPECT_NE(svg_of(page_of_everything(), "", "").find("Gradient"), std::string::npos);
+    EXPECT_NE(svg_of(paper_of_everything(), "", "").find("Gradient"), std::string::npos);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
-// The contents of a page: paths, fills and type, in points (1/72 inch), x right, y down from the
-// upper left corner. The only input of the PDF and SVG writers.
+// The contents of a sheet of paper: paths, fills and type, in points (1/72 inch), x right, y down
+// from the upper left corner. The only input of the PDF and SVG writers.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -59,7 +59,7 @@ struct LinearFade {
 // A radial gradient from a focus to a circle, under an affine map: in its own axes the circle has
 // radius 1 about the origin.
 struct RadialFade {
-    Eigen::Affine2d page_from_circle = Eigen::Affine2d::Identity();
+    Eigen::Affine2d paper_from_circle = Eigen::Affine2d::Identity();
     Eigen::Vector2d focus = Eigen::Vector2d::Zero();  // inside the circle
     std::vector<Stop> stops;
 };
@@ -69,7 +69,7 @@ struct RadialFade {
 // colours, lies slightly outside the disc, because the bright limb is narrower than the distance of
 // two rings.
 struct ShadedDisc {
-    Eigen::Affine2d page_from_disc = Eigen::Affine2d::Identity();
+    Eigen::Affine2d paper_from_disc = Eigen::Affine2d::Identity();
     double alpha = 1.0;
     int n_rings = 0, n_spokes = 0;
     std::vector<Colour> colours;  // (n_rings + 1) × n_spokes, ring by ring
@@ -147,19 +147,19 @@ struct ClipEnd {};
 
 // Everything from here to the matching GroupEnd belongs to one object of the picture.
 struct GroupBegin {
-    std::string id;  // unique in the page; letters, digits and hyphens
+    std::string id;  // unique on the sheet; letters, digits and hyphens
 };
 struct GroupEnd {};
 
 using Item = std::variant<Fill, Stroke, Type, Picture, ClipBegin, ClipEnd, GroupBegin, GroupEnd>;
 
-struct Page {
+struct SheetOfPaper {
     double width_pt = 0.0, height_pt = 0.0;
     std::vector<Item> items;
     // Adds an item. If a clip begins that equals the clip just ended, that one is continued; a
     // group that is still empty when it ends is removed.
     void add(Item&& item);
-    // Begins a group inside the open ones. If the page has this id already, a number is appended.
+    // Begins a group inside the open ones. If the sheet has this id already, a number is appended.
     void begin_group(const std::string& id);
     // Continues the group that was entered last if it has this id; otherwise ends it and begins
     // another. Empty: only ends it.
