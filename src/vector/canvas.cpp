@@ -4,6 +4,14 @@
 #include <map>
 
 #include "shapes/soft_shadow.h"
+#include "vector/passes/arrows.h"
+#include "vector/passes/bodies.h"
+#include "vector/passes/curves.h"
+#include "vector/passes/ellipsoid.h"
+#include "vector/passes/plane.h"
+#include "vector/passes/shadow.h"
+#include "vector/passes/surfaces.h"
+#include "vector/passes/type.h"
 #include "vector/picture.h"
 
 namespace poinsot::vector {

@@ -111,58 +111,7 @@ struct Canvas {
     std::vector<LitSheet> sheets;         // all ellipsoids, in drawing order
 };
 
-// canvas.cpp
 void draw_background(const Background& background, const Eigen::Vector2d& corner_pt,
                      const Eigen::Vector2d& size_pt, SheetOfPaper& paper);
-// surfaces.cpp
-// Renders a drawing to pixels of the size that it gives.
-using DrawPixels = std::function<Raster(const Drawing& drawing)>;
-// Draw surfaces in pixels of at least 600 per inch: first everything around the ellipsoids, which
-// are slightly smaller there; then the ellipsoids, slightly larger, clipped by their outlines.
-void draw_ground_pixels(const Canvas& canvas, const DrawPixels& draw);
-void draw_ellipsoid_pixels(const Canvas& canvas, const DrawPixels& draw);
-// plane.cpp
-bool is_before_solids(const Canvas& canvas, const Plane& plane);
-void draw_plane(const Canvas& canvas, const Plane& plane);
-// shadow.cpp
-void draw_shadow(const Canvas& canvas, const Plane& plane, std::size_t caster);
-// The colour of a point of a plane in the shadows of all ellipsoids.
-Colour shadowed(const Canvas& canvas, const Plane& plane, const Eigen::Vector3d& point,
-                const Colour& colour);
-// ellipsoid.cpp
-// Fills canvas.sheets with the ellipsoids in this order, which starts with the farthest.
-void light_sheets(Canvas& canvas, const std::vector<std::size_t>& order);
-void draw_ellipsoid(const Canvas& canvas, const LitSheet& sheet);
-// Linear light from `under` after passing the ellipsoids' surfaces, from back to front whichever
-// ellipsoid they belong to, so that intersecting ellipsoids hide parts of each other. Surfaces at
-// `depth` and beyond are ignored.
-Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::size_t>& numbers,
-                                   const Eigen::Vector2d& at, const Eigen::Vector3d& under,
-                                   double depth = std::numeric_limits<double>::infinity());
-// The colour in which an opaque point must be drawn to have the right colour after the sheets have
-// been drawn over it: sheets blend encoded colours, and cover points in front of them, too.
-Colour under_sheets(const Canvas& canvas, const Eigen::Vector3d& point, const Colour& colour);
-// bodies.cpp
-void draw_meshes(const Canvas& canvas);
-// The body visible at a point of the paper, with its shaded colour.
-struct BodySeen {
-    Colour colour;
-    double depth = 0.0;
-};
-std::optional<BodySeen> body_at(const Canvas& canvas, const Eigen::Vector2d& at);
-// face_picture.cpp
-// Draws the picture on a mesh's faces, in pixels, over the fill of the visible parts.
-using IsHidden = std::function<bool(const Eigen::Vector3d& point)>;
-void draw_face_picture(const Canvas& canvas, const MeshSight& body, const IsHidden& is_hidden);
-void draw_cone(const Canvas& canvas, const Cone& cone);
-// curves.cpp
-void draw_curve(const Canvas& canvas, const Curve& curve);
-// arrows.cpp
-enum class ArrowLayer { hidden, visible };
-void draw_arrows(const Canvas& canvas, ArrowLayer layer);
-// type.cpp
-void draw_label(const Canvas& canvas, const Label& label);
-// Whether the label is omitted together with the hidden point that it names.
-bool is_omitted(const Canvas& canvas, const Label& label);
 
 }  // namespace poinsot::vector

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "shapes/views.h"
-#include "vector/canvas.h"
+#include "vector/passes/surfaces.h"
 #include "vector/sheet_of_paper.h"
 
 namespace poinsot::vector {

@@ -110,6 +110,7 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"library/mechanics", {"library/poinsot"}},
     {"library/construction", {"library/poinsot", "library/mechanics"}},
     {"library/production", {"library/poinsot", "library/mechanics", "library/construction"}},
+    {"vector/passes", {}},
     {"render/context", {}},
     {"render/passes", {"render/context"}},
     {"render/cache", {"render/context", "render/passes"}},

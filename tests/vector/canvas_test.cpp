@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "vector/passes/ellipsoid.h"
+
 namespace poinsot::vector {
 namespace {
 

@@ -1,4 +1,6 @@
 // The grid of a plane on paper.
+#include "vector/passes/plane.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

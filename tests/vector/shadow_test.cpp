@@ -1,4 +1,6 @@
 // The shadow of an ellipsoid on paper.
+#include "vector/passes/shadow.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>

@@ -204,12 +204,12 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
     curve.hidden_opacity = under_the_body;
     const std::vector<DirectionMarks> marks =
         marks_on(panel, store, *curve.geometry, timed.trail.first_index(), false);
-    const std::optional<AnnulusCurve> annulus = annulus_of(
+    const std::optional<AnnulusCurve> filled = annulus_of(
         panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
-    return [&panel, &picture, curve, annulus, trail = std::move(timed.trail), marks](
+    return [&panel, &picture, curve, filled, trail = std::move(timed.trail), marks](
                const FrameInput& instant, ViewBuilder& builder) {
-        if (annulus && instant.time_s >= annulus->from_s)
-            return builder.view.curves.push_back(annulus->curve);
+        if (filled && instant.time_s >= filled->from_s)
+            return builder.view.curves.push_back(filled->curve);
         Curve shown = curve;
         const ShownStretch stretch = trail.at(instant.time_s);
         stretch.apply_to(shown);

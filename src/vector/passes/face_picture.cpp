@@ -1,10 +1,10 @@
 // Draws pictures on faces: the lit face with its picture in perspective, in pixels of 300 per inch.
+#include "vector/passes/face_picture.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
 #include <vector>
-
-#include "vector/canvas.h"
 
 namespace poinsot::vector {
 

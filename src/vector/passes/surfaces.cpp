@@ -1,10 +1,11 @@
 // Surfaces as pixels of an external renderer, between vector lines.
+#include "vector/passes/surfaces.h"
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
 
 #include "shapes/part.h"
-#include "vector/canvas.h"
 
 namespace poinsot::vector {
 

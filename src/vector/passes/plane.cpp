@@ -1,4 +1,6 @@
 // Draws a plane's disc, which fades towards its rim, and its grid.
+#include "vector/passes/plane.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -7,7 +9,6 @@
 #include <vector>
 
 #include "shapes/soft_shadow.h"
-#include "vector/canvas.h"
 
 namespace poinsot::vector {
 

@@ -1,9 +1,10 @@
 // Draws curves: visible parts, and hidden parts paler, dashed or omitted.
+#include "vector/passes/curves.h"
+
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
 
-#include "vector/canvas.h"
 #include "vector/dashes.h"
 
 namespace poinsot::vector {

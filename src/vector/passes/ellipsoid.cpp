@@ -1,4 +1,6 @@
 // Draws an ellipsoid: its exact outline, its shading, its principal sections and rulings.
+#include "vector/passes/ellipsoid.h"
+
 #include <Eigen/SVD>
 #include <algorithm>
 #include <cmath>
@@ -6,8 +8,6 @@
 #include <numbers>
 #include <utility>
 #include <vector>
-
-#include "vector/canvas.h"
 
 namespace poinsot::vector {
 

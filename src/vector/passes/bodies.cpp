@@ -1,4 +1,6 @@
 // Draws bodies made of triangles, and cones.
+#include "vector/passes/bodies.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -14,8 +16,9 @@
 #include <vector>
 
 #include "error/error.h"
-#include "vector/canvas.h"
 #include "vector/gradients.h"
+#include "vector/passes/ellipsoid.h"
+#include "vector/passes/face_picture.h"
 
 namespace poinsot::vector {
 

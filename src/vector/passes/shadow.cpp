@@ -1,5 +1,7 @@
 // The soft shadow of an ellipsoid on a plane: the same light as in render/shadow_web.h, drawn as
 // nested outlines of equal darkness, between which it fades.
+#include "vector/passes/shadow.h"
+
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
@@ -9,7 +11,6 @@
 #include <vector>
 
 #include "shapes/soft_shadow.h"
-#include "vector/canvas.h"
 
 namespace poinsot::vector {
 

@@ -1,8 +1,8 @@
 // Draws labels as letters on their baselines.
+#include "vector/passes/type.h"
+
 #include <cstddef>
 #include <utility>
-
-#include "vector/canvas.h"
 
 namespace poinsot::vector {
 
