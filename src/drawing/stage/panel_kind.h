@@ -46,11 +46,12 @@ enum PanelUses : unsigned {
 struct PanelKind {
     std::string_view name;
     std::string_view summary;
-    Phrase title;  // shown above it if there are several panels
-    bool fills;    // its figure extends to the box's edges: title and caption get rows of their own
+    Phrase title = no_words;  // shown above it if there are several panels
+    // Whether its figure extends to the box's edges: title and caption get rows of their own.
+    bool fills = false;
     // Whether it can show this motion; `requirement` completes the sentence "this panel needs …".
     bool (*possible)(const StageContext& stage);
-    std::string_view requirement;
+    std::string_view requirement{};
     // Sets the panel's camera, its drawer and the quantities that the drawer reads. Adds what all
     // instants share to the store.
     void (*make)(Panel& panel, StageStore& store);
