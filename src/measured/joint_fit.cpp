@@ -48,7 +48,7 @@ JointPlaces joint_places(const std::optional<Eigen::Vector3d>& moments, DragMode
     return places;
 }
 
-// What is left of the sums of a flight for the shared numbers, once its own are the best ones.
+// A flight's sums for the shared numbers after its own numbers are eliminated.
 struct Reduced {
     SharedSquare normal;
     Shared gradient;

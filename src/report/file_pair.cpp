@@ -118,7 +118,7 @@ void tell_ignored(ComparedPicture& result) {
                                  printable(fmt::format("{}", fmt::join(result.ignored, "; "))));
 }
 
-void tell_changes(const Records& records, ComparedPicture& result) {
+void add_record_differences(const Records& records, ComparedPicture& result) {
     if (result.outcome == Outcome::same || !records.expected || !records.actual) return;
     try {
         result.changes = differences_in_words(*records.expected, *records.actual);

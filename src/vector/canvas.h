@@ -50,7 +50,7 @@ struct Canvas {
     Canvas(const Drawing& drawing, const View& view, double pt_per_px, Shading shading,
            SheetOfPaper& paper);
 
-    // What is added next belongs to this shape.
+    // The next items belong to this shape.
     void enter(const ShapeName& name, std::string_view part = {}) const {
         paper.enter_group(id_of(name, part));
     }

@@ -56,7 +56,7 @@ bool is_xml(char32_t c) {
     return c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c != 0xfffe && c != 0xffff);
 }
 
-// What XML cannot hold becomes U+FFFD.
+// Characters that XML cannot hold become U+FFFD.
 std::string escaped(std::string_view text) {
     std::string out;
     while (!text.empty()) {

@@ -114,7 +114,7 @@ struct Stage::Contents {
                              "no panel here shows the comparison method; add a panel " +
                                  panels_that_use(uses_comparison, "or"));
         }
-        // What an inset shows has its names in the panel around it.
+        // The panel around an inset shows the names of the same things.
         for (const Panel& panel : panels)
             names.push_back(panel.host ? std::vector<ThingName>() : set_thing_names(panel, store));
         overlays = make_overlays(context, store, panels);
@@ -192,7 +192,7 @@ LineStyleRules line_style_rules(const StageContext& stage, const StageStore& sto
     const auto said = [](std::string_view by_scene, std::string_view by_theme) {
         return by_scene.empty() ? by_theme : by_scene;
     };
-    // What a scene says of hidden lines holds for its arrows, too.
+    // The scene's choice for hidden lines holds for its arrows, too.
     const std::string& for_arrows =
         stage.scene.hidden_arrows.empty() ? stage.scene.hidden : stage.scene.hidden_arrows;
     return {.hidden = said(stage.scene.hidden, stage.theme.hidden),

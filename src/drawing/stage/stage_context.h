@@ -1,6 +1,6 @@
-// What a stage is given, and what follows from it: the scene, its motion, the construction's
-// picture, the theme, sizes and times. Complete before the first panel is made; panels, elements
-// and drawers read it; it does not change.
+// The inputs of a stage, and values that follow from them: the scene, its motion, the
+// construction's picture, the theme, sizes and times. Complete before the first panel is made;
+// panels, elements and drawers read it; it does not change.
 #pragma once
 
 #include <Eigen/Geometry>

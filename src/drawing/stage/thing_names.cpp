@@ -131,7 +131,7 @@ constexpr std::array<NamedThing, named_things.size() + 3> things{{
       "回転軸"}},
 }};
 
-// What a name keeps away from.
+// Shapes and labels that a name keeps away from.
 struct Surroundings {
     std::vector<LabelBox> labels;
     struct Shaft {
@@ -192,7 +192,7 @@ Surroundings surroundings_of(const View& view, const std::vector<LabelBox>& over
                                  std::clamp(arrow.opacity, 0.0, 1.0)});
     }
     for (const Curve& curve : view.curves) {
-        // What lies over everything else is no obstacle, but for a plan's curves on the plane.
+        // A curve over everything else is no obstacle, except a curve on the plane in a plan.
         const bool is_over = curve.occlusion == Occlusion::none && curve.on_plane < 0;
         if (curve.opacity < 0.3 || is_over) continue;
         for (const VisiblePoint& point : outline_of(view, curve, 192))
@@ -602,7 +602,7 @@ std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store) {
                          .em_px = style.size_px,
                          .offset_px = offset_of_label(stage, thing.name)});
     }
-    // What the scene speaks of comes first.
+    // Things that the scene's titles mention come first.
     std::stable_partition(names.begin(), names.end(), [&](const ThingName& name) {
         return is_spoken_of(scene, name.type.mask->source.text);
     });

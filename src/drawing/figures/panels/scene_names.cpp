@@ -20,7 +20,8 @@ void check_scene_names(const Scene& scene, const Theme& theme, const Motion& mot
     const StageOptions at_start;
     const StageContext stage(scene, theme, motion, at_start, nullptr);
     check_element_names(scene);
-    // What the picture may show. The stage alone knows which marks and measured points it has.
+    // Names of things that the picture may show. The stage alone knows which marks and measured
+    // points it has.
     std::set<std::string, std::less<>> names{"marks", "measured"};
     const std::vector<PanelSpec> panels = panels_of(stage);
     const std::vector<const PanelKind*> kinds = kinds_of(scene, panels);

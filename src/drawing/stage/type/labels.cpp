@@ -270,7 +270,7 @@ std::vector<UnplacedLabel> place_labels(const std::vector<LabelRequest>& request
                                         const LabelRules& rules, View& view) {
     std::vector<UnplacedLabel> left_out;
     const std::vector<Shaft> shafts = shafts_of(view);
-    // What labels are moved off: text that is placed already.
+    // Text that is placed already, off which labels are moved.
     std::vector<LabelBox> fixed = rules.overlays;
     for (const Label& label : view.labels) fixed.push_back(label_box(label));
     std::vector<LabelBox> boxes;
@@ -343,7 +343,7 @@ std::vector<UnplacedLabel> place_labels(const std::vector<LabelRequest>& request
         label.at = requests[i].at;
         const double present = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
         label.opacity = shown(present);
-        // What cannot be moved apart: the later label fades out.
+        // Of two labels that cannot be moved apart, the later one fades out.
         const LabelBox placed{corner + boxes[i].half_px, boxes[i].half_px};
         const double asked = label.opacity;
         for (const Shaft& shaft : shafts) {
