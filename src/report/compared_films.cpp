@@ -154,7 +154,7 @@ void compare_two_films(const CompareRequest& request, const GivenLimits& given, 
             result.outcome = Outcome::rate;
             result.reason = times + (result.reason.empty() ? "" : "; " + result.reason);
         }
-        tell_ignored(result);
+        add_ignored_pixels(result);
     }
     if (film.measured.n_ignored > 0 && film.measured.n_pixels == 0) {
         result.outcome = Outcome::region;

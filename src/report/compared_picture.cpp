@@ -47,7 +47,7 @@ void compare_pictures(const StoredPicture& expected, const StoredPicture& actual
     result.measured = compare(expected, actual, result.limits, extras);
     result.outcome = outcome_of(result.measured.verdict);
     result.reason = result.measured.reason;
-    tell_ignored(result);
+    add_ignored_pixels(result);
     if (same_size && !same_pixels && result.measured.n_pixels == 0) {
         result.outcome = Outcome::region;
         result.reason = nothing_left;

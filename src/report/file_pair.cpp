@@ -111,7 +111,7 @@ bool have_same_bytes(const fs::path& a, const fs::path& b) {
     }
 }
 
-void tell_ignored(ComparedPicture& result) {
+void add_ignored_pixels(ComparedPicture& result) {
     const std::int64_t n = result.measured.n_ignored;
     if (n == 0 || result.reason.empty()) return;
     result.reason += fmt::format("; {} {} ignored ({})", n, n == 1 ? "pixel" : "pixels",

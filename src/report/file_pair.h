@@ -83,7 +83,7 @@ std::optional<Record> find_record(const std::filesystem::path& file);
 bool have_same_bytes(const std::filesystem::path& a, const std::filesystem::path& b);
 
 // Says how many pixels were ignored, and why.
-void tell_ignored(ComparedPicture& result);
+void add_ignored_pixels(ComparedPicture& result);
 // Adds the differences between the records of two files that differ.
 void add_record_differences(const Records& records, ComparedPicture& result);
 
