@@ -5,7 +5,7 @@
 #include <cmath>
 #include <utility>
 
-#include "shapes/part.h"
+#include "shapes/crop.h"
 
 namespace poinsot::vector {
 
@@ -59,7 +59,7 @@ Drawing surfaces_of(const Canvas& canvas, double out_px, bool has_grid) {
         cone.rim_px = 0.0;
         cone.n_rulings = 0;
     }
-    return part_of(drawing, {view.x_px, view.y_px, view.width_px, view.height_px});
+    return cropped(drawing, {view.x_px, view.y_px, view.width_px, view.height_px});
 }
 
 void draw_pixels(const Canvas& canvas, const DrawPixels& draw, double out_px, bool has_grid) {

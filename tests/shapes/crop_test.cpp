@@ -1,5 +1,5 @@
 // Parts of a drawing that are drawn separately.
-#include "shapes/part.h"
+#include "shapes/crop.h"
 
 #include <gtest/gtest.h>
 
@@ -26,7 +26,7 @@ TEST(Part, LabelsReferToMasksOfTheirOwnView) {
         label.mask = &mask;
         label.top_left_px = {100.0, 100.0 + 20.0 * k};
     }
-    const Drawing part = part_of(whole, {0, 0, 4000, 1000});
+    const Drawing part = cropped(whole, {0, 0, 4000, 1000});
     ASSERT_EQ(part.views.size(), static_cast<std::size_t>(n_views));
     for (const View& view : part.views) {
         ASSERT_EQ(view.labels.size(), 1u);

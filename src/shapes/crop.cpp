@@ -1,4 +1,4 @@
-#include "shapes/part.h"
+#include "shapes/crop.h"
 
 #include <algorithm>
 #include <cmath>
@@ -9,34 +9,34 @@ namespace poinsot {
 
 namespace {
 
-// A mask smaller than this is kept whole: then one upload serves all parts.
+// A mask smaller than this is kept whole: then one upload serves all crops.
 constexpr int largest_whole_mask_px = 1024;
 
 // Crops a mask to a rectangle whose corner is (x, y).
 GlyphMask cut(const GlyphMask& mask, int x, int y, int width, int height) {
-    GlyphMask part;
-    part.id = next_identity();
-    part.width = width;
-    part.height = height;
-    part.samples = mask.samples;
-    part.coverage.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    GlyphMask crop;
+    crop.id = next_identity();
+    crop.width = width;
+    crop.height = height;
+    crop.samples = mask.samples;
+    crop.coverage.reserve(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
     for (int row = y; row < y + height; ++row) {
         const auto from = mask.coverage.begin() + static_cast<std::ptrdiff_t>(row) * mask.width + x;
-        part.coverage.insert(part.coverage.end(), from, from + width);
+        crop.coverage.insert(crop.coverage.end(), from, from + width);
         if (mask.tints.empty()) continue;
         const auto tint = mask.tints.begin() + static_cast<std::ptrdiff_t>(row) * mask.width + x;
-        part.tints.insert(part.tints.end(), tint, tint + width);
+        crop.tints.insert(crop.tints.end(), tint, tint + width);
     }
-    return part;
+    return crop;
 }
 
-// Adds the label of a part, already in the part's pixels, unless it lies outside.
+// Adds a label in the pixels of the area, unless it lies outside.
 void add_label(Label label, const PixelArea& area, View& view) {
     if (label.mask == nullptr) return;
     const GlyphMask& mask = *label.mask;
     const int n = mask.samples;
     const double reach = std::ceil(std::max(label.halo_px / n, 0.0)) + 2.0;
-    // The columns or rows of the mask whose ink or halo extends into the part.
+    // The columns or rows of the mask whose ink or halo extends into the area.
     const auto range = [n, reach](double corner_px, int size, int room_px) {
         const double corner = corner_px / n, room = 1.0 * room_px / n;
         const double first = std::clamp(std::floor(-corner - reach), 0.0, 1.0 * size);
@@ -56,18 +56,18 @@ void add_label(Label label, const PixelArea& area, View& view) {
 
 }  // namespace
 
-Drawing part_of(const Drawing& whole, const PixelArea& area) {
-    Drawing part;
-    part.width_px = area.width_px;
-    part.height_px = area.height_px;
-    part.background = whole.background;
-    part.background_top_px = whole.background_top_px - area.y_px;
-    part.background_rows_px =
+Drawing cropped(const Drawing& whole, const PixelArea& area) {
+    Drawing crop;
+    crop.width_px = area.width_px;
+    crop.height_px = area.height_px;
+    crop.background = whole.background;
+    crop.background_top_px = whole.background_top_px - area.y_px;
+    crop.background_rows_px =
         whole.background_rows_px > 0 ? whole.background_rows_px : whole.height_px;
     // Labels refer to masks of their own view, so reallocation must not copy the views.
-    part.views.reserve(whole.views.size());
+    crop.views.reserve(whole.views.size());
     for (const View& view : whole.views) {
-        View& shifted = part.views.emplace_back(view);
+        View& shifted = crop.views.emplace_back(view);
         shifted.x_px -= area.x_px;
         shifted.y_px -= area.y_px;
         shifted.labels.clear();
@@ -78,7 +78,7 @@ Drawing part_of(const Drawing& whole, const PixelArea& area) {
             add_label(label, area, shifted);
         }
     }
-    return part;
+    return crop;
 }
 
 }  // namespace poinsot
