@@ -6,6 +6,7 @@
 #include "shapes/soft_shadow.h"
 #include "vector/passes/arrows.h"
 #include "vector/passes/bodies.h"
+#include "vector/passes/cones.h"
 #include "vector/passes/curves.h"
 #include "vector/passes/ellipsoid.h"
 #include "vector/passes/plane.h"

@@ -1,4 +1,4 @@
-// Bodies and cones.
+// Bodies made of triangles.
 #pragma once
 
 #include <optional>
@@ -14,6 +14,5 @@ struct BodySeen {
     double depth = 0.0;
 };
 std::optional<BodySeen> body_at(const Canvas& canvas, const Eigen::Vector2d& at);
-void draw_cone(const Canvas& canvas, const Cone& cone);
 
 }  // namespace poinsot::vector
