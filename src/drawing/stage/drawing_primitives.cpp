@@ -127,20 +127,19 @@ Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const LineStyl
     return curve;
 }
 
-Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
-                const Eigen::Vector3d& towards, double radius, double angle_rad,
-                const LineStyle& ink, double width_px) {
+Curve arc_curve(const Panel& panel, const Arc& arc, const LineStyle& ink, double width_px) {
     const CurveGeometry* circle = panel.unit_circle;
-    Curve arc = curve_of(panel, circle, ink, width_px);
-    const Eigen::Vector3d across = angle_rad < 0.0 ? Eigen::Vector3d(-towards) : towards;
+    Curve curve = curve_of(panel, circle, ink, width_px);
+    const Eigen::Vector3d across =
+        arc.angle_rad < 0.0 ? Eigen::Vector3d(-arc.towards) : arc.towards;
     Eigen::Matrix3d axes;
-    axes << from, across, from.cross(across);
-    arc.placement.linear() = radius * axes;
-    arc.placement.translation() = centre;
-    const double turns = std::abs(angle_rad) / (2.0 * std::numbers::pi);
-    if (turns < 1.0) arc.last = turns * static_cast<double>(circle->points.size());
-    if (!(radius > 0.0)) arc.opacity = 0.0;
-    return arc;
+    axes << arc.from, across, arc.from.cross(across);
+    curve.placement.linear() = arc.radius * axes;
+    curve.placement.translation() = arc.centre;
+    const double turns = std::abs(arc.angle_rad) / (2.0 * std::numbers::pi);
+    if (turns < 1.0) curve.last = turns * static_cast<double>(circle->points.size());
+    if (!(arc.radius > 0.0)) curve.opacity = 0.0;
+    return curve;
 }
 
 Curve line_between(const Panel& panel, const Eigen::Vector3d& a, const Eigen::Vector3d& b,
@@ -165,8 +164,13 @@ double arc_head_rad(double radius) { return std::min(0.45, 0.12 / radius); }
 void add_arc_arrow(const Panel& panel, const Turn& turn, const Eigen::Vector3d& from,
                    const LineStyle& ink, ViewBuilder& builder) {
     const Eigen::Vector3d towards = turn.axis.cross(from);
-    builder.view.curves.push_back(
-        arc_about(panel, turn.centre, from, towards, turn.radius, turn.angle_rad, ink, 3.2));
+    builder.view.curves.push_back(arc_curve(panel,
+                                            {.centre = turn.centre,
+                                             .from = from,
+                                             .towards = towards,
+                                             .radius = turn.radius,
+                                             .angle_rad = turn.angle_rad},
+                                            ink, 3.2));
     const auto at = [&](double angle) {
         return Eigen::Vector3d(turn.centre +
                                turn.radius * (std::cos(angle) * from + std::sin(angle) * towards));

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <numbers>
 
 #include "drawing/stage/panel.h"
 
@@ -75,12 +76,17 @@ double dash_of(const Panel& panel, const LineStyle& ink, double usual_px = 0.0);
 Curve curve_of(const Panel& panel, const CurveGeometry* geometry, const LineStyle& ink,
                double width_px);
 
-// An arc of a circle about `centre` from the direction `from` towards the direction `towards`
-// (perpendicular unit vectors), over an angle from 0 to 2π; a whole circle from 2π on. Negative
-// angles are in the opposite sense. All arcs of a stage share one geometry.
-Curve arc_about(const Panel& panel, const Eigen::Vector3d& centre, const Eigen::Vector3d& from,
-                const Eigen::Vector3d& towards, double radius, double angle_rad,
-                const LineStyle& ink, double width_px);
+// An arc of a circle from the direction `from` towards the direction `towards`, perpendicular unit
+// vectors, over an angle from 0 to 2π; a whole circle from 2π on. Negative angles are in the
+// opposite sense.
+struct Arc {
+    Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    Eigen::Vector3d from = Eigen::Vector3d::UnitX(), towards = Eigen::Vector3d::UnitY();
+    double radius = 1.0;
+    double angle_rad = 2.0 * std::numbers::pi;
+};
+// All arcs of a stage share one geometry.
+Curve arc_curve(const Panel& panel, const Arc& arc, const LineStyle& ink, double width_px);
 
 // An arc with an arrowhead at its end: a rate about an axis, right-handed for positive angles.
 struct Turn {

@@ -137,10 +137,20 @@ bool is_within(const Canvas& canvas, const PaperEllipse& outline, const Track& t
     return true;
 }
 
-// Strokes a conic on the surface: its part on the near side and its part on the far side.
-void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& outline,
-                  const Conic& conic, double first, double last, double width_pt,
-                  const std::function<double(double)>& opacity_at, bool also_behind) {
+// A line on the surface.
+struct SurfaceLine {
+    Conic conic;
+    double first = 0.0, last = 2.0 * pi;  // of the conic's parameter
+    double width_pt = 1.0;
+    std::function<double(double)> opacity_at;
+    bool also_behind = false;  // whether its part on the far side is drawn
+};
+
+// Strokes a line on the surface: its part on the near side and its part on the far side.
+void stroke_line(const Canvas& canvas, std::size_t number, const PaperEllipse& outline,
+                 const SurfaceLine& line) {
+    const Conic& conic = line.conic;
+    const double first = line.first, last = line.last;
     const SphereSight& sphere = canvas.occluders.spheres()[number];
     // On the near side α + β cos s + γ sin s > 0, which is one interval about the maximum.
     const auto facing = [&](const Eigen::Vector3d& v) {
@@ -161,30 +171,30 @@ void stroke_conic(const Canvas& canvas, std::size_t number, const PaperEllipse& 
         if (cuts[k] - cuts[k - 1] < 1e-9) continue;
         const double s = 0.5 * (cuts[k - 1] + cuts[k]);
         const bool front = alpha + beta * std::cos(s) + gamma * std::sin(s) > 0.0;
-        if (!front && !also_behind) continue;
+        if (!front && !line.also_behind) continue;
         if (canvas.projection.perspective &&
             canvas.projection.depth(conic.at(s)) <= canvas.projection.near_depth)
             continue;
         const auto look_at = [&](double t) {
             return line_on(canvas, number, canvas.projection.place(conic.at(t)), front,
-                           opacity_at(t));
+                           line.opacity_at(t));
         };
         constexpr double unseen = 0.15, faintest = 0.1, faint = 0.25;
         const double step = (cuts[k] - cuts[k - 1]) / 200.0;
         for (Canvas::ConstantColourSpan& part :
              canvas.constant_colour_spans(track, cuts[k - 1], cuts[k], look_at)) {
-            while (part.from < part.to && opacity_at(part.from) < unseen) part.from += step;
-            while (part.from < part.to && opacity_at(part.to) < unseen) part.to -= step;
+            while (part.from < part.to && line.opacity_at(part.from) < unseen) part.from += step;
+            while (part.from < part.to && line.opacity_at(part.to) < unseen) part.to -= step;
             if (!(part.from < part.to)) continue;
             if (part.ink.alpha < faintest) continue;
             // Lines lie on the surface: clip their width where the surface ends.
             const bool clips = canvas.shading != Shading::none && part.ink.alpha > faint &&
-                               !is_within(canvas, outline, track, part, 0.5 * width_pt);
+                               !is_within(canvas, outline, track, part, 0.5 * line.width_pt);
             if (clips) canvas.add(canvas.clip_to(outline, true));
             Stroke stroke;
             stroke.path = canvas.path_of(track, part.from, part.to, conic_tolerance_pt);
             stroke.ink = part.ink;
-            stroke.width_pt = width_pt;
+            stroke.width_pt = line.width_pt;
             stroke.round = false;
             canvas.add(std::move(stroke));
             if (clips) canvas.add(ClipEnd{});
@@ -216,17 +226,23 @@ void stroke_rulings(const Canvas& canvas, std::size_t number, const PaperEllipse
     for (int k = 0; k < ellipsoid.n_meridians; ++k) {
         const double step = 2.0 * pi / ellipsoid.n_meridians, longitude = step * k;
         const Conic meridian{sphere.centre, std::cos(longitude) * a + std::sin(longitude) * b, c};
-        stroke_conic(
-            canvas, number, outline, meridian, -0.5 * pi, 0.5 * pi, ruling_pt,
-            [&](double latitude) { return opacity(longitude, latitude, step, 0.0); }, false);
+        stroke_line(canvas, number, outline,
+                    {.conic = meridian,
+                     .first = -0.5 * pi,
+                     .last = 0.5 * pi,
+                     .width_pt = ruling_pt,
+                     .opacity_at = [&](double latitude) {
+                         return opacity(longitude, latitude, step, 0.0);
+                     }});
     }
     for (int k = 1; k <= ellipsoid.n_parallels; ++k) {
         const double step = pi / (ellipsoid.n_parallels + 1), latitude = step * k - 0.5 * pi;
         const Conic parallel{sphere.centre + std::sin(latitude) * c, std::cos(latitude) * a,
                              std::cos(latitude) * b};
-        stroke_conic(
-            canvas, number, outline, parallel, 0.0, 2.0 * pi, ruling_pt,
-            [&](double longitude) { return opacity(longitude, latitude, 0.0, step); }, false);
+        stroke_line(canvas, number, outline,
+                    {.conic = parallel, .width_pt = ruling_pt, .opacity_at = [&](double longitude) {
+                         return opacity(longitude, latitude, 0.0, step);
+                     }});
     }
 }
 
@@ -238,9 +254,11 @@ void stroke_sections(const Canvas& canvas, std::size_t number, const PaperEllips
     const double section_pt = canvas.line_pt(ellipsoid.section_px);
     for (const Conic& section :
          {Conic{sphere.centre, a, b}, Conic{sphere.centre, b, c}, Conic{sphere.centre, c, a}})
-        stroke_conic(
-            canvas, number, outline, section, 0.0, 2.0 * pi, section_pt, [](double) { return 1.0; },
-            true);
+        stroke_line(canvas, number, outline,
+                    {.conic = section,
+                     .width_pt = section_pt,
+                     .opacity_at = [](double) { return 1.0; },
+                     .also_behind = true});
 }
 
 }  // namespace

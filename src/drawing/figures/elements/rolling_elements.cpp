@@ -37,8 +37,7 @@ Drawer plane_with_circles(const Panel& panel, Plane plane) {
         const double radius = k * plane.grid_spacing;
         const double share = (radius / plane.radius - plane.fade_from) / (1.0 - plane.fade_from);
         Curve circle =
-            arc_about(panel, plane.centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
-                      radius, 2.0 * std::numbers::pi, plane.grid_colour, 1.1);
+            arc_curve(panel, {.centre = plane.centre, .radius = radius}, plane.grid_colour, 1.1);
         circle.on_plane = the_plane;
         circle.opacity = plane.opacity * (1.0 - smooth_step(share));
         circles.push_back(circle);

@@ -92,26 +92,32 @@ ShownStretch Trail::at(double time_s) const {
 
 namespace {
 
-// Samples a path over a stretch of time, and counts what that took.
-TimedPath sampled(const StageContext& stage, const PathPoint& point, double from_s, double to_s,
-                  const Quantities& wanted, double tolerance, std::size_t most = most_points) {
+// A path to sample, and the quantities of the motion that its point needs.
+struct WantedPath {
+    const PathPoint& point;
+    Quantities wanted;
+    double tolerance = 0.0;
+    std::size_t most = most_points;
+};
+
+// Samples a path over a stretch of time, and counts its evaluations.
+TimedPath sampled(const StageContext& stage, const WantedPath& path, double from_s, double to_s) {
     const double shortest_s = feature_s(stage);
-    TimedPath path = sample_path(point, from_s, to_s, shortest_s, tolerance, most);
-    if (std::isinf(path.off) && mean_feature_s(stage) > shortest_s)
-        path = sample_path(point, from_s, to_s, mean_feature_s(stage), tolerance, most);
-    stage.motion.count(wanted, path.n_evaluations);
-    return path;
+    TimedPath timed = sample_path(path.point, from_s, to_s, shortest_s, path.tolerance, path.most);
+    if (std::isinf(timed.off) && mean_feature_s(stage) > shortest_s)
+        timed =
+            sample_path(path.point, from_s, to_s, mean_feature_s(stage), path.tolerance, path.most);
+    stage.motion.count(path.wanted, timed.n_evaluations);
+    return timed;
 }
 
 // Samples the whole stretch that is drawn or, for a periodic path, one period before the first
 // instant and one after it.
-TimedPath sampled(const StageContext& stage, const PathPoint& point, std::optional<double> period_s,
-                  const Quantities& wanted, double tolerance) {
+TimedPath sampled(const StageContext& stage, const WantedPath& path,
+                  std::optional<double> period_s) {
     const StageOptions& options = stage.options;
-    if (!period_s)
-        return sampled(stage, point, options.first_time_s, options.last_time_s, wanted, tolerance);
-    return sampled(stage, point, options.first_time_s - *period_s, options.first_time_s + *period_s,
-                   wanted, tolerance);
+    if (!period_s) return sampled(stage, path, options.first_time_s, options.last_time_s);
+    return sampled(stage, path, options.first_time_s - *period_s, options.first_time_s + *period_s);
 }
 
 // Distance of the point at the last instants from its position on the path of one period.
@@ -233,14 +239,14 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
     };
 
     auto period_s = options.repeat_s > 0.0 ? std::optional(options.repeat_s) : std::nullopt;
-    TimedPath path = sampled(stage, point, period_s, wanted, tolerance);
+    TimedPath path = sampled(stage, {point, wanted, tolerance}, period_s);
     if (period_s) path.off += seen_drift(stage, point, *period_s, tolerance);
     const bool is_exact = is_smooth(stage) && !stage.rolling->dissipates;
     if (period_s || path.off <= tolerance || !is_exact) return as_curve(std::move(path), period_s);
 
     // Too many turns to sample all of them. The shown part may be a short stretch,
     const auto kept = [&](double from_s, double to_s, std::size_t most = most_points) {
-        path = sampled(stage, point, from_s, to_s, wanted, tolerance, most);
+        path = sampled(stage, {point, wanted, tolerance, most}, from_s, to_s);
         return path.off <= tolerance;
     };
     const double first_shown_s = options.first_shown_s.value_or(options.first_time_s);
@@ -259,7 +265,7 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
     const double longest_s = 0.05 * most_points * feature_s(stage);
     period_s = retracing_s(stage, span_s, longest_s, tolerance);
     if (period_s) {
-        path = sampled(stage, point, period_s, wanted, 0.5 * tolerance);
+        path = sampled(stage, {point, wanted, 0.5 * tolerance}, period_s);
         path.off += seen_drift(stage, point, *period_s, tolerance);
         if (path.off <= tolerance) return as_curve(std::move(path), period_s);
     }
@@ -320,14 +326,15 @@ TimedCurve polhode_trail(const StageContext& stage, double tolerance, const Body
     const std::string& kind = stage.scene.trail.polhode;
     // By a stepped method, ω need not be periodic.
     const auto period_s = is_smooth(stage) ? stage.polhode_period_s : std::nullopt;
-    TimedPath path = sampled(stage, point, period_s, omega_alone, tolerance);
+    TimedPath path = sampled(stage, {point, omega_alone, tolerance}, period_s);
     // The whole curve is the same at all times; its last stretch is not.
     if (period_s && kind == "fading") path.off += seen_drift(stage, point, *period_s, tolerance);
     const bool may_rest = stage.rolling->polhode.kind() == Polhode::Kind::separatrix &&
                           is_smooth(stage) && !stage.rolling->dissipates;
     if (!(path.off <= tolerance) && may_rest) {
         if (const auto to_s = resting_s(stage, point, tolerance))
-            path = sampled(stage, point, stage.options.first_time_s, *to_s, omega_alone, tolerance);
+            path =
+                sampled(stage, {point, omega_alone, tolerance}, stage.options.first_time_s, *to_s);
     }
     Trail trail(stage, kind, path, period_s);
     TimedCurve timed{std::move(path.points), std::move(trail), path.off};

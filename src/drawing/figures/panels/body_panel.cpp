@@ -235,8 +235,10 @@ Drawer make_precession_circle(const Panel& panel, StageStore& store) {
         const Eigen::Vector3d centre = tip.dot(axis) * axis;
         const Eigen::Vector3d radius = tip - centre;
         const Eigen::Vector3d from = radius.stableNormalized();
-        Curve circle = arc_about(panel, centre, from, axis.cross(from), radius.norm(),
-                                 2.0 * std::numbers::pi, theme.omega, 2.2);
+        Curve circle = arc_curve(
+            panel,
+            {.centre = centre, .from = from, .towards = axis.cross(from), .radius = radius.norm()},
+            theme.omega, 2.2);
         circle.hidden_opacity = 0.5;
         builder.view.curves.push_back(circle);
         // The radius opposite to ω, where neither ω nor L covers it or its name.

@@ -212,9 +212,7 @@ HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanS
 }
 
 Curve circle_of(const Panel& panel, double radius) {
-    Curve circle = arc_about(panel, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
-                             Eigen::Vector3d::UnitY(), radius, 2.0 * std::numbers::pi,
-                             panel.stage->theme.annulus, 2.0);
+    Curve circle = arc_curve(panel, {.radius = radius}, panel.stage->theme.annulus, 2.0);
     circle.dash_px = dash_of(panel, panel.stage->theme.annulus, 8.0);
     circle.occlusion = Occlusion::none;
     return circle;
@@ -244,8 +242,7 @@ void add_end_on(const Panel& panel, bool towards, const LineStyle& ink, ViewBuil
         curve.occlusion = Occlusion::none;
         builder.view.curves.push_back(curve);
     };
-    add(arc_about(panel, centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), radius,
-                  2.0 * std::numbers::pi, ink, 2.4));
+    add(arc_curve(panel, {.centre = centre, .radius = radius}, ink, 2.4));
     if (towards) {
         Dot point = dot_at(panel, centre, ink, 2.6);
         point.occlusion = Occlusion::none;
