@@ -20,7 +20,7 @@ namespace poinsot {
 inline constexpr std::int64_t frames_a_chunk = 120;
 
 // Returns the metadata text of a file made from this plan.
-std::string text_of(const OutputPlan& plan, const Contents& contents);
+std::string text_of(const OutputPlan& plan, const EncodedMetadata& encoded);
 
 // Returns the number of frames in a film made from this plan, of those that were written to it.
 std::int64_t n_shown_of(const OutputPlan& plan, std::int64_t n_frames);

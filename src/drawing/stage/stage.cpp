@@ -93,7 +93,7 @@ LabelRules with_insets(LabelRules rules, const std::deque<Panel>& panels, std::s
 
 }  // namespace
 
-struct Stage::Contents {
+struct Stage::Impl {
     StageContext context;
     StageStore store{context};
     std::deque<Panel> panels = make_panels(context, store);
@@ -102,8 +102,8 @@ struct Stage::Contents {
     Quantities needs = omega_alone;             // what all panels together read of an instant
     bool shows_comparison = false;              // whether one of them shows the comparison motion
 
-    Contents(const Scene& scene, const Theme& theme, const Motion& motion,
-             const StageOptions& options, const Motion* comparison)
+    Impl(const Scene& scene, const Theme& theme, const Motion& motion, const StageOptions& options,
+         const Motion* comparison)
         : context(scene, theme, motion, options, comparison) {
         for (const Panel& panel : panels) {
             needs = united(needs, panel.needs);
@@ -165,25 +165,25 @@ struct Stage::Contents {
 
 Stage::Stage(const Scene& scene, const Theme& theme, const Motion& motion,
              const StageOptions& options, const Motion* comparison)
-    : contents_(std::make_unique<const Contents>(scene, theme, motion, options, comparison)) {}
+    : impl_(std::make_unique<const Impl>(scene, theme, motion, options, comparison)) {}
 Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 
-const Quantities& Stage::needs() const { return contents_->needs; }
+const Quantities& Stage::needs() const { return impl_->needs; }
 
-const EvaluationCounts& Stage::counts() const { return contents_->context.motion.counts(); }
+const EvaluationCounts& Stage::counts() const { return impl_->context.motion.counts(); }
 
-double Stage::curve_error_px() const { return contents_->store.curve_error_px(); }
+double Stage::curve_error_px() const { return impl_->store.curve_error_px(); }
 
-std::span<const std::string> Stage::notes() const { return contents_->store.notes(); }
+std::span<const std::string> Stage::notes() const { return impl_->store.notes(); }
 
-const StageContext& Stage::context() const { return contents_->context; }
-const StageStore& Stage::store() const { return contents_->store; }
-const std::deque<Panel>& Stage::panels() const { return contents_->panels; }
+const StageContext& Stage::context() const { return impl_->context; }
+const StageStore& Stage::store() const { return impl_->store; }
+const std::deque<Panel>& Stage::panels() const { return impl_->panels; }
 
 Drawing Stage::at(double time_s) const {
-    return at(moment_of_time(FilmClock(contents_->context.scene), time_s));
+    return at(moment_of_time(FilmClock(impl_->context.scene), time_s));
 }
 
 namespace {
@@ -207,23 +207,22 @@ LineStyleRules line_style_rules(const StageContext& stage, const StageStore& sto
 }  // namespace
 
 Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras) const {
-    const StageContext& context = contents_->context;
-    const FrameInput instant =
-        context.instant_at(moment, contents_->needs, contents_->shows_comparison);
+    const StageContext& context = impl_->context;
+    const FrameInput instant = context.instant_at(moment, impl_->needs, impl_->shows_comparison);
     const Background& ground = context.theme.background;
     Drawing drawing;
     drawing.width_px = context.options.width_px;
     drawing.height_px = context.options.height_px;
     drawing.background = ground;
     // Title, caption and clock are in a view of their own over all panels.
-    View over = drawn_over(context, contents_->overlays, instant);
-    const LabelRules all = label_rules(context, contents_->store, over);
+    View over = drawn_over(context, impl_->overlays, instant);
+    const LabelRules all = label_rules(context, impl_->store, over);
 
     // Views own the text and curves made for this drawing alone; their shapes point to them, so
     // that views must not move once made.
-    drawing.views.reserve(contents_->panels.size() + 1);
-    for (std::size_t i = 0; i < contents_->panels.size(); ++i) {
-        const Panel& panel = contents_->panels[i];
+    drawing.views.reserve(impl_->panels.size() + 1);
+    for (std::size_t i = 0; i < impl_->panels.size(); ++i) {
+        const Panel& panel = impl_->panels[i];
         ViewBuilder builder =
             drawn(panel, moment, instant, i < cameras.size() ? cameras[i] : CameraChange());
         View& view = builder.view;
@@ -232,17 +231,17 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
             view.background.alpha = 0.0;
         }
-        const LabelRules rules = with_insets(all, contents_->panels, i);
+        const LabelRules rules = with_insets(all, impl_->panels, i);
         for (const UnplacedLabel& label : place_labels(builder.requests, rules, view)) {
             if (const std::string_view of = name_of_label(label.name); !of.empty())
                 drawing.unnamed.push_back({of, label.is_in_sight});
         }
         const bool is_planned = !(i < cameras.size() && cameras[i]);
-        for (const UnnamedThing& thing : place_thing_names(
-                 panel, contents_->names[i], rules.overlays, moment.film_s, is_planned, view))
+        for (const UnnamedThing& thing : place_thing_names(panel, impl_->names[i], rules.overlays,
+                                                           moment.film_s, is_planned, view))
             drawing.unnamed.push_back(thing);
         for (Label& label : view.labels) label.colour = letter_colour(context.theme, label.colour);
-        apply_line_style(line_style_rules(context, contents_->store), view);
+        apply_line_style(line_style_rules(context, impl_->store), view);
         drawing.views.push_back(std::move(view));
     }
     if (!over.labels.empty()) drawing.views.push_back(std::move(over));
@@ -252,10 +251,10 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
 
 std::vector<PlacedArrow> Stage::arrows_at(const FilmTime& moment) const {
     const FrameInput instant =
-        contents_->context.instant_at(moment, contents_->needs, contents_->shows_comparison);
+        impl_->context.instant_at(moment, impl_->needs, impl_->shows_comparison);
     std::vector<PlacedArrow> arrows;
     int index = 0;
-    for (const Panel& panel : contents_->panels) {
+    for (const Panel& panel : impl_->panels) {
         ViewBuilder builder = begun(panel, moment);
         panel.draw(instant, builder);
         append_arrows(builder.view, index++, arrows);

@@ -68,8 +68,8 @@ class Stage {
     const std::deque<Panel>& panels() const;
 
  private:
-    struct Contents;
-    std::unique_ptr<const Contents> contents_;
+    struct Impl;
+    std::unique_ptr<const Impl> impl_;
 };
 
 }  // namespace poinsot
