@@ -47,20 +47,19 @@ class AdaptiveSampler {
         if (!is_resolved) off = std::max(off, (to.point - from.point).norm());
         // Where one segment has missed the tolerance the curve is lost, and halving others, for
         // instance of rounding noise, is work for nothing.
-        const bool is_lost = !(worst_off <= tolerance_);
+        const bool is_lost = !(curve.off <= tolerance_);
         if (off <= tolerance_ || !is_resolved || depth == 0 || is_lost ||
-            samples.size() >= max_points_) {
+            curve.samples.size() >= max_points_) {
             // NaN does not count as within the tolerance.
-            if (!(off <= worst_off)) worst_off = off;
-            samples.push_back({to.parameter, to.point, off});
+            if (!(off <= curve.off)) curve.off = off;
+            curve.samples.push_back({to.parameter, to.point, off});
             return;
         }
         subdivide(from, middle, depth - 1);
         subdivide(middle, to, depth - 1);
     }
 
-    std::vector<CurveSample> samples;
-    double worst_off = 0.0;
+    SampledCurve curve;
 
  private:
     const std::function<Eigen::Vector3d(double)>& point_;
@@ -70,14 +69,13 @@ class AdaptiveSampler {
 
 }  // namespace
 
-std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
-                                           double first, double last, int n_pieces,
-                                           double tolerance, std::size_t max_points, double* off) {
+SampledCurve sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
+                               const SamplingChoices& choices) {
+    const auto& [first, last, n_pieces, tolerance, max_points] = choices;
     AdaptiveSampler sampler(point, tolerance, max_points);
     CurveSample from = sampler.at(first);
-    sampler.samples.push_back(from);
-    if (off != nullptr) *off = 0.0;
-    if (!(last > first)) return sampler.samples;
+    sampler.curve.samples.push_back(from);
+    if (!(last > first)) return sampler.curve;
 
     constexpr int deepest = 24;
     for (int k = 1; k <= n_pieces; ++k) {
@@ -86,8 +84,7 @@ std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(d
         sampler.subdivide(from, to, deepest);
         from = to;
     }
-    if (off != nullptr) *off = sampler.worst_off;
-    return sampler.samples;
+    return sampler.curve;
 }
 
 }  // namespace poinsot

@@ -19,17 +19,24 @@ struct CurveSample {
 double distance_from_segment(const Eigen::Vector3d& point, const Eigen::Vector3d& from,
                              const Eigen::Vector3d& to);
 
-// Samples point(parameter) over [first, last], starting from n_pieces equal pieces and halving each
-// until the curve at its quarter points, and where it might be farther off between them, is within
-// `tolerance` of the chord. Returns ascending
-// parameters, both ends included; at most max_points of them (the tolerance is then not reached
-// everywhere). Where no double lies between two parameters, the segment's length is taken as the
-// distance. After a segment that misses the tolerance it halves no others. `off` receives the
-// largest distance of all samples.
-std::vector<CurveSample> sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
-                                           double first, double last, int n_pieces,
-                                           double tolerance,
-                                           std::size_t max_points = most_curve_points,
-                                           double* off = nullptr);
+struct SampledCurve {
+    std::vector<CurveSample> samples;  // in ascending order of their parameters, with both ends
+    double off = 0.0;                  // the largest distance of all samples
+};
+
+struct SamplingChoices {
+    double first = 0.0, last = 1.0;  // of the parameter
+    int n_pieces = 16;               // equal pieces to begin with
+    double tolerance = 1e-3;
+    std::size_t max_points = most_curve_points;
+};
+
+// Samples point(parameter) over [first, last]. Halves each piece until the curve at its quarter
+// points, and where it might be farther off between them, is within `tolerance` of the chord. With
+// max_points samples the tolerance may not be reached everywhere. Where no double lies between two
+// parameters, the segment's length is taken as the distance. After a segment that misses the
+// tolerance it halves no others.
+SampledCurve sample_adaptively(const std::function<Eigen::Vector3d(double)>& point,
+                               const SamplingChoices& choices);
 
 }  // namespace poinsot

@@ -132,19 +132,10 @@ void take(CertifiedClaim& claim, double residual, double time_s) {
     }
 }
 
-}  // namespace
-
-bool Certificate::holds() const {
-    return std::none_of(claims.begin(), claims.end(),
-                        [](const CertifiedClaim& claim) { return claim.fails(); });
-}
-
-Certificate certify(const Motion& motion, std::span<const double> times_s, double bound) {
-    const MotionProblem& problem = motion.problem();
-    const PoinsotConstruction construction(lifted(problem.inertia), problem.start);
-
-    Certificate certificate;
-    certificate.claims = {
+// The claims about an exact motion, in this order: distances and speeds, the other residuals of a
+// state, the speeds of the contact point. A stepped motion adds its attitude.
+std::vector<CertifiedClaim> rolling_claims() {
+    return {
         {"contact_plane_gap",
          "distance of the contact point from the plane, relative to the plane's distance from the "
          "centre"},
@@ -160,6 +151,39 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
         {"speed_difference",
          "speed on the polhode minus speed on the herpolhode, relative to the largest speed"},
     };
+}
+
+// The largest difference of the contact point's speeds on the polhode and on the herpolhode.
+struct SpeedCheck {
+    double greatest_speed = 0.0;
+    double worst = 0.0;
+    double worst_time_s = 0.0;
+    std::int64_t n_measured = 0;
+
+    void add(const ContactSpeeds& speed, double time_s) {
+        const double difference = std::abs(speed.on_body - speed.in_space);
+        ++n_measured;
+        greatest_speed = std::max({greatest_speed, speed.on_body, speed.in_space});
+        if (difference > worst || !(difference == difference)) {
+            worst = difference == difference ? difference : HUGE_VAL;
+            worst_time_s = time_s;
+        }
+    }
+};
+
+}  // namespace
+
+bool Certificate::holds() const {
+    return std::none_of(claims.begin(), claims.end(),
+                        [](const CertifiedClaim& claim) { return claim.fails(); });
+}
+
+Certificate certify(const Motion& motion, std::span<const double> times_s, double bound) {
+    const MotionProblem& problem = motion.problem();
+    const PoinsotConstruction construction(lifted(problem.inertia), problem.start);
+
+    Certificate certificate;
+    certificate.claims = rolling_claims();
     // An attitude error of `bound` moves the end of a long half-axis by a larger part of the
     // plane's distance.
     const double reach =
@@ -175,9 +199,7 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
     }
 
     const Differences differences(motion);
-    CertifiedClaim& speeds = certificate.claims[n_residuals];
-    double greatest_speed = 0.0, worst_difference = 0.0, worst_time_s = 0.0;
-
+    SpeedCheck check;
     for (const double time_s : times_s) {
         const RotationState state = motion.at(time_s);
         const RollingResiduals r = construction.residuals(state);
@@ -192,22 +214,16 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
                  angle_between(state.space_from_body, truth->at(time_s).space_from_body), time_s);
         const auto centre_s = differences.centre(time_s);
         if (!centre_s) continue;
-        const ContactSpeeds speed =
-            contact_speeds(construction, motion, *centre_s, differences.step_s());
-        const double difference = std::abs(speed.on_body - speed.in_space);
-        ++speeds.n_measured;
-        greatest_speed = std::max({greatest_speed, speed.on_body, speed.in_space});
-        if (difference > worst_difference || !(difference == difference)) {
-            worst_difference = difference == difference ? difference : HUGE_VAL;
-            worst_time_s = time_s;
-        }
+        check.add(contact_speeds(construction, motion, *centre_s, differences.step_s()), time_s);
     }
     // Where the contact point hardly moves (steady spin, a small wobble) the differences are only
     // rounding, measured 4e-14 of the rate times the half-axis: a floor keeps their relative error
     // far below the bound.
     const double least_speed = 1e-3 * differences.rate() * construction.half_axes().maxCoeff();
-    const double unit_speed = std::max(greatest_speed, least_speed);
-    speeds.worst = worst_difference > 0.0 ? worst_difference / unit_speed : 0.0;
+    const double unit_speed = std::max(check.greatest_speed, least_speed);
+    CertifiedClaim& speeds = certificate.claims[n_residuals];
+    speeds.n_measured = check.n_measured;
+    speeds.worst = check.worst > 0.0 ? check.worst / unit_speed : 0.0;
     speeds.bound = std::max(bound, speed_difference_bound);
     if (truth) {
         // The speeds differ by |Ω − ω| |ρ|, where Ω is how fast the attitude turns: its error over
@@ -216,7 +232,7 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
         speeds.bound = std::max(speed_difference_bound,
                                 speeds_of_errors * most_error * bound * fastest / unit_speed);
     }
-    speeds.at_time_s = worst_time_s;
+    speeds.at_time_s = check.worst_time_s;
     certificate.n_instants = static_cast<std::int64_t>(times_s.size());
     return certificate;
 }

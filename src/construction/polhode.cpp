@@ -130,14 +130,17 @@ double Polhode::first_chi_rad() const {
 
 double Polhode::last_chi_rad() const { return kind_ == Kind::point ? 0.0 : -first_chi_rad(); }
 
-std::vector<CurveSample> Polhode::samples(double tolerance, double* off) const {
-    return sample_adaptively([this](double chi) { return at(chi); }, first_chi_rad(),
-                             last_chi_rad(), 16, tolerance, most_curve_points, off);
+SampledCurve Polhode::samples(double tolerance) const {
+    return sample_adaptively(
+        [this](double chi) { return at(chi); },
+        {.first = first_chi_rad(), .last = last_chi_rad(), .tolerance = tolerance});
 }
 
 std::vector<Eigen::Vector3d> Polhode::sampled(double tolerance, double* off) const {
     std::vector<Eigen::Vector3d> points;
-    for (const CurveSample& sample : samples(tolerance, off)) points.push_back(sample.point);
+    const SampledCurve curve = samples(tolerance);
+    for (const CurveSample& sample : curve.samples) points.push_back(sample.point);
+    if (off != nullptr) *off = curve.off;
     if (closed()) points.pop_back();
     return points;
 }
@@ -190,12 +193,10 @@ std::vector<std::vector<Eigen::Vector3d>> separatrices(const InertiaTensor& iner
             return Eigen::Vector3d(inertia.body_from_principal() * rho);
         };
         std::vector<Eigen::Vector3d> points;
-        double part_off = 0.0;
-        for (const CurveSample& s :
-             sample_adaptively(point, -pi, pi, 16, tolerance, most_curve_points, &part_off)) {
-            points.push_back(s.point);
-        }
-        if (off != nullptr) *off = std::max(*off, part_off);
+        const SampledCurve curve =
+            sample_adaptively(point, {.first = -pi, .last = pi, .tolerance = tolerance});
+        for (const CurveSample& s : curve.samples) points.push_back(s.point);
+        if (off != nullptr) *off = std::max(*off, curve.off);
         points.pop_back();
         curves.push_back(std::move(points));
     }

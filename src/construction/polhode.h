@@ -52,7 +52,7 @@ class Polhode {
     // closed curve does not repeat its first point. `off` receives the largest distance found.
     std::vector<Eigen::Vector3d> sampled(double tolerance, double* off = nullptr) const;
     // The same with the χ of each point, and with the first point of a closed curve once more.
-    std::vector<CurveSample> samples(double tolerance, double* off = nullptr) const;
+    SampledCurve samples(double tolerance) const;
 
     // Smallest and largest distance of the curve's points from the foot of the plane's normal: the
     // herpolhode's annulus.

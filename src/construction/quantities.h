@@ -20,7 +20,7 @@ struct QuantityUnit {
     std::string_view suffix;
 };
 
-// What the quantities of all instants of a motion share.
+// The body and the construction, which the quantities of all instants share.
 struct QuantitySource {
     const InertiaTensor& inertia;
     const PoinsotConstruction* construction = nullptr;  // set if the residuals are asked for

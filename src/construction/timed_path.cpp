@@ -45,9 +45,13 @@ TimedPath sample_path(const std::function<Eigen::Vector3d(double)>& point, doubl
         path.off = std::numeric_limits<double>::infinity();
         return path;
     }
-    const auto samples =
-        sample_adaptively(counted, first_time_s, first_time_s + piece_s * n_pieces,
-                          static_cast<int>(n_pieces), tolerance, max_points, &path.off);
+    const auto [samples, off] =
+        sample_adaptively(counted, {.first = first_time_s,
+                                    .last = first_time_s + piece_s * n_pieces,
+                                    .n_pieces = static_cast<int>(n_pieces),
+                                    .tolerance = tolerance,
+                                    .max_points = max_points});
+    path.off = off;
 
     path.times_s.reserve(samples.size());
     path.points.reserve(samples.size());

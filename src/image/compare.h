@@ -38,7 +38,7 @@ struct PictureRegion {
     bool operator==(const PictureRegion&) const = default;
 };
 
-// What a comparison does besides counting pixels.
+// Options of a comparison besides its limits.
 struct CompareExtras {
     bool ssim = false, flip = false;       // measure these even if no limit needs them
     std::vector<PictureRegion> ignored{};  // differences there do not count

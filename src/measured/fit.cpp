@@ -108,6 +108,65 @@ void check(std::span<const MeasuredRow> rows) {
                         2.0 * rate));
 }
 
+// The residual of a flight, with as many degrees of freedom as its fitted numbers leave.
+double residual_left_by(const FoundFlight& found, const std::vector<MeasuredRow>& rows,
+                        const std::optional<Eigen::Vector3d>& moments) {
+    return residual_of(found, rows.size(), count(fitted_changes(moments, found.flight.drag)));
+}
+
+// A richer drag where linear drag does not describe the rows to their noise.
+FoundFlight with_chosen_drag(const FoundFlight& linear, const std::vector<MeasuredRow>& rows,
+                             const std::optional<Eigen::Vector3d>& moments, double noise,
+                             bool goes_on) {
+    constexpr double like_noise = 1.2, rounding_of_rows = 1e-6;
+    const auto left_by = [&](const FoundFlight& found) {
+        return residual_left_by(found, rows, moments);
+    };
+    FoundFlight best = linear;
+    if (!(left_by(linear) > std::max(like_noise * noise, rounding_of_rows))) return best;
+    for (const DragModel drag : {DragModel::axes, DragModel::quadratic, DragModel::growing}) {
+        if (goes_on && drag == DragModel::growing) continue;
+        const FoundFlight richer = with_drag(rows, linear, drag, moments);
+        if (left_by(richer) < left_by(best)) best = richer;
+    }
+    return best;
+}
+
+// Standard deviations of a flight's numbers, and the correlation of its residuals.
+struct FlightErrors {
+    FlightChange sd = FlightChange::Zero();
+    double correlation = 0.0;
+};
+
+// `residual`: of the flight. Throws InputError if the rows do not determine the flight.
+FlightErrors errors_of(const Flight& flight, const std::vector<MeasuredRow>& rows,
+                       const std::optional<Eigen::Vector3d>& moments, double residual) {
+    FlightErrors errors;
+    const std::vector<int> places = places_of(fitted_changes(moments, flight.drag));
+    std::vector<Eigen::Vector3d> residuals;
+    const Square normal = chosen(flight_sums(flight, rows, &residuals).normal, places);
+    // Scaled, so that units do not matter.
+    const Column scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+    if (!scale.allFinite()) throw_undetermined();
+    const Eigen::SelfAdjointEigenSolver<Square> eigen(
+        Square(scale.asDiagonal() * normal * scale.asDiagonal()));
+    constexpr double least_eigenvalue = 1e-13;
+    if (!(eigen.eigenvalues()[0] > least_eigenvalue)) throw_undetermined();
+    if (!moments && is_on_separatrix(flight)) throw_undetermined();
+    errors.correlation = correlation_of(residuals);
+    const Square spread =
+        chosen(flight_sums(flight, rows, nullptr, errors.correlation).spread, places);
+    const Square inverse = eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
+                           eigen.eigenvectors().transpose();
+    const Square scaled_spread = scale.asDiagonal() * spread * scale.asDiagonal();
+    const Square covariance = inverse * scaled_spread * inverse;
+    for (std::size_t k = 0; k < places.size(); ++k) {
+        const auto i = static_cast<Eigen::Index>(k);
+        errors.sd[places[k]] = residual * std::sqrt(std::max(covariance(i, i), 0.0)) * scale[i];
+    }
+    return errors;
+}
+
 }  // namespace
 
 std::string_view name_of(DragModel drag) {
@@ -143,48 +202,16 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
     const std::vector<MeasuredRow> rows = scaled_by(unscaled, rate);
 
     const FoundFlight linear = best_fit(rows, noise, moments);
-    const auto left_by = [&rows, &moments](const FoundFlight& found) {
-        return residual_of(found, rows.size(), count(fitted_changes(moments, found.flight.drag)));
-    };
-    FoundFlight best = linear;
-    constexpr double like_noise = 1.2, rounding_of_rows = 1e-6;
-    if (wanted)
-        best = with_drag(rows, linear, *wanted, moments);
-    else if (left_by(linear) > std::max(like_noise * noise, rounding_of_rows))
-        for (const DragModel drag : {DragModel::axes, DragModel::quadratic, DragModel::growing}) {
-            if (goes_on && drag == DragModel::growing) continue;
-            const FoundFlight richer = with_drag(rows, linear, drag, moments);
-            if (left_by(richer) < left_by(best)) best = richer;
-        }
+    FoundFlight best = wanted ? with_drag(rows, linear, *wanted, moments)
+                              : with_chosen_drag(linear, rows, moments, noise, goes_on);
     best.flight = in_order(best.flight);
     if (moments) best.flight.moments = *moments / (*moments)[0];
     const Flight& flight = best.flight;
-    const double residual = left_by(best);
+    const double residual = residual_left_by(best, rows, moments);
     if (!(residual < std::max(most_residual_share, 1.5 * noise)))
         throw_no_motion(residual * rate, rate);
 
-    const std::vector<int> places = places_of(fitted_changes(moments, flight.drag));
-    std::vector<Eigen::Vector3d> residuals;
-    const Square normal = chosen(flight_sums(flight, rows, &residuals).normal, places);
-    // Scaled, so that units do not matter.
-    const Column scale = normal.diagonal().cwiseSqrt().cwiseInverse();
-    if (!scale.allFinite()) throw_undetermined();
-    const Eigen::SelfAdjointEigenSolver<Square> eigen(
-        Square(scale.asDiagonal() * normal * scale.asDiagonal()));
-    constexpr double least_eigenvalue = 1e-13;
-    if (!(eigen.eigenvalues()[0] > least_eigenvalue)) throw_undetermined();
-    if (!moments && is_on_separatrix(flight)) throw_undetermined();
-    const double correlation = correlation_of(residuals);
-    const Square spread = chosen(flight_sums(flight, rows, nullptr, correlation).spread, places);
-    const Square inverse = eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
-                           eigen.eigenvectors().transpose();
-    const Square scaled_spread = scale.asDiagonal() * spread * scale.asDiagonal();
-    const Square covariance = inverse * scaled_spread * inverse;
-    FlightChange sd = FlightChange::Zero();
-    for (std::size_t k = 0; k < places.size(); ++k) {
-        const auto i = static_cast<Eigen::Index>(k);
-        sd[places[k]] = residual * std::sqrt(std::max(covariance(i, i), 0.0)) * scale[i];
-    }
+    const auto [sd, correlation] = errors_of(flight, rows, moments, residual);
 
     FittedMotion fit;
     fit.first_time_s = unscaled.front().time_s;
@@ -205,7 +232,7 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
         fit.drag_rates_sd.setConstant(fit.drag_rates_sd[0]);
     }
     fit.residual_rad_s = rate * residual;
-    fit.linear_residual_rad_s = rate * left_by(linear);
+    fit.linear_residual_rad_s = rate * residual_left_by(linear, rows, moments);
     fit.correlation = correlation;
     fit.n_rows = rows.size();
     fit.noise_rad_s = rate * noise;

@@ -1,5 +1,5 @@
-// Where the fit of a flight starts: moments, axes and damping from Euler's equations, which are
-// linear in the tensor of inertia.
+// Initial values for the fit of a flight: moments, axes and damping from Euler's equations, which
+// are linear in the tensor of inertia.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,15 +11,16 @@
 
 namespace poinsot {
 
-// What is tried, best first. The equations are integrated over windows of some angle, so that noise
-// is not differentiated; `moments` in falling order, if they are known. Precondition: rows are near
-// |ω| = 1, so that times are radians.
+// Initial values to try, best first. The equations are integrated over windows of some angle, so
+// that noise is not differentiated; `moments` in falling order, if they are known. Precondition:
+// rows are near |ω| = 1, so that times are radians.
 std::vector<Flight> first_flights(std::span<const MeasuredRow> rows,
                                   const std::optional<Eigen::Vector3d>& moments);
 
-// How far these rows are from any free motion: the share of the changes of the angular momentum,
-// over windows of 0.7 rad, that Euler's equations leave unexplained for the tensor that explains
-// most. About 0 for a free motion and 1 for any other; larger by noise. Rows in their own units.
+// The distance of these rows from any free motion: the share of the changes of the angular
+// momentum, over windows of 0.7 rad, that Euler's equations leave unexplained for the tensor that
+// explains most. About 0 for a free motion and 1 for any other; larger by noise. Rows in their own
+// units.
 double unexplained_share(std::span<const MeasuredRow> rows);
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// What the first rows of a flight predict for the others.
+// Predictions of the later rows of a flight from its first rows.
 #pragma once
 
 #include <Eigen/Core>

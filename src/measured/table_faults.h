@@ -1,5 +1,5 @@
-// What is wrong with a table of measurements though it can be read: stretches without rows, and
-// values at the limit of the sensor.
+// Faults of a readable table of measurements: stretches without rows, and values at the limit of
+// the sensor.
 #pragma once
 
 #include <cstddef>

@@ -54,18 +54,18 @@ std::optional<std::string> file_hash_of(const std::filesystem::path& film,
     return surroundings->hash;
 }
 
-std::string record_before_hash(const OutputPlan& plan, Contents contents) {
+std::string record_before_hash(const OutputPlan& plan, EncodedMetadata encoded) {
     constexpr std::size_t n_digits = 64;
-    contents.file = std::string(n_digits, '0');
-    return text_of(plan, contents);
+    encoded.file = std::string(n_digits, '0');
+    return text_of(plan, encoded);
 }
 
-void put_file_hash(AtomicFile& film, const OutputPlan& plan, Contents contents) {
-    const std::string before = record_before_hash(plan, contents);
+void put_file_hash(AtomicFile& film, const OutputPlan& plan, EncodedMetadata encoded) {
+    const std::string before = record_before_hash(plan, encoded);
     const auto surroundings = surroundings_of(film.aside(), before);
     if (!surroundings) return;  // a film without a record
-    contents.file = surroundings->hash;
-    const std::string after = text_of(plan, contents);
+    encoded.file = surroundings->hash;
+    const std::string after = text_of(plan, encoded);
     if (after.size() != before.size())
         throw EnvironmentError(
             fmt::format("cannot write {}: its record changes its length", film.path().string()));

@@ -17,10 +17,10 @@ namespace poinsot {
 std::optional<std::string> file_hash_of(const std::filesystem::path& film, std::string_view record);
 
 // The record of a film that is about to be written, with zeros in place of the hash of the file.
-std::string record_before_hash(const OutputPlan& plan, Contents contents);
+std::string record_before_hash(const OutputPlan& plan, EncodedMetadata encoded);
 
 // Replaces that record in a written film by the one with the hash, which has the same length. Call
 // before the file is committed. Throws EnvironmentError.
-void put_file_hash(AtomicFile& film, const OutputPlan& plan, Contents contents);
+void put_file_hash(AtomicFile& film, const OutputPlan& plan, EncodedMetadata encoded);
 
 }  // namespace poinsot

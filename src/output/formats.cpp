@@ -199,8 +199,8 @@ bool has_row(const std::filesystem::path& path, const Condition& condition) {
 
 }  // namespace
 
-std::string text_of(const OutputPlan& plan, const Contents& contents) {
-    return plan.seal && !plan.metadata.empty() ? plan.seal(plan.metadata, contents) : plan.metadata;
+std::string text_of(const OutputPlan& plan, const EncodedMetadata& encoded) {
+    return plan.seal && !plan.metadata.empty() ? plan.seal(plan.metadata, encoded) : plan.metadata;
 }
 
 std::int64_t n_shown_of(const OutputPlan& plan, std::int64_t n_frames) {

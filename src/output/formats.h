@@ -20,7 +20,7 @@ namespace poinsot {
 inline constexpr std::int64_t frames_a_chunk = 120;
 
 // Returns the metadata text of a file made from this plan.
-std::string text_of(const OutputPlan& plan, const Contents& contents);
+std::string text_of(const OutputPlan& plan, const EncodedMetadata& encoded);
 
 // Returns the number of frames in a film made from this plan, of those that were written to it.
 std::int64_t n_shown_of(const OutputPlan& plan, std::int64_t n_frames);
@@ -31,7 +31,7 @@ std::int64_t first_number(const OutputPlan& plan);
 // Whether a film has an alpha plane: never, if its first frame is not opaque, or always.
 enum class FilmAlpha { never, of_first_frame, always };
 
-// What the films of packets in a container, MP4, WebM and QuickTime, differ in; see
+// The differences between films of packets in MP4, WebM and QuickTime containers; see
 // packet_film.cpp.
 struct PacketFilm {
     const char* container;

@@ -38,7 +38,7 @@ constexpr std::int64_t milliseconds_of(std::int64_t n, const FrameRate& rate) {
 }
 
 // Metadata known only after encoding.
-struct Contents {
+struct EncodedMetadata {
     std::int64_t n_frames = 0;               // of a film
     std::string packets = {};                // of a film: see output/film_packets.h
     std::string file = {};                   // of a film: see output/film_file_hash.h
@@ -48,7 +48,7 @@ struct Contents {
 
 // Makes the text that an output carries from the plan's metadata.
 using SealMetadata =
-    std::function<std::string(const std::string& metadata, const Contents& contents)>;
+    std::function<std::string(const std::string& metadata, const EncodedMetadata& encoded)>;
 
 // Settings that an output needs before its first frame.
 struct OutputPlan {

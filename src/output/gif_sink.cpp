@@ -132,9 +132,9 @@ void write_gif(FrameEntries& log, const ColourCount& count, const OutputPlan& pl
     muxer.write_trailer();
     // A device or a pipe can neither be read again nor changed to add a comment.
     if (!plan.metadata.empty() && !file.aside().empty()) {
-        Contents contents{.n_frames = n};
-        contents.packets = gif_packets(contents_of(file), plan.path.string()).of_film();
-        append_comment(file, text_of(plan, contents));
+        EncodedMetadata encoded{.n_frames = n};
+        encoded.packets = gif_packets(contents_of(file), plan.path.string()).of_film();
+        append_comment(file, text_of(plan, encoded));
     }
     file.commit();
 }

@@ -188,7 +188,7 @@ void describe_stream(AVStream& stream, const PacketFilm& format, const OutputPla
         av_dict_set(&stream.metadata, "alpha_mode", "1", 0);
 }
 
-Contents contents_of(FrameEntries& log, std::int64_t n_frames) {
+EncodedMetadata metadata_of(FrameEntries& log, std::int64_t n_frames) {
     PacketHash hash(frames_a_chunk);
     for (std::int64_t k = 0; k < n_frames; ++k) {
         const Entry entry = entry_of(log, k);
@@ -200,8 +200,8 @@ Contents contents_of(FrameEntries& log, std::int64_t n_frames) {
 // Assembles the film from the first entries of the log, with its index at the front.
 void write_film(const PacketFilm& format, FrameEntries& log, const OutputPlan& plan,
                 std::int64_t n_frames) {
-    const Contents contents = contents_of(log, n_frames);
-    const std::string record = record_before_hash(plan, contents);
+    const EncodedMetadata encoded = metadata_of(log, n_frames);
+    const std::string record = record_before_hash(plan, encoded);
     AtomicFile file(plan.path);
     libav::Muxer muxer(format.container, file.descriptor(), plan.path, file.aside());
     describe_stream(*muxer.stream(), format, plan, has_alpha(format, log),
@@ -220,7 +220,7 @@ void write_film(const PacketFilm& format, FrameEntries& log, const OutputPlan& p
         muxer.write(packet.get(), av_inv_q(as_rational(plan.rate)));
     }
     muxer.write_trailer();
-    put_file_hash(file, plan, contents);
+    put_file_hash(file, plan, encoded);
     file.commit();
 }
 

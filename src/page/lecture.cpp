@@ -305,9 +305,9 @@ std::string Lecture::state_at(const FilmTime& moment) const {
 std::string Lecture::svg_at(const FilmTime& moment) const {
     // The canvas as a slide 540 points high.
     const Drawing drawing = drawing_at(moment);
-    vector::PageChoices choices;
+    vector::PaperChoices choices;
     choices.pt_per_px = 540.0 / drawing.height_px;
-    return vector::svg_of(vector::page_of(drawing, choices), plain_text(session_.scene.title), "");
+    return vector::svg_of(vector::paper_of(drawing, choices), plain_text(session_.scene.title), "");
 }
 
 namespace {

@@ -143,7 +143,7 @@ std::string Lecture::description() const {
     for (const std::string& key : controls_of(scene)) controls.push_back(control_of(scene, key));
     // A loop goes on until it meets its beginning.
     const double last_s =
-        film_.loop_s > 0.0 ? film_.clock.time_at(film_.length_s) : film_.last_time_s();
+        film_.repeat_s > 0.0 ? film_.clock.time_at(film_.length_s) : film_.last_time_s();
     // A film that waits at stops is seen from its beginning; any other opens as its still, with its
     // curves drawn.
     const double opens_at_s = scene.stops.empty() && scene.film.still_s
@@ -162,7 +162,7 @@ std::string Lecture::description() const {
         .add("last_time_s", last_s)
         .add("film_length_s", film_.length_s)
         .add("opens_at_s", opens_at_s)
-        .add("loops", film_.loop_s > 0.0)
+        .add("loops", film_.repeat_s > 0.0)
         .add("frames_per_s", film_.rate.per_second())
         .add("width", scene.film.width_px)
         .add("height", scene.film.height_px)

@@ -1,4 +1,4 @@
-// How a pixel of a shown picture stores its colour beside its alpha.
+// The colour and the alpha stored in a pixel of a shown picture.
 #pragma once
 
 namespace poinsot {

@@ -41,13 +41,13 @@ std::string in_words(const DisplayMatrix& display) {
     return "turned, mirrored or stretched in another way";
 }
 
-// Where players put the pictures is theirs to choose.
+// Players choose the place of the pictures.
 DisplayMatrix without_place(DisplayMatrix display) {
     display[6] = display[7] = 0;
     return display;
 }
 
-// What two films say of colours, where both say something.
+// Whether both films name a colour property, and name it differently.
 bool name_different_colours(const std::string& a, const std::string& b) {
     const auto says_none = [](const std::string& name) {
         return name.empty() || name == "unknown";
@@ -55,9 +55,10 @@ bool name_different_colours(const std::string& a, const std::string& b) {
     return !says_none(a) && !says_none(b) && a != b;
 }
 
-// What a player shows differently whatever the frames are; a sequence is shown as it is stored.
-void compare_what_films_say(const FrameStream& expected, const FrameStream& actual,
-                            ComparedPicture& result) {
+// Compares the properties of films that change what a player shows of the same frames; a sequence
+// is shown as it is stored.
+void compare_film_headers(const FrameStream& expected, const FrameStream& actual,
+                          ComparedPicture& result) {
     const VideoInfo as_stored;
     const VideoInfo& a = expected.info() ? *expected.info() : as_stored;
     const VideoInfo& b = actual.info() ? *actual.info() : as_stored;
@@ -108,9 +109,9 @@ void compare_two_films(const CompareRequest& request, const GivenLimits& given, 
     Records records{find_record(expected.file()), find_record(actual.file())};
     name_first_frame(records.expected);
     name_first_frame(records.actual);
-    compare_what_films_say(expected, actual, result);
+    compare_film_headers(expected, actual, result);
     if (result.outcome != Outcome::same) {
-        tell_changes(records, result);
+        add_record_differences(records, result);
         return;
     }
     std::optional<IgnoredRegions> regions;
@@ -153,13 +154,13 @@ void compare_two_films(const CompareRequest& request, const GivenLimits& given, 
             result.outcome = Outcome::rate;
             result.reason = times + (result.reason.empty() ? "" : "; " + result.reason);
         }
-        tell_ignored(result);
+        add_ignored_pixels(result);
     }
     if (film.measured.n_ignored > 0 && film.measured.n_pixels == 0) {
         result.outcome = Outcome::region;
         result.reason = nothing_left;
     }
-    tell_changes(records, result);
+    add_record_differences(records, result);
     if (request.seen && !film.strip.empty()) {
         for (KeptFrames& kept : film.strip)
             kept.ignored =

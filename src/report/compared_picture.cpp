@@ -47,7 +47,7 @@ void compare_pictures(const StoredPicture& expected, const StoredPicture& actual
     result.measured = compare(expected, actual, result.limits, extras);
     result.outcome = outcome_of(result.measured.verdict);
     result.reason = result.measured.reason;
-    tell_ignored(result);
+    add_ignored_pixels(result);
     if (same_size && !same_pixels && result.measured.n_pixels == 0) {
         result.outcome = Outcome::region;
         result.reason = nothing_left;
@@ -83,7 +83,7 @@ bool sizes_differ(ComparedPicture& result) {
     result.measured = size_difference(a.width_px, a.height_px, b.width_px, b.height_px);
     result.outcome = Outcome::size;
     result.reason = result.measured.reason;
-    tell_changes({record_in(a, result.expected), record_in(b, result.actual)}, result);
+    add_record_differences({record_in(a, result.expected), record_in(b, result.actual)}, result);
     return true;
 }
 
@@ -99,7 +99,7 @@ void compare_pages(const CompareRequest& request, const GivenLimits& given, Mach
     const StoredPicture actual = request.read(actual_png);
     const Records records{find_record(result.expected), find_record(result.actual)};
     compare_pictures(expected, actual, records, request, given, result);
-    tell_changes(records, result);
+    add_record_differences(records, result);
 }
 
 // The kinds of files; a file is compared only with one of its kind.
@@ -226,7 +226,7 @@ void compare_png_files(const FilePair& pair, const CompareRequest& request,
         const Records records{record_in(picture.info, pair.expected),
                               record_in(other.info, pair.actual)};
         compare_pictures(picture, other, records, request, given, result);
-        tell_changes(records, result);
+        add_record_differences(records, result);
     }
     if (has_manifest) report_fault(pair, pixels_sha256(picture), result);
 }

@@ -56,7 +56,7 @@ struct ComparedPicture {
     std::filesystem::path expected{}, actual{};  // files; empty if missing
     Outcome outcome = Outcome::same;
     std::string reason{};  // one line; empty if the pictures are equal
-    // What the records of both say that differs; none if one has no record, or if the pictures are
+    // The differences between the two records; none if a record is missing or if the pictures are
     // equal.
     std::optional<std::vector<std::string>> changes{};
     Comparison measured{};   // of pictures that could both be read; of films, their worst frames
@@ -88,7 +88,7 @@ struct PicturePair {
 std::optional<CompareLimits> limits_between(const Baseline& approved, std::string_view renderer,
                                             std::string_view mesa);
 
-// What is compared, and how much of it.
+// The options of a comparison.
 struct CompareRequest {
     // Of a profile. None: what drew the baseline decides, else no pixel may differ.
     std::optional<CompareLimits> limits{};

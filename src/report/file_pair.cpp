@@ -111,14 +111,14 @@ bool have_same_bytes(const fs::path& a, const fs::path& b) {
     }
 }
 
-void tell_ignored(ComparedPicture& result) {
+void add_ignored_pixels(ComparedPicture& result) {
     const std::int64_t n = result.measured.n_ignored;
     if (n == 0 || result.reason.empty()) return;
     result.reason += fmt::format("; {} {} ignored ({})", n, n == 1 ? "pixel" : "pixels",
                                  printable(fmt::format("{}", fmt::join(result.ignored, "; "))));
 }
 
-void tell_changes(const Records& records, ComparedPicture& result) {
+void add_record_differences(const Records& records, ComparedPicture& result) {
     if (result.outcome == Outcome::same || !records.expected || !records.actual) return;
     try {
         result.changes = differences_in_words(*records.expected, *records.actual);

@@ -1,4 +1,5 @@
-// What the comparisons of pictures, films and folders share, each for one pair of files.
+// A pair of files to compare, and the functions that comparisons of pictures, films and folders
+// share.
 #pragma once
 
 #include <cstdint>
@@ -26,7 +27,7 @@ struct FilePair {
     std::string baseline_name;             // as the manifest and compare.toml know it
 };
 
-// What a pair may use of the machine beside the other pairs of its folder.
+// The share of the machine that a pair may use while other pairs of its folder are compared.
 class MachineShare {
  public:
     // Of a pair alone.
@@ -82,9 +83,9 @@ std::optional<Record> find_record(const std::filesystem::path& file);
 bool have_same_bytes(const std::filesystem::path& a, const std::filesystem::path& b);
 
 // Says how many pixels were ignored, and why.
-void tell_ignored(ComparedPicture& result);
+void add_ignored_pixels(ComparedPicture& result);
 // Adds the differences between the records of two files that differ.
-void tell_changes(const Records& records, ComparedPicture& result);
+void add_record_differences(const Records& records, ComparedPicture& result);
 
 // Compares the two films or sequences that `result` names. Throws InputError.
 void compare_two_films(const CompareRequest& request, const GivenLimits& given, MachineShare& share,

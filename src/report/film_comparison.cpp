@@ -79,6 +79,42 @@ std::size_t pairs_at_a_time(const Image& frame, int n_threads) {
         std::clamp<std::int64_t>(most_pixels / n_pixels, 1, std::max(1, n_threads)));
 }
 
+// Counts the differences of pairs of frames, in order.
+class DifferenceCount {
+ public:
+    DifferenceCount(FilmDifferences& film, std::int64_t window) : film_(film), window_(window) {}
+
+    bool has_worst() const { return has_worst_; }
+
+    // Adds frame film.n_compared.
+    void add(const Comparison& measured, const StoredPicture& a, const StoredPicture& b) {
+        if (measured.verdict == Verdict::same) return;
+        const std::int64_t frame = film_.n_compared;
+        const bool fails = !measured.passes();
+        if (film_.n_differing == 0 || (fails && film_.n_failing == 0)) film_.first = frame;
+        ++film_.n_differing;
+        film_.n_failing += fails;
+        if (!has_worst_ || is_worse(measured, film_.measured)) {
+            film_.worst = frame;
+            film_.measured = measured;
+            has_worst_ = true;
+        }
+        keep(frame, measured, a, b, window_, film_.strip);
+    }
+
+ private:
+    FilmDifferences& film_;
+    std::int64_t window_;
+    bool has_worst_ = false;
+};
+
+// The measurement of frames that are equal in all films: their size.
+void measure_equal(const Image& frame, Comparison& measured) {
+    measured.expected_width = measured.actual_width = frame.width();
+    measured.expected_height = measured.actual_height = frame.height();
+    measured.n_pixels = std::int64_t{measured.expected_width} * measured.expected_height;
+}
+
 }  // namespace
 
 bool are_apart(double expected_s, double actual_s, const std::optional<FrameRate>& rate) {
@@ -117,22 +153,7 @@ FilmDifferences compare_films(FrameStream& expected, FrameStream& actual,
         }
         return compare(a, b, limits, of_frame);
     };
-    bool has_worst = false;
-    const auto take = [&](const Comparison& measured, const StoredPicture& a,
-                          const StoredPicture& b) {
-        if (measured.verdict == Verdict::same) return;
-        const std::int64_t frame = film.n_compared;
-        const bool fails = !measured.passes();
-        if (film.n_differing == 0 || (fails && film.n_failing == 0)) film.first = frame;
-        ++film.n_differing;
-        film.n_failing += fails;
-        if (!has_worst || is_worse(measured, film.measured)) {
-            film.worst = frame;
-            film.measured = measured;
-            has_worst = true;
-        }
-        keep(frame, measured, a, b, window, film.strip);
-    };
+    DifferenceCount count(film, window);
     const auto is_whole = [&film] { return film.measured.verdict != Verdict::size_differs; };
     std::vector<Comparison> measured;
     while (is_whole() && next[0].n > 0 && next[1].n > 0) {
@@ -152,7 +173,7 @@ FilmDifferences compare_films(FrameStream& expected, FrameStream& actual,
             if (!film.apart && expected_s && actual_s &&
                 are_apart(*expected_s, *actual_s, film.rate))
                 film.apart = {film.n_compared, *expected_s, *actual_s};
-            take(measured[k], now[0].frames[k], now[1].frames[k]);
+            count.add(measured[k], now[0].frames[k], now[1].frames[k]);
         }
         if (now[0].n != now[1].n) break;
     }
@@ -166,14 +187,8 @@ FilmDifferences compare_films(FrameStream& expected, FrameStream& actual,
         film.n_expected = n_of(0, expected);
         film.n_actual = n_of(1, actual);
     }
-    if (!has_worst && film.n_compared > 0) {
-        // Equal as far as both go.
-        const Image& frame = now[0].frames[0].image;
-        film.measured.expected_width = film.measured.actual_width = frame.width();
-        film.measured.expected_height = film.measured.actual_height = frame.height();
-        film.measured.n_pixels =
-            std::int64_t{film.measured.expected_width} * film.measured.expected_height;
-    }
+    if (!count.has_worst() && film.n_compared > 0)
+        measure_equal(now[0].frames[0].image, film.measured);
     return film;
 }
 

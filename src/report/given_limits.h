@@ -1,5 +1,5 @@
-// How much two pictures may differ: what a command line, a compare.toml or the manifest of
-// baselines says, and the limits that follow.
+// Limits on the difference of two pictures, as a command line, a compare.toml or the manifest of
+// baselines gives them, and the limits that follow.
 #pragma once
 
 #include <array>

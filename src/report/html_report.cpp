@@ -31,7 +31,7 @@ std::string numbers_in_words(const ComparedPicture& picture) {
     return words;
 }
 
-// What the records say that differs, as a list in JSON; null without records.
+// The differences between the records, as a list in JSON; null without records.
 std::string changes_of(const ComparedPicture& picture) {
     if (!picture.changes) return "null";
     std::vector<std::string> changes;

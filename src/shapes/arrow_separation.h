@@ -1,4 +1,4 @@
-// How far apart the arrows of a picture are, to find the instant at which none hides another.
+// The separation of the arrows of a picture, to find the instant at which none hides another.
 #pragma once
 
 #include <Eigen/Core>

@@ -56,7 +56,7 @@ struct Drawing {
     std::vector<View> views;
     // Text for which a page had no space: running text with formulas.
     std::vector<std::string> left_out{};
-    // What is shown without its name.
+    // Things shown without their names.
     std::vector<UnnamedThing> unnamed{};
 };
 

@@ -95,7 +95,7 @@ class FontFile {
 
     // A constant of the font's MATH table (OpenType specification, "MathConstants").
     double constant(hb_ot_math_constant_t which) const;
-    // What the font has for tall_glyph.
+    // The forms that the font has for tall_glyph.
     TallForms tall_forms(GlyphId glyph) const;
     // The smallest vertical variant of at least min_extent, else a glyph assembled from parts, else
     // the tallest variant ("MathVariants").

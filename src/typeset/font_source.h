@@ -1,4 +1,4 @@
-// Where the fonts of labels and captions come from. Programs on a computer use installed_fonts()
+// The source of the fonts of labels and captions. Programs on a computer use installed_fonts()
 // (typeset/files/); a program without files gives the bytes of its fonts.
 #pragma once
 

@@ -98,7 +98,7 @@ GlyphMetrics take_metrics(Reader& from) {
     return m;
 }
 
-// What running text does with glyphs beside each other.
+// Ligatures and kerning of running text.
 struct Neighbours {
     std::map<std::pair<GlyphId, GlyphId>, GlyphId> ligatures;
     std::vector<GlyphId> glyphs;

@@ -18,7 +18,7 @@
 
 namespace poinsot {
 
-// What to keep of a font. Characters that the font lacks are left out.
+// The characters of a font to keep. Characters that the font lacks are left out.
 struct KeptCharacters {
     std::span<const char32_t> all;
     std::span<const char32_t> running{};  // of which pairs keep their kerning and ligatures

@@ -70,9 +70,9 @@ bool is_in(const Ranges& ranges, char32_t c) {
                        [c](const Range& range) { return range.first <= c && c <= range.last; });
 }
 
-// What pdflatex sets in an article without further packages: each character of U+00A0 to U+30FF and
-// U+FB00 to U+FFFF tried separately (LaTeX2e <2022-11-01>; the test "latex_characters" repeats
-// this).
+// Characters that pdflatex sets in an article without further packages: each character of U+00A0 to
+// U+30FF and U+FB00 to U+FFFF tried separately (LaTeX2e <2022-11-01>; the test "latex_characters"
+// repeats this).
 constexpr std::array<Range, 78> set_by_any_latex{
     {{0xA0, 0xAA},     {0xAC, 0xBA},     {0xBC, 0xCF},     {0xD1, 0xDD},     {0xDF, 0xEF},
      {0xF1, 0xFD},     {0xFF, 0x103},    {0x106, 0x10F},   {0x112, 0x117},   {0x11A, 0x125},
@@ -136,7 +136,7 @@ class LatexWriter {
             case CaptionPiece::Kind::space:
                 return " ";
             case CaptionPiece::Kind::line_break:
-                // What follows may be a bracket, which would be its argument.
+                // A bracket that follows would be its argument.
                 return "\\\\{} ";
             case CaptionPiece::Kind::formula:
                 return fmt::format("${}$", formula(piece.formula));

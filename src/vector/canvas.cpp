@@ -4,6 +4,15 @@
 #include <map>
 
 #include "shapes/soft_shadow.h"
+#include "vector/passes/arrows.h"
+#include "vector/passes/bodies.h"
+#include "vector/passes/cones.h"
+#include "vector/passes/curves.h"
+#include "vector/passes/ellipsoid.h"
+#include "vector/passes/plane.h"
+#include "vector/passes/shadow.h"
+#include "vector/passes/surfaces.h"
+#include "vector/passes/type.h"
 #include "vector/picture.h"
 
 namespace poinsot::vector {
@@ -24,14 +33,15 @@ Colour at_height(const Background& background, double y_pt, double top_pt, doubl
 
 }  // namespace
 
-Canvas::Canvas(const Drawing& whole, const View& shown, double pt_per_px, Shading how, Page& onto)
+Canvas::Canvas(const Drawing& whole, const View& shown, double pt_per_px, Shading how,
+               SheetOfPaper& onto)
     : drawing(whole),
       view(shown),
       projection(shown, pt_per_px),
       occluders(shown, projection),
       lights(shown),
       shading(how),
-      page(onto) {}
+      paper(onto) {}
 
 std::string Canvas::id_of(const ShapeName& name, std::string_view part) const {
     if (name.element.empty()) return {};
@@ -45,7 +55,7 @@ std::string Canvas::id_of(const ShapeName& name, std::string_view part) const {
 Colour Canvas::ground(const Eigen::Vector2d& at) const {
     // Paper is white where nothing is drawn.
     const Colour white{1.0, 1.0, 1.0};
-    Colour colour = mixed(white, at_height(drawing.background, at.y(), 0.0, page.height_pt),
+    Colour colour = mixed(white, at_height(drawing.background, at.y(), 0.0, paper.height_pt),
                           drawing.background.alpha);
     colour = mixed(colour,
                    at_height(view.background, at.y(), projection.corner.y(), projection.size.y()),
@@ -83,7 +93,7 @@ Path Canvas::path_of(const Track& track, double from, double to, double toleranc
     knots.push_back(to);
     const Fit fit =
         fitted([&](double s) { return on_paper(projection, track.flow(s)); }, knots, tolerance_pt);
-    page.off_pt = std::max(page.off_pt, fit.off_pt + track_off_pt);
+    paper.off_pt = std::max(paper.off_pt, fit.off_pt + track_off_pt);
     Path path;
     path.add(fit.beziers);
     return path;
@@ -91,7 +101,7 @@ Path Canvas::path_of(const Track& track, double from, double to, double toleranc
 
 Path Canvas::path_of(const PaperEllipse& ellipse) const {
     Path path;
-    path.add(beziers_of(ellipse, conic_tolerance_pt, page.off_pt));
+    path.add(beziers_of(ellipse, conic_tolerance_pt, paper.off_pt));
     path.close();
     return path;
 }
@@ -102,13 +112,13 @@ ClipBegin Canvas::clip_to(const PaperEllipse& outline, bool within) const {
     clip.even_odd = !within;
     if (!within)
         clip.path.add_rectangle({-beyond, -beyond},
-                                {page.width_pt + 2.0 * beyond, page.height_pt + 2.0 * beyond});
+                                {paper.width_pt + 2.0 * beyond, paper.height_pt + 2.0 * beyond});
     clip.path.add(path_of(outline));
     return clip;
 }
 
 void draw_background(const Background& background, const Eigen::Vector2d& corner_pt,
-                     const Eigen::Vector2d& size_pt, Page& page) {
+                     const Eigen::Vector2d& size_pt, SheetOfPaper& paper) {
     if (background.alpha <= 0.0) return;
     Fill fill;
     fill.path.add_rectangle(corner_pt, size_pt);
@@ -119,7 +129,7 @@ void draw_background(const Background& background, const Eigen::Vector2d& corner
                                 corner_pt + Eigen::Vector2d(0.0, size_pt.y()),
                                 {{0.0, {background.top, background.alpha}},
                                  {1.0, {background.bottom, background.alpha}}}};
-    page.add(std::move(fill));
+    paper.add(std::move(fill));
 }
 
 namespace {
@@ -131,22 +141,22 @@ Background ground_of(Background background, Shading shading) {
 }
 
 void draw_view(const Drawing& drawing, const View& view, const std::string& panel,
-               const PageChoices& choices, Page& page) {
-    Canvas canvas(drawing, view, choices.pt_per_px, choices.shading, page);
+               const PaperChoices& choices, SheetOfPaper& paper) {
+    Canvas canvas(drawing, view, choices.pt_per_px, choices.shading, paper);
     canvas.panel = panel;
     const Projection& projection = canvas.projection;
     const bool is_whole = projection.corner.isZero() &&
-                          projection.size == Eigen::Vector2d(page.width_pt, page.height_pt);
+                          projection.size == Eigen::Vector2d(paper.width_pt, paper.height_pt);
     const bool has_shapes =
         !(view.planes.empty() && view.ellipsoids.empty() && view.cones.empty() &&
           view.meshes.empty() && view.curves.empty() && view.arrows.empty() && view.dots.empty());
     draw_background(ground_of(view.background, choices.shading), projection.corner, projection.size,
-                    page);
+                    paper);
     const bool clips = has_shapes && !is_whole;
     if (clips) {
         ClipBegin clip;
         clip.path.add_rectangle(projection.corner, projection.size);
-        page.add(std::move(clip));
+        paper.add(std::move(clip));
     }
     const bool has_surfaces = !(view.planes.empty() && view.ellipsoids.empty() &&
                                 view.cones.empty() && view.meshes.empty());
@@ -201,23 +211,23 @@ void draw_view(const Drawing& drawing, const View& view, const std::string& pane
         draw_curve(canvas, curve);
     }
     draw_arrows(canvas, ArrowLayer::visible);
-    canvas.page.enter_group({});
-    if (clips) page.add(ClipEnd{});
+    canvas.paper.enter_group({});
+    if (clips) paper.add(ClipEnd{});
     for (const Label& label : view.labels) {
         canvas.enter(label.name, "label");
         draw_label(canvas, label);
     }
-    canvas.page.enter_group({});
+    canvas.paper.enter_group({});
 }
 
 }  // namespace
 
-Page page_of(const Drawing& drawing, const PageChoices& choices) {
-    Page page;
-    page.width_pt = choices.pt_per_px * drawing.width_px;
-    page.height_pt = choices.pt_per_px * drawing.height_px;
+SheetOfPaper paper_of(const Drawing& drawing, const PaperChoices& choices) {
+    SheetOfPaper paper;
+    paper.width_pt = choices.pt_per_px * drawing.width_px;
+    paper.height_pt = choices.pt_per_px * drawing.height_px;
     draw_background(ground_of(drawing.background, choices.shading), Eigen::Vector2d::Zero(),
-                    {page.width_pt, page.height_pt}, page);
+                    {paper.width_pt, paper.height_pt}, paper);
     const auto n_panels = std::count_if(drawing.views.begin(), drawing.views.end(),
                                         [](const View& view) { return !view.name.empty(); });
     std::map<std::string_view, int> n_of_kind;
@@ -226,12 +236,12 @@ Page page_of(const Drawing& drawing, const PageChoices& choices) {
         if (n_panels > 1 && !view.name.empty()) {
             panel = view.name;
             if (const int n = ++n_of_kind[view.name]; n > 1) panel += "-" + std::to_string(n);
-            page.begin_group(panel);
+            paper.begin_group(panel);
         }
-        draw_view(drawing, view, panel, choices, page);
-        if (!panel.empty()) page.add(GroupEnd{});
+        draw_view(drawing, view, panel, choices, paper);
+        if (!panel.empty()) paper.add(GroupEnd{});
     }
-    return page;
+    return paper;
 }
 
 }  // namespace poinsot::vector

@@ -19,7 +19,7 @@ Eigen::Vector2d PaperEllipse::at(double t) const {
     return centre + a * std::cos(t) + b * std::sin(t);
 }
 
-Eigen::Affine2d PaperEllipse::page_from_circle() const {
+Eigen::Affine2d PaperEllipse::paper_from_circle() const {
     Eigen::Affine2d map = Eigen::Affine2d::Identity();
     map.linear() << a, b;
     map.translation() = centre;

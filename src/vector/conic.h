@@ -19,7 +19,7 @@ struct PaperEllipse {
 
     Eigen::Vector2d at(double t) const;
     // The map from axes in which the ellipse is the unit circle.
-    Eigen::Affine2d page_from_circle() const;
+    Eigen::Affine2d paper_from_circle() const;
     // Less than 1 inside, 1 on the ellipse.
     double radius_of(const Eigen::Vector2d& point) const;
 };

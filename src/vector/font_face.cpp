@@ -76,7 +76,7 @@ FontFace::FontFace(const std::filesystem::path& file) : handles_(std::make_uniqu
     handles_->face.reset(face);
     handles_->blob.reset(hb_blob_create_from_file(file.c_str()));
     FT_UInt glyph = 0;
-    // A control character or a noncharacter is no text of a page: readers refuse it.
+    // A control character or a noncharacter is no text of a document: readers refuse it.
     for (FT_ULong code = FT_Get_First_Char(face, &glyph); glyph != 0;
          code = FT_Get_Next_Char(face, code, &glyph))
         if (const auto c = static_cast<char32_t>(code); !is_control(c) && !is_noncharacter(c))

@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "vector/page.h"
+#include "vector/sheet_of_paper.h"
 
 // Forward declarations of FreeType's types, as in its headers.
 struct FT_FaceRec_;
@@ -49,7 +49,7 @@ class FontFace {
 // The plain letter for a mathematical letter (bold, italic, script …), as used in searches.
 char32_t plain_letter(char32_t character);
 
-// Caches the fonts of a page's type.
+// Caches the fonts of a sheet's type.
 class FontFaces {
  public:
     FontFace& of(const std::filesystem::path& file);

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "vector/page.h"
+#include "vector/sheet_of_paper.h"
 
 namespace poinsot::vector {
 

@@ -25,11 +25,11 @@ Path placed(const Path& outline, const PlacedLetter& letter) {
 
 }  // namespace
 
-Page with_outlined_type(Page page) {
+SheetOfPaper with_outlined_type(SheetOfPaper paper) {
     FontFaces fonts;
     std::vector<Item> items;
-    items.reserve(page.items.size());
-    for (Item& item : page.items) {
+    items.reserve(paper.items.size());
+    for (Item& item : paper.items) {
         const Type* type = std::get_if<Type>(&item);
         if (type == nullptr) {
             items.push_back(std::move(item));
@@ -62,21 +62,21 @@ Page with_outlined_type(Page page) {
         for (Fill& fill : fills)
             if (!fill.path.steps.empty()) items.emplace_back(std::move(fill));
     }
-    page.items = std::move(items);
-    return page;
+    paper.items = std::move(items);
+    return paper;
 }
 
-std::vector<Type> take_type(Page& page) {
+std::vector<Type> take_type(SheetOfPaper& paper) {
     std::vector<Type> taken;
     std::vector<Item> left;
-    for (Item& item : page.items) {
+    for (Item& item : paper.items) {
         Type* type = std::get_if<Type>(&item);
         if (type != nullptr && !type->letters.empty())
             taken.push_back(std::move(*type));
         else
             left.push_back(std::move(item));
     }
-    page.items = std::move(left);
+    paper.items = std::move(left);
     return taken;
 }
 

@@ -1,18 +1,18 @@
-// Alternatives to fonts for the type of a page: outlines, or text for another program.
+// Alternatives to fonts for the type of a sheet: outlines, or text for another program.
 #pragma once
 
 #include <vector>
 
-#include "vector/page.h"
+#include "vector/sheet_of_paper.h"
 
 namespace poinsot::vector {
 
 // Replaces every letter by its outline, with its halo as strokes below. Throws EnvironmentError if
 // a font cannot be read.
-Page with_outlined_type(Page page);
+SheetOfPaper with_outlined_type(SheetOfPaper paper);
 
-// Removes the type from the page and returns it, in order from back to front. Type that consists
+// Removes the type from the sheet and returns it, in order from back to front. Type that consists
 // only of rules stays.
-std::vector<Type> take_type(Page& page);
+std::vector<Type> take_type(SheetOfPaper& paper);
 
 }  // namespace poinsot::vector

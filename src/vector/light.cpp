@@ -12,7 +12,7 @@ namespace {
 using real = double;
 #include "shaders/light.glsl"
 
-double encoded(double light) { return srgb_from_linear(std::clamp(light, 0.0, 1.0)); }
+double encoded_component(double light) { return srgb_from_linear(std::clamp(light, 0.0, 1.0)); }
 
 double cube(double x) { return x * x * x; }
 
@@ -23,7 +23,7 @@ Eigen::Vector3d linear(const Colour& c) {
 }
 
 Colour encoded(const Eigen::Vector3d& l) {
-    return {encoded(l.x()), encoded(l.y()), encoded(l.z())};
+    return {encoded_component(l.x()), encoded_component(l.y()), encoded_component(l.z())};
 }
 
 namespace {

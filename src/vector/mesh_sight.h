@@ -30,7 +30,7 @@ class MeshSight {
     // point's depth count as containing the point and do not hide it.
     bool hides(const Eigen::Vector3d& point) const;
 
-    // The numbers of all triangles at a point of the page, with their depths there.
+    // The numbers of all triangles at a point of the paper, with their depths there.
     struct Crossing {
         std::uint32_t number = 0;
         double depth = 0.0;
@@ -42,7 +42,7 @@ class MeshSight {
 
  private:
     const std::vector<std::uint32_t>* cell_at(const Eigen::Vector2d& paper) const;
-    // The depth at which the line of sight through a point of the page crosses the triangle's
+    // The depth at which the line of sight through a point of the paper crosses the triangle's
     // plane; infinite if the line misses the triangle or is parallel to it.
     double depth_at(const Triangle& triangle, const Eigen::Vector2d& paper) const;
 

@@ -221,7 +221,7 @@ std::vector<Occluders::Condition> Occluders::conditions(const Membership& of) co
 
 std::vector<double> Occluders::closer(const Track& track, std::span<const double> places) const {
     constexpr double apart_pt = 0.25;
-    constexpr double most = 4096.0;  // samples between two places: a curve may run far off the page
+    constexpr double most = 4096.0;  // samples between two places, since a curve may be long
     const auto lies_before = [this](const Eigen::Vector3d& x) {
         return !projection_.perspective || projection_.depth(x) > projection_.near_depth;
     };

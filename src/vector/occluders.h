@@ -1,4 +1,4 @@
-// What the solids of a view hide: visibility along curves, and where it changes.
+// Visibility of points and curves behind the solids of a view, and the places where it changes.
 #pragma once
 
 #include <Eigen/Core>

@@ -1,4 +1,4 @@
-// Positions and velocities of curves on paper: points (1/72 inch), x right, y down from the page's
+// Positions and velocities of curves on paper: points (1/72 inch), x right, y down from the sheet's
 // corner.
 #pragma once
 

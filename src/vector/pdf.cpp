@@ -181,7 +181,7 @@ class PdfWriter {
         } else if (const RadialFade* radial = std::get_if<RadialFade>(&paint)) {
             const Pattern pattern(cairo_pattern_create_radial(radial->focus.x(), radial->focus.y(),
                                                               0.0, 0.0, 0.0, 1.0));
-            const cairo_matrix_t matrix = matrix_of(radial->page_from_circle.inverse());
+            const cairo_matrix_t matrix = matrix_of(radial->paper_from_circle.inverse());
             cairo_pattern_set_matrix(pattern.get(), &matrix);
             add_stops(radial->stops, pattern.get());
             cairo_set_source(cairo_, pattern.get());
@@ -210,19 +210,19 @@ class PdfWriter {
             Path sector;
             // The far side of the sector is outside the disc.
             const double out = 1.1 / std::cos(std::numbers::pi * (0.5 + reach) / disc.n_spokes);
-            sector.move(disc.page_from_disc * Eigen::Vector2d::Zero());
-            sector.line(disc.page_from_disc * (out * on_rim(disc, spoke - 0.5)));
-            sector.line(disc.page_from_disc * (out * on_rim(disc, spoke + reach)));
+            sector.move(disc.paper_from_disc * Eigen::Vector2d::Zero());
+            sector.line(disc.paper_from_disc * (out * on_rim(disc, spoke - 0.5)));
+            sector.line(disc.paper_from_disc * (out * on_rim(disc, spoke + reach)));
             sector.close();
             set_ink({disc.at(disc.n_rings, spoke), 1.0});
             trace(sector);
             cairo_fill(cairo_);
         }
         cairo_restore(cairo_);
-        const double size_pt = std::sqrt(std::abs(disc.page_from_disc.linear().determinant()));
+        const double size_pt = std::sqrt(std::abs(disc.paper_from_disc.linear().determinant()));
         const double inset = std::max(1.0 - 0.5 / std::max(size_pt, 1e-9), 0.5);
         Path inner;
-        const Eigen::Vector2d middle = disc.page_from_disc.translation();
+        const Eigen::Vector2d middle = disc.paper_from_disc.translation();
         for (Step step : path.steps) {
             for (Eigen::Vector2d* p : {&step.control_1, &step.control_2, &step.to})
                 *p = middle + inset * (*p - middle);
@@ -243,7 +243,7 @@ class PdfWriter {
         const auto place = [&](int ring, int spoke, double ahead = 0.0) {
             const Eigen::Vector2d rim = on_rim(disc, spoke);
             const Eigen::Vector2d at = rim + ahead * Eigen::Vector2d(-rim.y(), rim.x());
-            return (disc.page_from_disc * (disc.radius(ring) * at)).eval();
+            return (disc.paper_from_disc * (disc.radius(ring) * at)).eval();
         };
         // An arc along a ring to the next or previous spoke.
         const double handle = 4.0 / 3.0 * std::tan(0.5 * std::numbers::pi / disc.n_spokes);
@@ -421,10 +421,10 @@ std::string png_of(const Raster& raster) {
     return bytes;
 }
 
-std::string pdf_of(const Page& page) {
+std::string pdf_of(const SheetOfPaper& paper) {
     std::string bytes;
     const Surface surface(
-        cairo_pdf_surface_create_for_stream(append, &bytes, page.width_pt, page.height_pt));
+        cairo_pdf_surface_create_for_stream(append, &bytes, paper.width_pt, paper.height_pt));
     check(cairo_surface_status(surface.get()));
     cairo_pdf_surface_restrict_to_version(surface.get(), CAIRO_PDF_VERSION_1_4);
     // A fixed date, so that the same scene always gives the same bytes.
@@ -433,7 +433,7 @@ std::string pdf_of(const Page& page) {
     {
         const Context cairo(cairo_create(surface.get()));
         PdfWriter writer(cairo.get());
-        for (const Item& item : page.items) std::visit(writer, item);
+        for (const Item& item : paper.items) std::visit(writer, item);
         check(cairo_status(cairo.get()));
         cairo_show_page(cairo.get());
     }

@@ -1,16 +1,17 @@
-// Writes a page as PDF with Cairo: paths, gradients and embedded fonts, without rasterising. The
-// same page gives byte-identical files. Coordinates are rounded to 1/256 pt (1.4 µm).
+// Writes a sheet of paper as PDF with Cairo: paths, gradients and embedded fonts, without
+// rasterising. The same sheet gives byte-identical files. Coordinates are rounded to 1/256 pt (1.4
+// µm).
 #pragma once
 
 #include <string>
 #include <string_view>
 
-#include "vector/page.h"
+#include "vector/sheet_of_paper.h"
 
 namespace poinsot::vector {
 
 // Returns the bytes of the file. Throws EnvironmentError if a font cannot be read or Cairo fails.
-std::string pdf_of(const Page& page);
+std::string pdf_of(const SheetOfPaper& paper);
 
 // Encodes pixels as PNG.
 std::string png_of(const Raster& raster);

@@ -15,6 +15,7 @@
 #include "vector/font_face.h"
 #include "vector/gradients.h"
 #include "vector/pdf.h"
+#include "vector/svg_data.h"
 
 namespace poinsot::vector {
 
@@ -23,172 +24,16 @@ namespace {
 constexpr std::string_view metadata_opening = "<metadata id=\"poinsot\">";
 constexpr std::string_view metadata_end = "</metadata>";
 
-// The unit is 1/256 pt (1.4 µm), as in Cairo's PDF: coordinates are short integers.
-constexpr double units_per_pt = 256.0;
-
-std::int64_t rounded(double pt) { return std::llround(units_per_pt * pt); }
-std::string number(double pt) { return std::to_string(rounded(pt)); }
-
-// Formats a share, 0…1.
-std::string share(double value) {
-    std::string text = fmt::format("{:.3g}", value);
-    if (text.starts_with("0.")) text.erase(0, 1);
-    return text;
-}
-
-std::string hex(const Colour& colour) {
-    const auto byte = [](double c) {
-        return static_cast<int>(std::lround(255.0 * std::clamp(c, 0.0, 1.0)));
-    };
-    return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.r), byte(colour.g), byte(colour.b));
-}
-
-// The transform from own axes to the page, in points.
-std::string matrix(const Eigen::Affine2d& map) {
-    const Eigen::Matrix3d m =
-        Eigen::Vector3d(units_per_pt, units_per_pt, 1.0).asDiagonal() * map.matrix();
-    return fmt::format("matrix({:.6g} {:.6g} {:.6g} {:.6g} {:.6g} {:.6g})", m(0, 0), m(1, 0),
-                       m(0, 1), m(1, 1), m(0, 2), m(1, 2));
-}
-
-// The characters of XML 1.0 (§2.2), production Char; a document with any other is not read at all.
-bool is_xml(char32_t c) {
-    return c == '\t' || c == '\n' || c == '\r' || (c >= 0x20 && c != 0xfffe && c != 0xffff);
-}
-
-// What XML cannot hold becomes U+FFFD.
-std::string escaped(std::string_view text) {
-    std::string out;
-    while (!text.empty()) {
-        const Utf8Character c = first_character(text);
-        if (c.code == '&')
-            out += "&amp;";
-        else if (c.code == '<')
-            out += "&lt;";
-        else if (c.code == '>')
-            out += "&gt;";
-        else if (c.code == '\r')
-            out += "&#13;";
-        else if (!c.valid || !is_xml(c.code))
-            out += "\ufffd";
-        else
-            out += text.substr(0, c.size);
-        text.remove_prefix(c.size);
-    }
-    return out;
-}
-
-std::string unescaped(std::string_view text) {
-    std::string out;
-    const std::pair<std::string_view, char> names[] = {
-        {"&amp;", '&'}, {"&lt;", '<'}, {"&gt;", '>'}, {"&#13;", '\r'}};
-    for (std::size_t k = 0; k < text.size();) {
-        std::size_t taken = 1;
-        char c = text[k];
-        for (const auto& [name, meant] : names)
-            if (text.substr(k).starts_with(name)) c = meant, taken = name.size();
-        out += c;
-        k += taken;
-    }
-    return out;
-}
-
-std::string base64(std::string_view bytes) {
-    constexpr std::string_view digits =
-        "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-    std::string out;
-    for (std::size_t k = 0; k < bytes.size(); k += 3) {
-        std::uint32_t group = 0;
-        for (std::size_t i = 0; i < 3; ++i)
-            group = (group << 8U) |
-                    (k + i < bytes.size() ? static_cast<unsigned char>(bytes[k + i]) : 0U);
-        for (std::size_t i = 0; i < 4; ++i)
-            out += i <= std::min<std::size_t>(bytes.size() - k, 3)
-                       ? digits[(group >> (18U - 6U * i)) & 63U]
-                       : '=';
-    }
-    return out;
-}
-
-// Path data. Each step is relative to the rounded end of the previous one, so that rounding errors
-// do not accumulate.
-class PathData {
- public:
-    void add(const Path& path, const Eigen::Affine2d& map = Eigen::Affine2d::Identity()) {
-        for (const Step& step : path.steps) {
-            switch (step.kind) {
-                case Step::Kind::move:
-                    begin('m', {map * step.to});
-                    start_x_ = x_, start_y_ = y_;
-                    break;
-                case Step::Kind::line:
-                    line(map * step.to);
-                    break;
-                case Step::Kind::cubic:
-                    begin('c', {map * step.control_1, map * step.control_2, map * step.to});
-                    break;
-                case Step::Kind::close:
-                    text_ += 'z';
-                    last_ = 'z';
-                    x_ = start_x_, y_ = start_y_;
-            }
-        }
-    }
-    std::string take() { return std::move(text_); }
-
- private:
-    // Uses the horizontal or vertical command where possible.
-    void line(const Eigen::Vector2d& to) {
-        const std::int64_t x = rounded(to.x()), y = rounded(to.y());
-        if ((x == x_) == (y == y_)) {
-            begin('l', {to});
-            return;
-        }
-        const char command = y == y_ ? 'h' : 'v';
-        const std::string digits = std::to_string(y == y_ ? x - x_ : y - y_);
-        if (command != last_)
-            text_ += command;
-        else if (digits.front() != '-')
-            text_ += ' ';
-        text_ += digits;
-        last_ = command;
-        x_ = x, y_ = y;
-    }
-
-    void begin(char command, std::initializer_list<Eigen::Vector2d> points) {
-        // The first move is relative to the origin, and lines may follow a move without a command
-        // letter.
-        bool separate = false;
-        if (command != last_ || command == 'm') {
-            text_ += command;
-            last_ = command;
-        } else {
-            separate = true;
-        }
-        std::int64_t x = x_, y = y_;
-        for (const Eigen::Vector2d& point : points) {
-            x = rounded(point.x());
-            y = rounded(point.y());
-            for (const std::int64_t step : {x - x_, y - y_}) {
-                const std::string digits = std::to_string(step);
-                if (separate && digits.front() != '-') text_ += ' ';
-                text_ += digits;
-                separate = true;
-            }
-        }
-        x_ = x, y_ = y;
-    }
-
-    std::string text_;
-    char last_ = 0;
-    std::int64_t x_ = 0, y_ = 0, start_x_ = 0, start_y_ = 0;
-};
-
-std::string data_of(const Path& path) {
-    PathData data;
-    data.add(path);
-    return data.take();
-}
+using svg::base64;
+using svg::data_of;
+using svg::escaped;
+using svg::hex;
+using svg::matrix;
+using svg::number;
+using svg::PathData;
+using svg::rounded;
+using svg::share;
+using svg::unescaped;
 
 constexpr std::string_view group_end = "</g>\n";
 
@@ -370,7 +215,7 @@ class SvgWriter {
                 "<radialGradient id=\"{}\" gradientUnits=\"userSpaceOnUse\" cx=\"0\" cy=\"0\" "
                 "r=\"1\" fx=\"{:.5g}\" fy=\"{:.5g}\" "
                 "gradientTransform=\"{}\">{}</radialGradient>\n",
-                id, radial->focus.x(), radial->focus.y(), matrix(radial->page_from_circle),
+                id, radial->focus.x(), radial->focus.y(), matrix(radial->paper_from_circle),
                 stops_of(radial->stops));
         }
         return fmt::format(" fill=\"url(#{})\"", id);
@@ -389,7 +234,7 @@ class SvgWriter {
                 const double angle = 2.0 * std::numbers::pi * spoke / n_spokes;
                 const Eigen::Vector2d place =
                     disc.radius(ring) * Eigen::Vector2d(std::cos(angle), std::sin(angle));
-                triangle.corners[k] = disc.page_from_disc * place;
+                triangle.corners[k] = disc.paper_from_disc * place;
                 triangle.colours[k] = disc.at(place);
             }
         };
@@ -462,17 +307,17 @@ class SvgWriter {
 
 }  // namespace
 
-std::string svg_of(const Page& page, std::string_view title, std::string_view text) {
+std::string svg_of(const SheetOfPaper& paper, std::string_view title, std::string_view text) {
     SvgWriter writer;
-    for (const Item& item : page.items) std::visit(writer, item);
+    for (const Item& item : paper.items) std::visit(writer, item);
     const std::string body = writer.take_body();
     constexpr double mm_per_pt = 25.4 / 72.0;
     std::string svg = fmt::format(
         "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n<svg xmlns=\"http://www.w3.org/2000/svg\" "
         "xmlns:inkscape=\"http://www.inkscape.org/namespaces/inkscape\" "
         "width=\"{0:.6g}mm\" height=\"{1:.6g}mm\" viewBox=\"0 0 {2} {3}\">\n",
-        mm_per_pt * page.width_pt, mm_per_pt * page.height_pt, number(page.width_pt),
-        number(page.height_pt));
+        mm_per_pt * paper.width_pt, mm_per_pt * paper.height_pt, number(paper.width_pt),
+        number(paper.height_pt));
     if (!title.empty()) svg += fmt::format("<title>{}</title>\n", escaped(title));
     if (!text.empty())
         svg += fmt::format("{}{}{}\n", metadata_opening, escaped(text), metadata_end);

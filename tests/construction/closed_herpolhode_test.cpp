@@ -26,11 +26,11 @@ TEST(ClosedHerpolhode, ReturnsTheBodyToItsInitialState) {
     for (const Closure closure : {Closure{5, 3}, Closure{7, 4}, Closure{2, 1}, Closure{16, 9}}) {
         const ClosedStart closed = close_herpolhode(body, spin, closure);
         const FreeRotation motion(body, start_at(closed.omega_body));
-        const double loop_s = closure.periods * closed.polhode_period_s;
+        const double repeat_s = closure.periods * closed.polhode_period_s;
         for (const double t : {0.0, 1.7, 5.1}) {
             const Quantities all{.attitude = true, .herpolhode = true, .euler_angles = false};
             const MotionSample before = motion.sample(t, all);
-            const MotionSample after = motion.sample(t + loop_s, all);
+            const MotionSample after = motion.sample(t + repeat_s, all);
             // The root is accurate to 1e-15 of a turn per period, and the motion to 1e-15: measured
             // 1e-14
             EXPECT_LT(before.state.space_from_body.angularDistance(after.state.space_from_body),

@@ -31,9 +31,8 @@ TEST(TimedPath, GivesUpWhereTheCurveIsLost) {
         const double noise = std::fmod(1e9 * std::sin(1e9 * t), 1.0);
         return Eigen::Vector3d(t, t > 0.25 ? noise : 0.0, 0.0);
     };
-    double off = 0.0;
-    sample_adaptively(noisy, 0.0, 1.0, 16, 1e-3, 1'000'000, &off);
-    EXPECT_GT(off, 0.1);
+    const SampledCurve curve = sample_adaptively(noisy, {.tolerance = 1e-3});
+    EXPECT_GT(curve.off, 0.1);
     EXPECT_LT(n_evaluations, 500);
 }
 

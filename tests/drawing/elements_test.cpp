@@ -50,7 +50,7 @@ bool is_of_beside(const Element& element) {
 // six equal masses on the principal axes, which have the moments of the scene's body.
 Scene scene_of_element(const Element& element, Scene scene) {
     for (const PanelKind& kind : panel_kinds())
-        if ((kind.takes & element.taken_by) != 0) scene.panels.front().kind = kind.name;
+        if ((kind.uses & element.shown_in) != 0) scene.panels.front().kind = kind.name;
     scene.show = {std::string(element.name)};
     if (element.name != "inertial-forces") return scene;
     const Eigen::Vector3d I = scene.body.inertia.moments_kg_m2();

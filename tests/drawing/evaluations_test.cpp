@@ -1,8 +1,7 @@
 // Quantities that are not shown are not computed.
-#include "drawing/stage/evaluations.h"
-
 #include <gtest/gtest.h>
 
+#include "mechanics/counted_motion.h"
 #include "scenes_by_hand.h"
 
 namespace poinsot {

@@ -238,8 +238,8 @@ TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
     // Turns of the motion that cross one circle, over the time in which the ring fills.
     const TimedCurve timed = herpolhode_trail(context, 0.05 * panel.units_per_px * annulus.outer,
                                               2.0 * half_width * annulus.outer);
-    ASSERT_TRUE(timed.ring);
-    EXPECT_LT(timed.ring->from_s, 1e5);
+    ASSERT_TRUE(timed.annulus);
+    EXPECT_LT(timed.annulus->from_s, 1e5);
     const double middle = 0.5 * (annulus.inner + annulus.outer);
     // ω comes back with two components reversed after half a period: the same curve, turned about
     // L.
@@ -252,7 +252,7 @@ TEST(FarTimes, TheRingIsWhatTheHerpolhodeFills) {
                        .sample(t, {.attitude = false, .herpolhode = true, .euler_angles = false})
                        .herpolhode_space);
     };
-    for (double t = 0.0; t < timed.ring->from_s; t += period_s) {
+    for (double t = 0.0; t < timed.annulus->from_s; t += period_s) {
         // Once in that time: a root of |contact| − middle, from the first crossing on by bisection.
         double from = t, to = t;
         for (int k = 1; k <= 64 && to == t; ++k) {

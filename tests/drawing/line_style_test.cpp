@@ -355,7 +355,7 @@ TEST(LineStyles, InPrintHiddenLinesAreDashedAndArrowsAreNot) {
 struct Crossed {
     CurveGeometry line;
     View view;
-    LineRules rules;
+    LineStyleRules rules;
 
     Crossed(double height, const char* crossings) {
         constexpr int n = 400;
@@ -371,7 +371,7 @@ struct Crossed {
         arrow.tail = {0.0, -1.0, 0.0};
         arrow.tip = {0.0, 1.0, 0.0};
         arrow.shaft_px = 8.0;
-        follow_line_rules(rules, view);
+        apply_line_style(rules, view);
     }
     double pixels_per_point() const {
         return (project(view, line.points[1]).px - project(view, line.points[0]).px).norm();
@@ -399,7 +399,7 @@ TEST(LineStyles, AFadingTrailKeepsItsFadingAcrossAGap) {
     trail.last = 390.0;
     trail.fade_points = 380.0;
     trail.fade_end = 0.0;
-    follow_line_rules(crossed.rules, view);
+    apply_line_style(crossed.rules, view);
     ASSERT_EQ(view.curves.size(), 2u);
     for (const Curve& part : view.curves) {
         EXPECT_EQ(part.fade_points, 380.0);

@@ -16,7 +16,7 @@ namespace {
 struct Setting {
     CurveGeometry circle;
     View view;
-    LineRules rules;
+    LineStyleRules rules;
 
     Setting(double eye_height, const Eigen::Vector3d& tail, const Eigen::Vector3d& tip) {
         for (int k = 0; k < 64; ++k) {

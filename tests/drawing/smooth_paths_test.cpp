@@ -78,7 +78,7 @@ TEST(SmoothPolhode, HasFewerPiecesThanPoints) {
     const Polhode polhode(InertiaTensor::from_principal_moments({1.0, 2.0, 3.0}), {0.2, 0.3, 1.0});
     const SmoothForm smooth = smooth_of(polhode, Eigen::Affine3d::Identity(), 1e-6);
     const std::size_t n_pieces = std::get<std::vector<CubicPiece>>(smooth.form).size();
-    EXPECT_LT(4 * n_pieces, polhode.samples(1e-6).size());
+    EXPECT_LT(4 * n_pieces, polhode.samples(1e-6).samples.size());
 }
 
 TEST(SmoothPolhode, OfASymmetricBodyIsAConic) {

@@ -10,7 +10,6 @@
 #include <set>
 #include <string>
 
-#include "drawing/stage/marks.h"
 #include "drawing/stage/type/labels.h"
 #include "scene/scene.h"
 #include "scenes_by_hand.h"

@@ -46,7 +46,7 @@ TEST_P(FilmFileHash, IsPutIntoTheRecordOfAFilm) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / GetParam(), 7);
     std::string told;
-    plan.seal = [&told](const std::string& metadata, const Contents& contents) {
+    plan.seal = [&told](const std::string& metadata, const EncodedMetadata& contents) {
         told = metadata + contents.packets + contents.file;
         return told;
     };

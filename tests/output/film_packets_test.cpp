@@ -39,7 +39,7 @@ class FilmPackets : public ::testing::TestWithParam<const char*> {
     // Writes the film and returns the hash that was passed to its metadata.
     std::string write(OutputPlan plan) const {
         std::string told;
-        plan.seal = [&told](const std::string& metadata, const Contents& contents) {
+        plan.seal = [&told](const std::string& metadata, const EncodedMetadata& contents) {
             told = contents.packets;
             EXPECT_EQ(contents.n_frames, 130);
             return metadata + told;
@@ -89,7 +89,7 @@ TEST(FilmPackets, WithTransparencyAreReadBack) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / "a.webm", 3);
     std::string told;
-    plan.seal = [&told](const std::string& metadata, const Contents& contents) {
+    plan.seal = [&told](const std::string& metadata, const EncodedMetadata& contents) {
         told = contents.packets;
         return metadata;
     };

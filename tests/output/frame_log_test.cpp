@@ -17,7 +17,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Path of the log of an unfinished film.
-fs::path part_of(const OutputPlan& plan) { return frame_log_path(plan.path); }
+fs::path log_of(const OutputPlan& plan) { return frame_log_path(plan.path); }
 
 // Writes the film in a child process and kills it when the log has reached a size.
 void write_and_kill(const OutputPlan& plan, std::uintmax_t n_bytes) {
@@ -30,7 +30,7 @@ void write_and_kill(const OutputPlan& plan, std::uintmax_t n_bytes) {
         }
         _exit(0);
     }
-    const fs::path part = part_of(plan);
+    const fs::path part = log_of(plan);
     int status = 0;
     while (waitpid(child, &status, WNOHANG) == 0) {
         std::error_code ignored;
@@ -65,7 +65,7 @@ TEST_P(InterruptedFilm, IsResumedByteIdentically) {
     const std::string whole = bytes_of(plan_.path);
     fs::remove(plan_.path);
     write_unfinished(plan_, 399);
-    const std::uintmax_t n_part_bytes = fs::file_size(part_of(plan_));
+    const std::uintmax_t n_part_bytes = fs::file_size(log_of(plan_));
     std::mt19937 random(7);
     int n_resumed = 0;
     for (int i = 0; i < 7; ++i) {
@@ -102,10 +102,10 @@ TEST_P(InterruptedFilm, WithAChangedBitIsResumedByteIdentically) {
     for (int i = 0; i < 6; ++i) {
         fs::remove(plan_.path);
         write_unfinished(plan_, 300);
-        std::string part = bytes_of(part_of(plan_));
+        std::string part = bytes_of(log_of(plan_));
         char& byte = part[std::uniform_int_distribution<std::size_t>(0, part.size() - 1)(random)];
         byte = static_cast<char>(byte ^ (1 << i));
-        std::ofstream(part_of(plan_), std::ios::binary) << part;
+        std::ofstream(log_of(plan_), std::ios::binary) << part;
         write_film(plan_);
         EXPECT_TRUE(bytes_of(plan_.path) == whole) << i;
     }
@@ -135,8 +135,8 @@ TEST_P(InterruptedFilm, IsRecoveredUpToTheInterruption) {
     const std::vector<Image> whole = frames_of(plan_.path);
     fs::remove(plan_.path);
     write_unfinished(plan_, 300);
-    EXPECT_EQ(folder_.contents(), std::vector<std::string>{part_of(plan_).filename().string()});
-    const std::string part = bytes_of(part_of(plan_));
+    EXPECT_EQ(folder_.contents(), std::vector<std::string>{log_of(plan_).filename().string()});
+    const std::string part = bytes_of(log_of(plan_));
     const bool is_gif = plan_.path.extension() == ".gif";
     std::mt19937 random(11);
     for (int i = 0; i < 20; ++i) {
@@ -144,7 +144,7 @@ TEST_P(InterruptedFilm, IsRecoveredUpToTheInterruption) {
         const std::size_t size =
             i == 0 ? part.size()
                    : std::uniform_int_distribution<std::size_t>(0, part.size())(random);
-        std::ofstream(part_of(plan_), std::ios::binary) << part.substr(0, size);
+        std::ofstream(log_of(plan_), std::ios::binary) << part.substr(0, size);
         std::int64_t n_frames = 0;
         try {
             n_frames = recover_film(plan_.path);
@@ -203,7 +203,7 @@ TEST_P(InterruptedFilm, KeepsTheLogIfItCannotBeAssembled) {
         recover_film(plan_.path);
     });
     EXPECT_NE(outcome.find("File too large"), std::string::npos) << outcome;
-    EXPECT_EQ(folder_.contents(), std::vector<std::string>{part_of(plan_).filename().string()});
+    EXPECT_EQ(folder_.contents(), std::vector<std::string>{log_of(plan_).filename().string()});
     EXPECT_GT(recover_film(plan_.path), 270);
 }
 
@@ -235,7 +235,7 @@ TEST_P(InterruptedFilm, WithAnotherPlanIsNotResumed) {
 
 TEST_P(InterruptedFilm, WithACorruptLogStartsAgain) {
     write_unfinished(plan_, 130);
-    std::ofstream(part_of(plan_)) << std::string(5000, 'x');
+    std::ofstream(log_of(plan_)) << std::string(5000, 'x');
     EXPECT_EQ(refusal_message([&] { recover_film(plan_.path); }),
               "no frame of " + plan_.path.string() + " had been finished");
     write_film(plan_);
@@ -274,7 +274,7 @@ TEST_P(InterruptedFilm, OfAnotherProgramIsRefused) {
 TEST_P(InterruptedFilm, WithALogOfZeroesStartsAgain) {
     write_unfinished(plan_, 130);
     for (const std::size_t size : {8u, 4096u}) {
-        std::ofstream(part_of(plan_), std::ios::binary) << std::string(size, '\0');
+        std::ofstream(log_of(plan_), std::ios::binary) << std::string(size, '\0');
         EXPECT_EQ(refusal_message([&] { recover_film(plan_.path); }),
                   "no frame of " + plan_.path.string() + " had been finished");
     }
@@ -282,16 +282,16 @@ TEST_P(InterruptedFilm, WithALogOfZeroesStartsAgain) {
 
 // A copy of a log continues wherever it lies; any other file of this name stays.
 TEST_P(InterruptedFilm, LeavesAFileThatIsNoLog) {
-    std::ofstream(part_of(plan_)) << "mine";
+    std::ofstream(log_of(plan_)) << "mine";
     EXPECT_THROW(format_for(plan_.path).open(plan_), EnvironmentError);
     EXPECT_THROW(recover_film(plan_.path), EnvironmentError);
-    EXPECT_EQ(bytes_of(part_of(plan_)), "mine");
-    fs::remove(part_of(plan_));
+    EXPECT_EQ(bytes_of(log_of(plan_)), "mine");
+    fs::remove(log_of(plan_));
 
     write_unfinished(plan_, 400);
-    const std::string log = bytes_of(part_of(plan_));
-    fs::remove(part_of(plan_));
-    std::ofstream(part_of(plan_), std::ios::binary) << log;
+    const std::string log = bytes_of(log_of(plan_));
+    fs::remove(log_of(plan_));
+    std::ofstream(log_of(plan_), std::ios::binary) << log;
     EXPECT_GT(format_for(plan_.path).open(plan_)->n_frames_kept(), 0);
 }
 

@@ -57,7 +57,7 @@ TEST(PngSequence, RendersFramesAgainThatDoNotMatchTheirText) {
     const TemporaryFolder folder;
     OutputPlan plan = small_plan(folder / "f_#.png", 6);
     plan.resume = true;
-    plan.seal = [](const std::string& metadata, const Contents& contents) {
+    plan.seal = [](const std::string& metadata, const EncodedMetadata& contents) {
         return fmt::format("{} {} {}", metadata, contents.frame.value(), contents.pixels);
     };
     write_film(plan);

@@ -42,7 +42,7 @@ struct Ends {
 Ends ends_of(const std::string& text) {
     const Session session = session_from(text);
     const FilmPlan film = film_plan(session);
-    EXPECT_GT(film.loop_s, 0.0);
+    EXPECT_GT(film.repeat_s, 0.0);
     LazyRenderer renderer;
     PictureMaker pictures(
         session, renderer,
@@ -80,10 +80,10 @@ TEST(Loop, OfAPeriodIsNotSeamlessForAFixedCamera) {
     Session fixed = session_from("");
     const FilmPlan film = film_plan(session);
     LazyRenderer renderer;
-    PictureMaker pictures(fixed, renderer, {.first_time_s = 0.0, .last_time_s = film.loop_s});
+    PictureMaker pictures(fixed, renderer, {.first_time_s = 0.0, .last_time_s = film.repeat_s});
     Image first, past;
     pictures.draw({0.0, 0.0}, first);
-    pictures.draw({film.loop_s, film.loop_s}, past);
+    pictures.draw({film.repeat_s, film.repeat_s}, past);
     EXPECT_GT(largest_difference(first, past), 20);
 }
 
@@ -111,7 +111,7 @@ TEST(FilmPictures, DoNotDependOnEarlierPictures) {
 TEST(Loop, HasEquallySpacedFrames) {
     const Session session = session_from("[film]\nloop = \"5/3\"\nfps = 7\n");
     const FilmPlan film = film_plan(session);
-    const double step_s = film.loop_s / static_cast<double>(film.n_frames);
+    const double step_s = film.repeat_s / static_cast<double>(film.n_frames);
     for (std::int64_t k = 0; k <= film.n_frames; ++k) {
         // Rounding of a product of two doubles and a sum; measured 4e-15.
         EXPECT_NEAR(film.time_of(k), static_cast<double>(k) * step_s, 1e-13);
@@ -126,7 +126,7 @@ TEST(Loop, FitsTheGivenLengthAndKeepsSlowMotion) {
         "[[keyframes]]\nat_s = 6\nspeed = 0.2\n[[keyframes]]\nat_s = 10\nspeed = 1\n");
     const FilmPlan film = film_plan(session);
     EXPECT_EQ(film.n_frames, 360);
-    EXPECT_NEAR(film.time_of(film.n_frames), film.loop_s, 1e-12 * film.loop_s);
+    EXPECT_NEAR(film.time_of(film.n_frames), film.repeat_s, 1e-12 * film.repeat_s);
     // The ratio of speeds is unchanged.
     EXPECT_NEAR(film.clock.speed_at(6.0) / film.clock.speed_at(4.0), 0.2, 1e-12);
 }

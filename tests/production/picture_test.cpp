@@ -13,7 +13,7 @@
 #include "colour/srgb.h"
 #include "drawing/scenes_by_hand.h"
 #include "render/pictures.h"
-#include "shapes/part.h"
+#include "shapes/crop.h"
 #include "typeset/files/installed_fonts.h"
 
 namespace poinsot::testing {
@@ -66,7 +66,7 @@ TEST(Parts, AreIdenticalToTheWholePicture) {
         for (int y = 0; y < 544; y += 160) {
             for (int x = 0; x < 960; x += 352) {
                 const PixelArea area{x, y, std::min(352, 960 - x), std::min(160, 544 - y)};
-                const Image part = renderer.render(part_of(whole, area));
+                const Image part = renderer.render(cropped(whole, area));
                 for (int v = 0; v < area.height_px; ++v)
                     for (int u = 0; u < area.width_px; ++u) pieced.set(x + u, y + v, part.at(u, v));
             }
@@ -101,7 +101,7 @@ TEST(Parts, SplitLongMasksWithoutASeam) {
     whole.views[0].labels.push_back(label);
     const Image at_once = renderer.render(whole);
     for (int x = 0; x < 1024; x += 256) {
-        const Image part = renderer.render(part_of(whole, {x, 0, 256, 64}));
+        const Image part = renderer.render(cropped(whole, {x, 0, 256, 64}));
         for (int v = 0; v < 64; ++v)
             for (int u = 0; u < 256; ++u)
                 ASSERT_EQ(part.at(u, v), at_once.at(x + u, v)) << x + u << " " << v;

@@ -146,7 +146,7 @@ TEST_P(RecordedFilm, SaysWhereOnlyThePicturesAreUnchanged) {
 
 // Older versions wrote no hash of the file.
 TEST_P(RecordedFilm, OfAnOlderVersionIsVerifiedAsFarAsItsRecordGoes) {
-    plan_.seal = [](const std::string& metadata, Contents contents) {
+    plan_.seal = [](const std::string& metadata, EncodedMetadata contents) {
         contents.file.clear();
         return sealed_metadata(metadata, contents);
     };

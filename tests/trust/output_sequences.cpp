@@ -77,7 +77,7 @@ OutputPlan plan_of(const std::string& name, const fs::path& folder, int setting)
     plan.n_frames = name == "a.png" ? 1 : film && setting >= 2 ? n_many : n_few;
     plan.quality = "draft";
     plan.metadata = fmt::format("scene {}, {} frames", setting % 2, plan.n_frames);
-    plan.seal = [](const std::string& metadata, const poinsot::Contents& told) {
+    plan.seal = [](const std::string& metadata, const poinsot::EncodedMetadata& told) {
         return fmt::format("{} {} {} {} {}", metadata, told.n_frames, told.packets,
                            told.frame.value_or(-1), told.pixels);
     };

@@ -1,4 +1,4 @@
-// Visible parts of arrows behind an ellipsoid, point by point of the page.
+// Visible parts of arrows behind an ellipsoid, point by point of the paper.
 #include <gtest/gtest.h>
 
 #include <Eigen/Geometry>
@@ -36,7 +36,7 @@ View behind_a_sphere() {
     return view;
 }
 
-// Whether the line of sight through a point of the page meets the ellipsoid.
+// Whether the line of sight through a point of the paper meets the ellipsoid.
 bool meets(const View& view, const Eigen::Vector2d& at_pt) {
     return testing::Pinhole(view).meets(view.ellipsoids.front(), at_pt / pt_per_px);
 }
@@ -83,11 +83,11 @@ bool holds(const Path& path, bool even_odd, const Eigen::Vector2d& point) {
 }
 
 // The opacities of all fills of this colour that cover a point.
-std::vector<double> opacities_at(const Page& page, const Colour& colour,
+std::vector<double> opacities_at(const SheetOfPaper& paper, const Colour& colour,
                                  const Eigen::Vector2d& point) {
     std::vector<double> found;
     std::vector<bool> open;
-    for (const Item& item : page.items) {
+    for (const Item& item : paper.items) {
         if (const auto* clip = std::get_if<ClipBegin>(&item))
             open.push_back(holds(clip->path, clip->even_odd, point));
         else if (std::holds_alternative<ClipEnd>(item))
@@ -105,7 +105,7 @@ struct Found {
     int n_hidden = 0, n_seen = 0, n_wrong = 0;
 };
 
-// Whether the arrows of random views are as opaque as `hides` says at random points of the page:
+// Whether the arrows of random views are as opaque as `hides` says at random points of the paper:
 // the axis crosses the body's outline at all angles, with the tail behind the body; the head is
 // outside, or cut by the outline itself. Without shading, an arrow has one ink.
 template <typename Hides>
@@ -125,11 +125,11 @@ Found found_in(const View& with_body, int n_views, std::mt19937_64::result_type 
         drawing.width_px = view.width_px;
         drawing.height_px = view.height_px;
         drawing.views.push_back(view);
-        const PageChoices choices{.pt_per_px = pt_per_px, .shading = Shading::none};
-        const Page page = page_of(drawing, choices);
+        const PaperChoices choices{.pt_per_px = pt_per_px, .shading = Shading::none};
+        const SheetOfPaper paper = paper_of(drawing, choices);
         drawing.views[0].ellipsoids.clear();
         drawing.views[0].meshes.clear();
-        const Page alone = page_of(drawing, choices);
+        const SheetOfPaper alone = paper_of(drawing, choices);
         for (int n = 0; n < 1000; ++n) {
             // Drawn one after the other: the order of arguments is the compiler's.
             const double right = part(random), down = part(random);
@@ -144,7 +144,7 @@ Found found_in(const View& with_body, int n_views, std::mt19937_64::result_type 
             if (near_outline) continue;
             const bool hidden = hides(view, at);
             (hidden ? found.n_hidden : found.n_seen) += 1;
-            const std::vector<double> opacities = opacities_at(page, arrow.colour, at);
+            const std::vector<double> opacities = opacities_at(paper, arrow.colour, at);
             EXPECT_FALSE(opacities.empty()) << k << " at " << at.transpose();
             for (const double opacity : opacities)
                 found.n_wrong += std::abs(opacity - (hidden ? hidden_opacity : 1.0)) > 0.01 ? 1 : 0;
@@ -178,7 +178,7 @@ MeshGeometry pyramid() {
     return geometry;
 }
 
-// Whether a point of the page is inside the projection of a triangle, by a camera of its own.
+// Whether a point of the paper is inside the projection of a triangle, by a camera of its own.
 bool within_mesh(const View& view, const MeshGeometry& geometry, const Eigen::Vector2d& at_pt) {
     const testing::Pinhole camera(view);
     const auto side = [](const Eigen::Vector2d& a, const Eigen::Vector2d& b,

@@ -38,21 +38,21 @@ MeshGeometry ball(int n) {
     return geometry;
 }
 
-Page page_of_body(const MeshGeometry& geometry) {
+SheetOfPaper paper_of_body(const MeshGeometry& geometry) {
     Drawing drawing;
     drawing.width_px = drawing.height_px = 800;
     View& view = drawing.views.emplace_back();
     view.width_px = view.height_px = 800;
     drawing.background.alpha = view.background.alpha = 0.0;
     view.meshes.emplace_back().geometry = &geometry;
-    return page_of(drawing, {.pt_per_px = print_pt_per_px});
+    return paper_of(drawing, {.pt_per_px = print_pt_per_px});
 }
 
 double largest_difference(const Colour& a, const Colour& b) {
     return std::max({std::abs(a.r - b.r), std::abs(a.g - b.g), std::abs(a.b - b.b)});
 }
 
-// The colour of a fill at a point of the page.
+// The colour of a fill at a point of the paper.
 Colour colour_of_fill(const Fill& fill, const Eigen::Vector2d& at) {
     if (const auto* ink = std::get_if<PaperInk>(&fill.paint)) return ink->colour;
     const auto& fade = std::get<LinearFade>(fill.paint);
@@ -62,9 +62,9 @@ Colour colour_of_fill(const Fill& fill, const Eigen::Vector2d& at) {
     return {a.r + t * (b.r - a.r), a.g + t * (b.g - a.g), a.b + t * (b.b - a.b)};
 }
 
-std::vector<Fill> fills_of(const Page& page) {
+std::vector<Fill> fills_of(const SheetOfPaper& paper) {
     std::vector<Fill> fills;
-    for (const Item& item : page.items)
+    for (const Item& item : paper.items)
         if (const auto* fill = std::get_if<Fill>(&item)) fills.push_back(*fill);
     return fills;
 }
@@ -128,11 +128,11 @@ TEST(Bodies, ShadesAgreeAtSharedSides) {
     }
 }
 
-// The page of a coarse ball has the colours of that of a fine one, away from the outline.
+// The picture of a coarse ball has the colours of that of a fine one, away from the outline.
 TEST(Bodies, ShadesFollowTheLight) {
     const MeshGeometry coarse = ball(48), fine = ball(120);
-    const std::vector<Fill> fills = fills_of(page_of_body(coarse));
-    const std::vector<Fill> reference = fills_of(page_of_body(fine));
+    const std::vector<Fill> fills = fills_of(paper_of_body(coarse));
+    const std::vector<Fill> reference = fills_of(paper_of_body(fine));
     EXPECT_LT(fills.size(), coarse.positions.size() / 3 / 4);
     Eigen::Vector2d low(1e9, 1e9), high = -low;
     for (const Fill& fill : fills)

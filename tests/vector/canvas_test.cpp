@@ -7,6 +7,8 @@
 #include <cmath>
 #include <vector>
 
+#include "vector/passes/ellipsoid.h"
+
 namespace poinsot::vector {
 namespace {
 
@@ -42,7 +44,7 @@ struct Line {
     }
     Drawing drawing;
     View view;
-    Page page;
+    SheetOfPaper paper;
     Track track;
 };
 
@@ -51,7 +53,7 @@ double ground(double s) { return 1.0 - 0.8 * s; }
 
 TEST(Inks, TranslucentLinesHaveTheColourOfBlendedLight) {
     Line line;
-    const Canvas canvas(line.drawing, line.view, 0.24, Shading::tone, line.page);
+    const Canvas canvas(line.drawing, line.view, 0.24, Shading::tone, line.paper);
     for (const double opacity : {0.25, 0.6, 0.95}) {
         for (const double own : {0.1, 0.5, 0.9}) {
             const auto parts = canvas.constant_colour_spans(line.track, 0.0, 1.0, [&](double s) {
@@ -76,7 +78,7 @@ TEST(Inks, TranslucentLinesHaveTheColourOfBlendedLight) {
 
 TEST(Inks, LineOverAUniformBackgroundIsOneSpan) {
     Line line;
-    const Canvas canvas(line.drawing, line.view, 0.24, Shading::tone, line.page);
+    const Canvas canvas(line.drawing, line.view, 0.24, Shading::tone, line.paper);
     const auto parts = canvas.constant_colour_spans(line.track, 0.0, 1.0, [&](double) {
         return Canvas::LineLook{grey(0.2), 0.3, grey(0.8)};
     });
@@ -112,7 +114,7 @@ TEST(Inks, BodyUnderSheetsLooksAsSeenThroughTheSurfaces) {
     sphere.half_axes = Eigen::Matrix3d::Identity();
     sphere.opacity = 0.15;
     glass.view.ellipsoids.push_back(sphere);
-    Canvas canvas(glass.drawing, glass.view, 0.24, Shading::tone, glass.page);
+    Canvas canvas(glass.drawing, glass.view, 0.24, Shading::tone, glass.paper);
     light_sheets(canvas, {0});
     ASSERT_EQ(canvas.sheets.size(), 1u);
     const ShadedDisc& disc = canvas.sheets[0].disc;
@@ -120,7 +122,7 @@ TEST(Inks, BodyUnderSheetsLooksAsSeenThroughTheSurfaces) {
     const auto seen = [&](double y) {
         const Eigen::Vector3d point(0.1, y, 0.2);
         const Eigen::Vector2d in_disc =
-            disc.page_from_disc.inverse() * canvas.projection.place(point);
+            disc.paper_from_disc.inverse() * canvas.projection.place(point);
         return over(PaperInk{disc.at(in_disc), disc.alpha}, under_sheets(canvas, point, body));
     };
     EXPECT_NEAR(seen(-2.0).g, body.g, 1e-9);

@@ -16,19 +16,19 @@ namespace {
 
 constexpr double pi = std::numbers::pi;
 
-Page line_drawing(const View& view) {
+SheetOfPaper line_drawing(const View& view) {
     Drawing drawing;
     drawing.width_px = view.width_px;
     drawing.height_px = view.height_px;
     drawing.background.top = drawing.background.bottom = {1.0, 1.0, 1.0};
     drawing.views = {view};
     drawing.views[0].background = drawing.background;
-    return page_of(drawing, {.pt_per_px = print_pt_per_px, .shading = Shading::none});
+    return paper_of(drawing, {.pt_per_px = print_pt_per_px, .shading = Shading::none});
 }
 
-std::vector<Stroke> strokes_of(const Page& page) {
+std::vector<Stroke> strokes_of(const SheetOfPaper& paper) {
     std::vector<Stroke> strokes;
-    for (const Item& item : page.items)
+    for (const Item& item : paper.items)
         if (const auto* stroke = std::get_if<Stroke>(&item)) strokes.push_back(*stroke);
     return strokes;
 }

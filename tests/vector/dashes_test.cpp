@@ -121,9 +121,9 @@ std::vector<Stroke> strokes_of(const View& view) {
     drawing.width_px = view.width_px;
     drawing.height_px = view.height_px;
     drawing.views.push_back(view);
-    const Page page = page_of(drawing, {.pt_per_px = 0.24, .shading = Shading::none});
+    const SheetOfPaper paper = paper_of(drawing, {.pt_per_px = 0.24, .shading = Shading::none});
     std::vector<Stroke> strokes;
-    for (const Item& item : page.items)
+    for (const Item& item : paper.items)
         if (const auto* stroke = std::get_if<Stroke>(&item);
             stroke != nullptr && stroke->width_pt > 0.0)
             strokes.push_back(*stroke);
@@ -205,9 +205,9 @@ TEST(Dashes, APlaneHidesNothing) {
     Drawing drawing;
     drawing.width_px = drawing.height_px = 1000;
     drawing.views.push_back(view);
-    const Page page = page_of(drawing, {.pt_per_px = 0.24, .shading = Shading::none});
+    const SheetOfPaper paper = paper_of(drawing, {.pt_per_px = 0.24, .shading = Shading::none});
     int n_fills = 0;
-    for (const Item& item : page.items)
+    for (const Item& item : paper.items)
         if (const auto* fill = std::get_if<Fill>(&item))
             if (const auto* ink = std::get_if<PaperInk>(&fill->paint);
                 ink != nullptr && ink->colour == arrow.colour) {

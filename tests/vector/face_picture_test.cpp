@@ -18,14 +18,14 @@ using testing::quarters;
 constexpr double pt_per_px = 0.24;
 
 template <class Kind>
-std::vector<Kind> all_of(const Page& page) {
+std::vector<Kind> all_of(const SheetOfPaper& paper) {
     std::vector<Kind> found;
-    for (const Item& item : page.items)
+    for (const Item& item : paper.items)
         if (const auto* one = std::get_if<Kind>(&item)) found.push_back(*one);
     return found;
 }
 
-// R, G, B and alpha at a point of the page; transparent outside the picture.
+// R, G, B and alpha at a point of the paper; transparent outside the picture.
 std::array<int, 4> pixel_at(const Picture& picture, const Eigen::Vector2d& at_pt) {
     const Eigen::Array2d part = (at_pt - picture.corner_pt).array() / picture.size_pt.array();
     if ((part < 0.0).any() || (part >= 1.0).any()) return {};
@@ -37,7 +37,7 @@ std::array<int, 4> pixel_at(const Picture& picture, const Eigen::Vector2d& at_pt
     return pixel;
 }
 
-// The colour of a fill at a point of the page.
+// The colour of a fill at a point of the paper.
 Colour colour_of(const Fill& fill, const Eigen::Vector2d& at) {
     if (const auto* ink = std::get_if<PaperInk>(&fill.paint)) return ink->colour;
     const auto& fade = std::get<LinearFade>(fill.paint);
@@ -63,13 +63,13 @@ TEST(FacePicture, HasPositionAndShadingOfItsFace) {
         MeshGeometry face = testing::page(++id);
         face.picture = testing::of_quarters(side_px);
         const Drawing drawing = testing::drawing_of(face, turned, {90, 90, 90});
-        const auto pictures = all_of<Picture>(page_of(drawing, {.pt_per_px = pt_per_px}));
+        const auto pictures = all_of<Picture>(paper_of(drawing, {.pt_per_px = pt_per_px}));
         ASSERT_EQ(pictures.size(), 1u);
         for (std::size_t k = 0; k < quarters.size(); ++k) {
             MeshGeometry plain = testing::page(++id);
             plain.places.clear();
-            const auto fills = all_of<Fill>(
-                page_of(testing::drawing_of(plain, turned, quarters[k]), {.pt_per_px = pt_per_px}));
+            const auto fills = all_of<Fill>(paper_of(
+                testing::drawing_of(plain, turned, quarters[k]), {.pt_per_px = pt_per_px}));
             ASSERT_FALSE(fills.empty());
             for (const double u : {0.05, 0.25, 0.45})
                 for (const double v : {0.05, 0.25, 0.45}) {
@@ -113,7 +113,7 @@ TEST(FacePicture, IsHiddenByObjectsInFrontOfIt) {
                                     .place(behind.placement * Eigen::Vector3d(x, 0.1, 0.0));
                 int alpha = 0;
                 for (const Picture& picture :
-                     all_of<Picture>(page_of(drawing, {.pt_per_px = pt_per_px})))
+                     all_of<Picture>(paper_of(drawing, {.pt_per_px = pt_per_px})))
                     alpha = std::max(alpha, pixel_at(picture, at)[3]);
                 return alpha;
             };

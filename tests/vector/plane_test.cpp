@@ -1,4 +1,6 @@
-// The grid of a plane on a page.
+// The grid of a plane on paper.
+#include "vector/passes/plane.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -32,14 +34,14 @@ struct Setting {
         double width_pt = 0.0;
     };
     Found found(Shading shading) const {
-        Page page;
+        SheetOfPaper paper;
         const View& view = drawing.views.front();
-        const Canvas canvas(drawing, view, 0.24, shading, page);
+        const Canvas canvas(drawing, view, 0.24, shading, paper);
         draw_plane(canvas, view.planes.front());
         const Eigen::Vector2d middle = canvas.projection.place(Eigen::Vector3d::Zero());
         const double radius = 0.7 * canvas.projection.scale(1.0);
         Found found;
-        for (const Item& item : page.items) {
+        for (const Item& item : paper.items) {
             const Stroke* stroke = std::get_if<Stroke>(&item);
             if (stroke == nullptr) continue;
             found.width_pt = stroke->width_pt;

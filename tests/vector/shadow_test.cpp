@@ -1,4 +1,6 @@
-// The shadow of an ellipsoid on a page.
+// The shadow of an ellipsoid on paper.
+#include "vector/passes/shadow.h"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,7 +15,7 @@ namespace {
 // A sphere that touches the plane, seen from above.
 struct ShadowSetting {
     Drawing drawing;
-    Page page;
+    SheetOfPaper paper;
 
     ShadowSetting() {
         drawing.width_px = 1000;
@@ -31,9 +33,9 @@ struct ShadowSetting {
     const View& view() const { return drawing.views.front(); }
 };
 
-// The opacity of a gradient from a focus to the unit circle at a point of the page.
+// The opacity of a gradient from a focus to the unit circle at a point of the paper.
 double alpha_at(const RadialFade& fade, const Eigen::Vector2d& at) {
-    const Eigen::Vector2d p = fade.page_from_circle.inverse() * at, f = fade.focus;
+    const Eigen::Vector2d p = fade.paper_from_circle.inverse() * at, f = fade.focus;
     // The largest t with |p - (1 - t) f| = t.
     const double a = f.squaredNorm() - 1.0, b = (p - f).dot(f), c = (p - f).squaredNorm();
     const double t = (-b - std::sqrt(std::max(b * b - a * c, 0.0))) / a;
@@ -52,9 +54,9 @@ double alpha_at(const RadialFade& fade, const Eigen::Vector2d& at) {
 TEST(Shadow, HasNoSteps) {
     ShadowSetting setting;
     const Plane& plane = setting.view().planes.front();
-    const Canvas canvas(setting.drawing, setting.view(), 0.24, Shading::tone, setting.page);
+    const Canvas canvas(setting.drawing, setting.view(), 0.24, Shading::tone, setting.paper);
     draw_shadow(canvas, plane, 0);
-    ASSERT_GT(setting.page.items.size(), 8u);
+    ASSERT_GT(setting.paper.items.size(), 8u);
     const Eigen::Vector3d contact(0.0, 0.0, -0.7);
     double steepest = 0.0, farthest_off = 0.0, darkest = 255.0;
     for (const Eigen::Vector3d& direction :
@@ -65,7 +67,7 @@ TEST(Shadow, HasNoSteps) {
             const Eigen::Vector3d point = contact + r * direction;
             const Eigen::Vector2d at = canvas.projection.place(point);
             double grey = plane.colour.g;
-            for (const Item& item : setting.page.items) {
+            for (const Item& item : setting.paper.items) {
                 const Fill& fill = std::get<Fill>(item);
                 const auto* fade = std::get_if<RadialFade>(&fill.paint);
                 ASSERT_NE(fade, nullptr);

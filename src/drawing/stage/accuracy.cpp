@@ -3,7 +3,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/timeline.h"
 
 namespace poinsot {

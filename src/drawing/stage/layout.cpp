@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "drawing/stage/fade.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/possible_motions.h"
+#include "drawing/stage/stage_context.h"
 #include "drawing/stage/thing_names.h"
 #include "drawing/stage/type/labels.h"
 #include "scene/camera_views.h"
@@ -268,8 +268,8 @@ void check_panel_camera(const Scene& scene, const PanelKind& kind, std::size_t p
 CameraSpec panel_camera(const Panel& panel, const PanelKind& kind) {
     const PanelCameraSpec& own = panel.spec.camera;
     CameraSpec camera = panel.stage->scene.camera;
-    if (kind.own_direction != nullptr) {
-        const Eigen::Vector3d from = kind.own_direction(panel);
+    if (kind.default_view_direction != nullptr) {
+        const Eigen::Vector3d from = kind.default_view_direction(panel);
         constexpr double deg = 180.0 / std::numbers::pi;
         camera.azimuth_deg = deg * std::atan2(from.y(), from.x());
         camera.elevation_deg = deg * std::atan2(from.z(), from.head<2>().norm());
@@ -331,7 +331,7 @@ void check_names_of(const Scene& scene, const std::set<std::string, std::less<>>
 
 void check_keyframes(const StageContext& stage, const std::deque<Panel>& panels) {
     const auto follows_camera = [](const PanelKind& kind) {
-        return kind.camera != CameraUse::none && kind.own_direction == nullptr;
+        return kind.camera != CameraUse::none && kind.default_view_direction == nullptr;
     };
     const auto moves = [](const Panel& panel) {
         return !panel.user_timeline && panel.camera_at != nullptr;
@@ -442,7 +442,7 @@ std::deque<Panel> make_panels(const StageContext& stage, StageStore& store) {
         panel.draw = fading(stage, store, spec.kind, std::move(panel.draw));
     }
     for (std::size_t i = 0; i < specs.size(); ++i)
-        if (!specs[i].inset.empty() && (kinds[i]->takes & takes_inset) != 0)
+        if (!specs[i].inset.empty() && (kinds[i]->uses & uses_inset) != 0)
             add_inset(panels, i, store);
     return panels;
 }

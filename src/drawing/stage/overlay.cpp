@@ -11,9 +11,9 @@
 
 #include "drawing/stage/fade.h"
 #include "drawing/stage/live_values.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/thing_names.h"
 #include "drawing/stage/type/clock_text.h"
+#include "drawing/stage/type/scene_symbols.h"
 #include "drawing/stage/type/time_unit.h"
 #include "drawing/style/theme_contrast.h"
 #include "drawing/style/theme_roles.h"
@@ -72,22 +72,28 @@ struct CaptionColours {
     }
 };
 
-// Adds text at a corner of the picture; its pen may be between pixels. `wide`: how wide its halo
-// is, 0…1.
-void add_text(const StageContext& stage, const TextBlock& type, double pen_x, double baseline_y,
-              LabelRank rank, double wide, ViewBuilder& builder,
+// Text at a corner of the picture.
+struct OverlayText {
+    TextBlock type;
+    double pen_x = 0.0, baseline_y = 0.0;  // may be between pixels
+    LabelRank rank = rank_of_caption;
+    double halo_width = 0.0;  // of a wide halo, 0…1
+};
+
+void add_text(const StageContext& stage, const OverlayText& text, ViewBuilder& builder,
               const std::vector<Colour>& inks = {}) {
+    const TextBlock& type = text.type;
     if (type.mask->width == 0) return;
     Label label;
     label.mask = type.mask;
-    label.top_left_px = {stage.at_whole_pixel(pen_x) + type.left_px,
-                         stage.at_whole_pixel(baseline_y) - type.baseline_px};
+    label.top_left_px = {stage.at_whole_pixel(text.pen_x) + type.left_px,
+                         stage.at_whole_pixel(text.baseline_y) - type.baseline_px};
     label.colour = stage.theme.text;
     label.halo_colour = stage.theme.halo;
-    label.halo_px = (2.0 + 10.0 * wide) * stage.px;
-    label.over_figure = wide > 0.0;
+    label.halo_px = (2.0 + 10.0 * text.halo_width) * stage.px;
+    label.over_figure = text.halo_width > 0.0;
     label.held_at = 0.0;
-    label.rank = rank;
+    label.rank = text.rank;
     if (!type.mask->tints.empty()) label.inks = inks;
     builder.view.labels.push_back(label);
 }
@@ -202,8 +208,13 @@ Drawer make_title(const StageContext& stage, StageStore& store, const WideHalo& 
         return store.set(stage.scene.title, title_style(stage, store));
     });
     return [&stage, type, halo](const FrameInput& instant, ViewBuilder& builder) {
-        add_text(stage, type, margin(stage), margin(stage) + type.baseline_px, rank_of_title,
-                 halo.presence(instant.film_s), builder);
+        add_text(stage,
+                 {.type = type,
+                  .pen_x = margin(stage),
+                  .baseline_y = margin(stage) + type.baseline_px,
+                  .rank = rank_of_title,
+                  .halo_width = halo.presence(instant.film_s)},
+                 builder);
     };
 }
 
@@ -215,7 +226,13 @@ Drawer make_clock(const StageContext& stage, StageStore& store, const WideHalo& 
     return [&stage, halo, clock, style, pen, baseline, &text = std::as_const(store).text()](
                const FrameInput& instant, ViewBuilder& builder) {
         const TextBlock type = text.set_live(clock(instant.time_s), style, builder.view);
-        add_text(stage, type, pen, baseline, rank_of_clock, halo.presence(instant.film_s), builder);
+        add_text(stage,
+                 {.type = type,
+                  .pen_x = pen,
+                  .baseline_y = baseline,
+                  .rank = rank_of_clock,
+                  .halo_width = halo.presence(instant.film_s)},
+                 builder);
     };
 }
 
@@ -249,8 +266,13 @@ Drawer make_caption(const StageContext& stage, StageStore& store, const WideHalo
     const auto place = [&stage, halo, inks = std::move(colours.inks)](
                            const TextBlock& type, const FrameInput& instant, ViewBuilder& builder) {
         const double below = type.height_px() - type.baseline_px;
-        add_text(stage, type, margin(stage), stage.options.height_px - margin(stage) - below,
-                 rank_of_caption, halo.presence(instant.film_s), builder, inks);
+        add_text(stage,
+                 {.type = type,
+                  .pen_x = margin(stage),
+                  .baseline_y = stage.options.height_px - margin(stage) - below,
+                  .rank = rank_of_caption,
+                  .halo_width = halo.presence(instant.film_s)},
+                 builder, inks);
     };
     // Always set here, so that an invalid caption is rejected before the first frame.
     const BalancedText balanced(stage, store, "caption", stage.scene.caption, style);
@@ -336,8 +358,13 @@ Drawer make_chapters(const StageContext& stage, StageStore& store, const WideHal
         for (const Chapter& chapter : chapters) {
             const double presence = presence_of(chapter, stage, instant);
             if (!(presence > 0.0) || chapter.type.mask->width == 0) continue;
-            add_text(stage, chapter.type, margin(stage), top + chapter.type.baseline_px,
-                     rank_of_caption, halo.presence(instant.film_s), builder);
+            add_text(stage,
+                     {.type = chapter.type,
+                      .pen_x = margin(stage),
+                      .baseline_y = top + chapter.type.baseline_px,
+                      .rank = rank_of_caption,
+                      .halo_width = halo.presence(instant.film_s)},
+                     builder);
             builder.view.labels.back().opacity *= presence;
         }
     };
@@ -385,8 +412,13 @@ Drawer make_timed_captions(const StageContext& stage, StageStore& store, const W
                                         ? head + type.baseline_px
                                         : foot - (type.height_px() - type.baseline_px);
             const std::size_t n_before = builder.view.labels.size();
-            add_text(stage, type, margin(stage), baseline, rank_of_caption,
-                     halo.presence(instant.film_s), builder, inks);
+            add_text(stage,
+                     {.type = type,
+                      .pen_x = margin(stage),
+                      .baseline_y = baseline,
+                      .rank = rank_of_caption,
+                      .halo_width = halo.presence(instant.film_s)},
+                     builder, inks);
             if (builder.view.labels.size() > n_before)
                 builder.view.labels.back().opacity *= presence;
         }

@@ -28,8 +28,8 @@ std::string panels_where(const std::function<bool(const PanelKind&)>& holds,
     return words;
 }
 
-std::string panels_that_take(TakenKeys key, std::string_view conjunction) {
-    return panels_where([key](const PanelKind& kind) { return (kind.takes & key) != 0; },
+std::string panels_that_use(PanelUses key, std::string_view conjunction) {
+    return panels_where([key](const PanelKind& kind) { return (kind.uses & key) != 0; },
                         conjunction);
 }
 

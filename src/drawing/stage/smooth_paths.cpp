@@ -40,8 +40,8 @@ SmoothMaker smooth_circle(const Eigen::Vector3d& centre, double radius, std::siz
 SmoothMaker smooth_polhode(const Polhode& polhode, double points_tolerance) {
     return [polhode, points_tolerance](double tolerance) {
         std::vector<double> parameters;
-        for (const CurveSample& sample : polhode.samples(points_tolerance))
-            parameters.push_back(sample.parameter);
+        const SampledCurve sampled = polhode.samples(points_tolerance);
+        for (const CurveSample& sample : sampled.samples) parameters.push_back(sample.parameter);
         if (const auto circle = polhode.circle())
             return SmoothForm{Conic{circle->centre, circle->cosine_axis, circle->sine_axis},
                               std::move(parameters)};

@@ -6,8 +6,9 @@
 #include <utility>
 #include <vector>
 
+#include "drawing/stage/drawing_primitives.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/layout.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/stage/stage_context.h"
@@ -92,7 +93,7 @@ LabelRules with_insets(LabelRules rules, const std::deque<Panel>& panels, std::s
 
 }  // namespace
 
-struct Stage::Contents {
+struct Stage::Impl {
     StageContext context;
     StageStore store{context};
     std::deque<Panel> panels = make_panels(context, store);
@@ -101,8 +102,8 @@ struct Stage::Contents {
     Quantities needs = omega_alone;             // what all panels together read of an instant
     bool shows_comparison = false;              // whether one of them shows the comparison motion
 
-    Contents(const Scene& scene, const Theme& theme, const Motion& motion,
-             const StageOptions& options, const Motion* comparison)
+    Impl(const Scene& scene, const Theme& theme, const Motion& motion, const StageOptions& options,
+         const Motion* comparison)
         : context(scene, theme, motion, options, comparison) {
         for (const Panel& panel : panels) {
             needs = united(needs, panel.needs);
@@ -111,9 +112,9 @@ struct Stage::Contents {
         if (comparison != nullptr && !shows_comparison) {
             throw SceneError(scene.location_of("beside"),
                              "no panel here shows the comparison method; add a panel " +
-                                 panels_that_take(takes_comparison, "or"));
+                                 panels_that_use(uses_comparison, "or"));
         }
-        // What an inset shows has its names in the panel around it.
+        // The panel around an inset shows the names of the same things.
         for (const Panel& panel : panels)
             names.push_back(panel.host ? std::vector<ThingName>() : set_thing_names(panel, store));
         overlays = make_overlays(context, store, panels);
@@ -157,41 +158,41 @@ struct Stage::Contents {
             if (stop.loop_s) loops.push_back({stop.at_s - *stop.loop_s, stop.at_s});
         for (std::size_t i = 0; i < panels.size(); ++i)
             if (!names[i].empty())
-                plan_names(panels[i], std::move(instants[i]), context.options.loop_s > 0.0, loops,
+                plan_names(panels[i], std::move(instants[i]), context.options.repeat_s > 0.0, loops,
                            names[i]);
     }
 };
 
 Stage::Stage(const Scene& scene, const Theme& theme, const Motion& motion,
              const StageOptions& options, const Motion* comparison)
-    : contents_(std::make_unique<const Contents>(scene, theme, motion, options, comparison)) {}
+    : impl_(std::make_unique<const Impl>(scene, theme, motion, options, comparison)) {}
 Stage::~Stage() = default;
 Stage::Stage(Stage&&) noexcept = default;
 Stage& Stage::operator=(Stage&&) noexcept = default;
 
-const Quantities& Stage::needs() const { return contents_->needs; }
+const Quantities& Stage::needs() const { return impl_->needs; }
 
-const EvaluationCounts& Stage::counts() const { return contents_->context.motion.counts(); }
+const EvaluationCounts& Stage::counts() const { return impl_->context.motion.counts(); }
 
-double Stage::curve_error_px() const { return contents_->store.curve_error_px(); }
+double Stage::curve_error_px() const { return impl_->store.curve_error_px(); }
 
-std::span<const std::string> Stage::notes() const { return contents_->store.notes(); }
+std::span<const std::string> Stage::notes() const { return impl_->store.notes(); }
 
-const StageContext& Stage::context() const { return contents_->context; }
-const StageStore& Stage::store() const { return contents_->store; }
-const std::deque<Panel>& Stage::panels() const { return contents_->panels; }
+const StageContext& Stage::context() const { return impl_->context; }
+const StageStore& Stage::store() const { return impl_->store; }
+const std::deque<Panel>& Stage::panels() const { return impl_->panels; }
 
 Drawing Stage::at(double time_s) const {
-    return at(moment_of_time(FilmClock(contents_->context.scene), time_s));
+    return at(moment_of_time(FilmClock(impl_->context.scene), time_s));
 }
 
 namespace {
 
-LineRules line_rules(const StageContext& stage, const StageStore& store) {
+LineStyleRules line_style_rules(const StageContext& stage, const StageStore& store) {
     const auto said = [](std::string_view by_scene, std::string_view by_theme) {
         return by_scene.empty() ? by_theme : by_scene;
     };
-    // What a scene says of hidden lines holds for its arrows, too.
+    // The scene's choice for hidden lines holds for its arrows, too.
     const std::string& for_arrows =
         stage.scene.hidden_arrows.empty() ? stage.scene.hidden : stage.scene.hidden_arrows;
     return {.hidden = said(stage.scene.hidden, stage.theme.hidden),
@@ -206,23 +207,22 @@ LineRules line_rules(const StageContext& stage, const StageStore& store) {
 }  // namespace
 
 Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras) const {
-    const StageContext& context = contents_->context;
-    const FrameInput instant =
-        context.instant_at(moment, contents_->needs, contents_->shows_comparison);
+    const StageContext& context = impl_->context;
+    const FrameInput instant = context.instant_at(moment, impl_->needs, impl_->shows_comparison);
     const Background& ground = context.theme.background;
     Drawing drawing;
     drawing.width_px = context.options.width_px;
     drawing.height_px = context.options.height_px;
     drawing.background = ground;
     // Title, caption and clock are in a view of their own over all panels.
-    View over = drawn_over(context, contents_->overlays, instant);
-    const LabelRules all = label_rules(context, contents_->store, over);
+    View over = drawn_over(context, impl_->overlays, instant);
+    const LabelRules all = label_rules(context, impl_->store, over);
 
     // Views own the text and curves made for this drawing alone; their shapes point to them, so
     // that views must not move once made.
-    drawing.views.reserve(contents_->panels.size() + 1);
-    for (std::size_t i = 0; i < contents_->panels.size(); ++i) {
-        const Panel& panel = contents_->panels[i];
+    drawing.views.reserve(impl_->panels.size() + 1);
+    for (std::size_t i = 0; i < impl_->panels.size(); ++i) {
+        const Panel& panel = impl_->panels[i];
         ViewBuilder builder =
             drawn(panel, moment, instant, i < cameras.size() ? cameras[i] : CameraChange());
         View& view = builder.view;
@@ -231,17 +231,17 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
         if (panel.box.height_px < drawing.height_px || panel.box.width_px < drawing.width_px) {
             view.background.alpha = 0.0;
         }
-        const LabelRules rules = with_insets(all, contents_->panels, i);
+        const LabelRules rules = with_insets(all, impl_->panels, i);
         for (const UnplacedLabel& label : place_labels(builder.requests, rules, view)) {
             if (const std::string_view of = name_of_label(label.name); !of.empty())
                 drawing.unnamed.push_back({of, label.is_in_sight});
         }
         const bool is_planned = !(i < cameras.size() && cameras[i]);
-        for (const UnnamedThing& thing : place_thing_names(
-                 panel, contents_->names[i], rules.overlays, moment.film_s, is_planned, view))
+        for (const UnnamedThing& thing : place_thing_names(panel, impl_->names[i], rules.overlays,
+                                                           moment.film_s, is_planned, view))
             drawing.unnamed.push_back(thing);
         for (Label& label : view.labels) label.colour = letter_colour(context.theme, label.colour);
-        follow_line_rules(line_rules(context, contents_->store), view);
+        apply_line_style(line_style_rules(context, impl_->store), view);
         drawing.views.push_back(std::move(view));
     }
     if (!over.labels.empty()) drawing.views.push_back(std::move(over));
@@ -251,10 +251,10 @@ Drawing Stage::at(const FilmTime& moment, std::span<const CameraChange> cameras)
 
 std::vector<PlacedArrow> Stage::arrows_at(const FilmTime& moment) const {
     const FrameInput instant =
-        contents_->context.instant_at(moment, contents_->needs, contents_->shows_comparison);
+        impl_->context.instant_at(moment, impl_->needs, impl_->shows_comparison);
     std::vector<PlacedArrow> arrows;
     int index = 0;
-    for (const Panel& panel : contents_->panels) {
+    for (const Panel& panel : impl_->panels) {
         ViewBuilder builder = begun(panel, moment);
         panel.draw(instant, builder);
         append_arrows(builder.view, index++, arrows);

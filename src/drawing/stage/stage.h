@@ -50,7 +50,7 @@ class Stage {
     // The arrows of all panels at an instant, without the rest of the drawing.
     std::vector<PlacedArrow> arrows_at(const FilmTime& moment) const;
 
-    // What all panels together read of an instant.
+    // The quantities of an instant that all panels together read.
     const Quantities& needs() const;
 
     // Evaluations of the motion since the construction of the stage, which is included.
@@ -59,17 +59,17 @@ class Stage {
     // The largest measured distance of a polyline from its curve, in pixels.
     double curve_error_px() const;
 
-    // What is drawn otherwise than the scene says, and why: one line each.
+    // One line for each difference between the picture and the scene, with its reason.
     std::span<const std::string> notes() const;
 
-    // What it was given, what was made of it for all instants, and its panels.
+    // Its inputs, what all instants share, and its panels.
     const StageContext& context() const;
     const StageStore& store() const;
     const std::deque<Panel>& panels() const;
 
  private:
-    struct Contents;
-    std::unique_ptr<const Contents> contents_;
+    struct Impl;
+    std::unique_ptr<const Impl> impl_;
 };
 
 }  // namespace poinsot

@@ -138,4 +138,16 @@ double StageContext::quickest_rate_rad_s() const {
     return rate;
 }
 
+double least_type_px(const StageContext& stage) {
+    constexpr double least = 1080.0 / 45.0;
+    return stage.options.line_scale > 0.0 ? stage.options.least.type_px
+                                          : least * stage.scene.type_scale * stage.px;
+}
+
+double px_per_pt(const StageContext& stage) {
+    constexpr double slide_height_pt = 540.0;
+    return stage.options.px_per_pt > 0.0 ? stage.options.px_per_pt
+                                         : stage.options.height_px / slide_height_pt;
+}
+
 }  // namespace poinsot

@@ -1,6 +1,6 @@
-// What a stage is given, and what follows from it: the scene, its motion, the construction's
-// picture, the theme, sizes and times. Complete before the first panel is made; panels, elements
-// and drawers read it; it does not change.
+// The inputs of a stage, and values that follow from them: the scene, its motion, the
+// construction's picture, the theme, sizes and times. Complete before the first panel is made;
+// panels, elements and drawers read it; it does not change.
 #pragma once
 
 #include <Eigen/Geometry>
@@ -9,10 +9,11 @@
 
 #include "drawing/stage/construction_picture.h"
 #include "drawing/stage/drawer.h"
-#include "drawing/stage/evaluations.h"
 #include "drawing/stage/stage_options.h"
 #include "drawing/stage/timeline.h"
+#include "drawing/stage/type/type_sizes.h"
 #include "drawing/style/theme.h"
+#include "mechanics/counted_motion.h"
 #include "scene/film_clock.h"
 #include "scene/scene.h"
 
@@ -73,5 +74,23 @@ struct StageContext {
     void widen_herpolhode();
     Eigen::Quaterniond turn_of_momentum(const RotationState& state) const;
 };
+
+// The least em size of text, in pixels of the rendered picture: in a film 1/45 of its height; on
+// paper the value of the stage's options.
+double least_type_px(const StageContext& stage);
+
+// Pixels of the rendered picture for a point on paper, or 1/540 of a slide's height.
+double px_per_pt(const StageContext& stage);
+
+// On paper all text has sizes in points, the same in every panel: titles are larger than headings,
+// these than names, and these than numbers. Whether the stage is on paper:
+inline bool is_on_paper(const StageContext& stage) { return stage.options.least.type_px > 0.0; }
+inline double paper_type_px(const StageContext& stage) {
+    return paper_type_px(stage.scene, stage.px, stage.options.least);
+}
+// The sizes of its text.
+inline const TypeSizes& type_sizes(const StageContext& stage) {
+    return is_on_paper(stage) ? paper_sizes : screen_sizes;
+}
 
 }  // namespace poinsot

@@ -1,5 +1,5 @@
-// What panels and elements keep for all instants: curves, meshes, set text and notes. Addresses
-// stay valid for the store's lifetime, so that drawers and shapes can point to what it holds.
+// Curves, meshes, set text and notes that panels and elements keep for all instants. Addresses stay
+// valid for the store's lifetime, so that drawers and shapes can point to its contents.
 #pragma once
 
 #include <deque>
@@ -24,9 +24,9 @@ class StageStore {
     // The context must outlive it.
     explicit StageStore(const StageContext& context);
 
-    // Keeps a curve whose polyline is so many pixels from it at most: the only way that one gets
-    // into a picture, so that the bound which records state covers it. Throws SceneError where that
-    // is more than the picture allows; `what` the curve is.
+    // Keeps a curve whose polyline is at most `off_px` pixels from it. All curves of a picture are
+    // kept here, so that the bound in its record covers them. Throws SceneError if `off_px` is more
+    // than the picture allows; `what`: a name of the curve for this message.
     const CurveGeometry* keep(CurveGeometry geometry, double off_px, std::string_view what);
     const MeshGeometry* keep(MeshGeometry geometry);
 
@@ -38,7 +38,7 @@ class StageStore {
         return &terms_.emplace_back(std::move(terms));
     }
 
-    // Adds a note that is not there yet: what is drawn otherwise than the scene says, and why.
+    // Adds a note about a difference between the picture and the scene, once.
     void note(std::string text);
 
     // Lets fades and `unlabelled` use the name of something shown; returns the kept name.

@@ -7,67 +7,26 @@
 // depend on the picture's size.
 #pragma once
 
-#include <optional>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "drawing/stage/panel.h"
 #include "drawing/stage/stage_store.h"
 #include "drawing/stage/type/labels.h"
+#include "drawing/stage/type/named_thing.h"
 #include "shapes/views.h"
-#include "text/languages.h"
 
 namespace poinsot {
-
-struct NamedThing;
-
-// The side of a thing: a direction in the picture, from right to below, and a distance from 0,
-// near, on.
-struct NameSide {
-    double angle_rad = 0.0;
-    double level = 0.0;
-};
-
-// A part of a film in which a name stands on one side.
-struct NameSpan {
-    double begin_s = 0.0, end_s = 0.0;  // of the film; infinite: the film's own begin or end
-    NameSide side{};
-
-    // Opacity: the name fades within its span, a little from either end.
-    double presence(double film_s) const;
-};
-
-// A name that a panel shows if it shows the thing.
-struct ThingName {
-    const NamedThing* thing = nullptr;
-    TextBlock type;
-    Colour colour;
-    double em_px = 0.0;                                   // of its letters
-    Eigen::Vector2d offset_px = Eigen::Vector2d::Zero();  // by hand
-    // Of a film, in order; absent: the best side of the instant.
-    std::optional<std::vector<NameSpan>> spans{};
-};
-
-// The words for curves and cones in texts of the scene, and the roles of their colours in the
-// theme. Surfaces have no words here: their colours are too pale for letters.
-struct ThingWords {
-    std::string text;
-    std::string_view role;
-};
-std::vector<ThingWords> words_of_things(const Scene& scene);
-
-// The words for a thing or a panel in the scene's language; for the invariable plane, if drag slows
-// the body and the plane moves, those for the tangent plane.
-std::string_view words_of_plane(const Scene& scene, std::string_view thing, const Phrase& words);
 
 // Sets the names that the scene wants in this panel, at its size.
 std::vector<ThingName> set_thing_names(const Panel& panel, StageStore& store);
 
-// Adds the names of what the view shows to its labels. Its other labels are placed already;
-// `overlays` are boxes of text over all panels. `is_planned`: whether the view is that of the film
-// at `film_s`, for which the spans are made; else each name stands where there is room. Returns the
-// things that are shown without their names.
+// The distance of names from the edges of the panel.
+double name_margin_px(const Panel& panel);
+
+// Adds the names of the things that the view shows to its labels. Its other labels are placed
+// already; `overlays` are boxes of text over all panels. `is_planned`: whether the view is that of
+// the film at `film_s`, for which the spans are made; else each name stands where there is room.
+// Returns the things that are shown without their names.
 std::vector<UnnamedThing> place_thing_names(const Panel& panel, const std::vector<ThingName>& names,
                                             const std::vector<LabelBox>& overlays, double film_s,
                                             bool is_planned, View& view);

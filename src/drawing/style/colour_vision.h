@@ -1,4 +1,4 @@
-// Whether colours are visible and distinguishable, for all common kinds of colour vision and in
+// Visibility of colours and of their differences, for all common kinds of colour vision and in
 // greyscale.
 #pragma once
 

@@ -32,7 +32,7 @@ Eigen::Affine3d placed(const Eigen::Vector3d& origin, const Eigen::Vector3d& x,
 
 // Removes the principal sections from the view's ellipsoids and returns them as curves on their
 // surfaces.
-std::vector<Curve> taken_sections(const LineRules& rules, View& view) {
+std::vector<Curve> taken_sections(const LineStyleRules& rules, View& view) {
     std::vector<Curve> sections;
     for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) {
         Ellipsoid& ellipsoid = view.ellipsoids[k];
@@ -65,7 +65,7 @@ Curve hidden_line_of(const Arrow& arrow, std::string_view part) {
 }
 
 // The axis of an arrow up to its head.
-Curve axis_of(const LineRules& rules, const View& view, const Arrow& arrow) {
+Curve axis_of(const LineStyleRules& rules, const View& view, const Arrow& arrow) {
     constexpr double share_of_shaft = 0.6;
     const Eigen::Vector3d run = arrow.tip - arrow.tail;
     const double length_px = run.norm() * unit_px_of(view);
@@ -148,7 +148,7 @@ void hide(std::string_view parts, Curve& curve) {
 }
 
 // Adds the lines that stand for the hidden parts of dashed arrows.
-void style_hidden_arrows(const LineRules& rules, View& view, std::vector<Curve>& axes,
+void style_hidden_arrows(const LineStyleRules& rules, View& view, std::vector<Curve>& axes,
                          std::vector<Curve>& heads) {
     if (rules.hidden_arrows == "pale") return;
     const bool dashed = rules.hidden_arrows == "dashed";
@@ -165,7 +165,7 @@ void style_hidden_arrows(const LineRules& rules, View& view, std::vector<Curve>&
     }
 }
 
-void style_hidden(const LineRules& rules, View& view) {
+void style_hidden(const LineStyleRules& rules, View& view) {
     std::vector<Curve> axes, heads;
     style_hidden_arrows(rules, view, axes, heads);
     for (Curve& axis : axes) hide(rules.hidden_arrows, axis);
@@ -349,7 +349,7 @@ class Crossing {
     std::map<int, std::vector<std::pair<double, double>>> gaps_;
 };
 
-void break_crossings(const LineRules& rules, View& view) {
+void break_crossings(const LineStyleRules& rules, View& view) {
     constexpr double gap = 3.0;
     const Crossing crossing(view, gap * rules.px);
     std::vector<Curve> curves;
@@ -422,7 +422,7 @@ void break_shafts(View& view) {
 
 }  // namespace
 
-void follow_line_rules(const LineRules& rules, View& view) {
+void apply_line_style(const LineStyleRules& rules, View& view) {
     if (has_solids(view)) {
         if (rules.crossings == "gap") pierce_planes(rules, view);
         if (rules.hidden != "pale" || rules.hidden_arrows != "pale") style_hidden(rules, view);

@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-struct LineRules {
+struct LineStyleRules {
     std::string_view hidden = "pale";            // as the scene's `hidden`
     std::string_view hidden_arrows = "pale";     // as the scene's `hidden_arrows`
     std::string_view crossings = "through";      // as the scene's `crossings`
@@ -21,6 +21,6 @@ struct LineRules {
 // Applies the rules to a view's lines. When hidden lines are dashed, all other dashed lines become
 // thin solid lines. The principal sections of an ellipsoid become curves on it. An arrow with a
 // dashed shaft becomes one arrow per dash, the last of them with the head.
-void follow_line_rules(const LineRules& rules, View& view);
+void apply_line_style(const LineStyleRules& rules, View& view);
 
 }  // namespace poinsot

@@ -8,10 +8,10 @@ namespace poinsot {
 namespace {
 
 constexpr PictureQuality picture_quality_rows[] = {
-    {"draft", 10.0, 1},
-    {"lecture", 1.0, 1},
-    {"print", 0.5, 2},
-    {"reference", 0.1, 4},
+    {.name = "draft", .curve_tolerance = 10.0, .samples = 1},
+    {.name = "lecture", .curve_tolerance = 1.0, .samples = 1},
+    {.name = "print", .curve_tolerance = 0.5, .samples = 2},
+    {.name = "reference", .curve_tolerance = 0.1, .samples = 4},
 };
 
 }  // namespace

@@ -1,4 +1,4 @@
-// What the names of --quality mean for drawings; output/quality.h has what they mean for encoders.
+// The meaning of the names of --quality for drawings; that for encoders is in output/quality.h.
 #pragma once
 
 #include <span>

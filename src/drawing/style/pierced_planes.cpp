@@ -48,7 +48,7 @@ std::optional<Piercing> piercing_of(const View& view, const Plane& plane, const 
 }
 
 // A circle on the plane around the shaft.
-Curve ring_of(const LineRules& rules, const View& view, std::size_t plane, const Arrow& arrow,
+Curve ring_of(const LineStyleRules& rules, const View& view, std::size_t plane, const Arrow& arrow,
               const Piercing& piercing) {
     const Plane& on = view.planes[plane];
     const double radius = ring_radius_px * rules.px / unit_px_of(view);
@@ -74,7 +74,7 @@ bool has_dot_near(const View& view, const Eigen::Vector3d& at, double reach) {
 // Adds the arrow as its part before the plane, if there is one, and its part beyond. Where the
 // plane cuts the head, the whole head belongs to the second part, and is the paler the more of it
 // is beyond.
-void add_parts(const LineRules& rules, const View& view, const Arrow& arrow,
+void add_parts(const LineStyleRules& rules, const View& view, const Arrow& arrow,
                const Piercing& piercing, std::vector<Arrow>& parts) {
     const double length_px = (arrow.tip - arrow.tail).norm() * unit_px_of(view);
     const double head = std::clamp(arrow.head_length_px / length_px, 1e-9, 1.0);
@@ -101,7 +101,7 @@ double unit_px_of(const View& view) {
     return 1.0 / units_per_pixel(view, project(view, view.camera.target).depth);
 }
 
-void pierce_planes(const LineRules& rules, View& view) {
+void pierce_planes(const LineStyleRules& rules, View& view) {
     for (std::size_t k = 0; k < view.planes.size(); ++k) {
         std::vector<Arrow> arrows;
         arrows.reserve(view.arrows.size());

@@ -9,7 +9,7 @@ namespace poinsot {
 // Where an arrow's tip lies on the far side of a plane, makes the part beyond the plane paler and
 // dashes its shaft, in proportion to how much of the plane is seen there. Adds an open ring on the
 // plane around the shaft, except where a dot marks the point.
-void pierce_planes(const LineRules& rules, View& view);
+void pierce_planes(const LineStyleRules& rules, View& view);
 
 // Pixels per view unit, at the depth at which the sizes of arrows apply.
 double unit_px_of(const View& view);

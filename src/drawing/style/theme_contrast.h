@@ -1,4 +1,4 @@
-// Whether a theme's colours are visible and distinguishable, and the colours of its letters.
+// Checks that a theme's colours are visible and distinguishable; the colours of its letters.
 #pragma once
 
 #include <string>

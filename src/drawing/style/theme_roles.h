@@ -1,4 +1,4 @@
-// Where a theme keeps the look of each role of [style].
+// The member of a theme that holds the look of each role of [style].
 #pragma once
 
 #include <span>

@@ -7,7 +7,7 @@
 
 namespace poinsot {
 
-// What a table has, for each of its rows.
+// The quantities in each row of a table.
 struct MeasuredColumns {
     bool has_omega = false, has_attitude = false;
 };

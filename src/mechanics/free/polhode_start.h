@@ -28,9 +28,9 @@ struct PolhodeStart {
 // default, or for a direction along that axis, the half-plane is spanned by the axes of the largest
 // and the smallest moment.
 //
-// L counts as √(2T·I) of a principal moment I exactly if it is the double nearest to this or one
-// beside it, and the plane's distance likewise as 1/√I: most such numbers have no exact decimal,
-// and a calculation in doubles misses the nearest.
+// Few numbers such as √(2T·I) are exact decimals, and a calculation in doubles may miss the nearest
+// double by one. L is therefore taken as √(2T·I) of a principal moment I if it is the nearest
+// double or one of its neighbours, and so is the plane's distance as 1/√I.
 //
 // Throws InputError that names the quantity and gives its range if no rotation of the body has
 // these.

@@ -45,15 +45,13 @@ class Dopri5 {
 
     StepNode next(const StepNode& node, StepCounters& counters) const {
         Controlled controlled = controller();
+        const Step step = take_step(node, controlled, counters);
         StepNode end;
-        double time = 0.0;
-        Numbers numbers{};
-        double step = 0.0;
-        take_step(node, controlled, numbers, end.slope, time, step, counters);
         end.index = node.index + 1;
-        end.time_s = time;
-        end.step_s = step;
-        end.state = state_of(node.state, numbers, unit_at(node.state));
+        end.time_s = step.end_s;
+        end.step_s = step.next_step_s;
+        end.slope = step.end_slope;
+        end.state = state_of(node.state, step.end, unit_at(node.state));
         ++counters.n_steps;
         return end;
     }
@@ -62,10 +60,10 @@ class Dopri5 {
         if (time_s == node.time_s) return node.state;
         Controlled controlled = controller();
         const double unit = unit_at(node.state);
-        Numbers numbers{};
-        Numbers end_slope{};
         if (friction_.acts()) {
             // A shorter step instead of the interpolation: its sum of the decay grows with time.
+            Numbers numbers{};
+            Numbers end_slope{};
             const Numbers start = numbers_of(node.state, unit);
             const auto system = [&](const Numbers& n, Numbers& rate, double t) {
                 derive(n, rate, unit, t, counters);
@@ -76,13 +74,10 @@ class Dopri5 {
                                          time_s - node.time_s);
             return state_of(node.state, numbers, unit);
         }
-        double end_time = 0.0;
-        double step = 0.0;
-        const Numbers slope =
-            take_step(node, controlled, numbers, end_slope, end_time, step, counters);
+        const Step step = take_step(node, controlled, counters);
         Numbers between{};
-        controlled.stepper().calc_state(time_s, between, numbers_of(node.state, unit), slope,
-                                        node.time_s, numbers, end_slope, end_time);
+        controlled.stepper().calc_state(time_s, between, numbers_of(node.state, unit), step.slope,
+                                        node.time_s, step.end, step.end_slope, step.end_s);
         return state_of(node.state, between, unit);
     }
 
@@ -141,28 +136,30 @@ class Dopri5 {
         for (int i = 0; i < 4; ++i) rate[static_cast<std::size_t>(i) + 3] = turning[i];
     }
 
-    // Takes one accepted step from a node; returns the derivative at its start. step becomes the
-    // next step.
-    Numbers take_step(const StepNode& node, Controlled& controlled, Numbers& end,
-                      Numbers& end_slope, double& time, double& step,
-                      StepCounters& counters) const {
+    // A step within the tolerance.
+    struct Step {
+        Numbers slope{};  // at its start
+        Numbers end{}, end_slope{};
+        double end_s = 0.0;
+        double next_step_s = 0.0;  // the length of the next step to try
+    };
+
+    Step take_step(const StepNode& node, Controlled& controlled, StepCounters& counters) const {
         const double unit = unit_at(node.state);
         const Numbers start = numbers_of(node.state, unit);
         const auto system = [&](const Numbers& n, Numbers& rate, double t) {
             derive(n, rate, unit, t, counters);
         };
-        Numbers slope = node.slope;
+        Step step{.slope = node.slope, .end_s = node.time_s, .next_step_s = node.step_s};
         // With friction the state after a step is not quite where its last derivative was taken,
         // and under drag that derivative has another unit.
         if (node.index == 0 || friction_.acts() || is_slowed_)
-            derive(start, slope, unit, node.time_s, counters);
-        time = node.time_s;
-        step = node.step_s;
+            derive(start, step.slope, unit, node.time_s, counters);
         constexpr int max_tries = 60;
         for (int i = 0; i < max_tries; ++i) {
-            const auto result =
-                controlled.try_step(system, start, slope, time, end, end_slope, step);
-            if (result == odeint::success) return slope;
+            const auto result = controlled.try_step(system, start, step.slope, step.end_s, step.end,
+                                                    step.end_slope, step.next_step_s);
+            if (result == odeint::success) return step;
         }
         throw InputError(
             "method \"dopri5\" finds no step short enough for its tolerance; give a larger "

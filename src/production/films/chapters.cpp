@@ -65,7 +65,7 @@ std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
                                  .add("frames_per_second", fmt::format("{}/{}", plan.rate.numerator,
                                                                        plan.rate.denominator))
                                  .add("n_frames", plan.n_frames)
-                                 .add("loops", film.loop_s > 0.0)
+                                 .add("loops", film.repeat_s > 0.0)
                                  .json("chapters", json_lines(rows, 2))
                                  .lines();
     // The head, with the opening brace and the film's name, is prepended when the file is written.

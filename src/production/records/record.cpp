@@ -121,7 +121,7 @@ std::string sealed_text(const Record& record) {
     return text.insert(text.find("\n\n") + 1, seal);
 }
 
-std::string sealed_metadata(const std::string& metadata, const Contents& contents) {
+std::string sealed_metadata(const std::string& metadata, const EncodedMetadata& contents) {
     Record record = parse_record(metadata, "the unfinished output");
     if (record.frames && contents.n_frames > 0) {
         const auto run = *record.frames;

@@ -90,7 +90,7 @@ std::string to_text(const Record& record);
 std::string sealed_text(const Record& record);
 
 // The sealed text of a file with known contents, completed from the metadata of its plan.
-std::string sealed_metadata(const std::string& metadata, const Contents& contents);
+std::string sealed_metadata(const std::string& metadata, const EncodedMetadata& contents);
 
 // Reads such texts; unknown keys are ignored. `name` is used in messages. Throws InputError for a
 // text that is not a record, and if the record's or the scene's hash does not match.

@@ -7,7 +7,7 @@ namespace poinsot {
 
 FilmTime FilmPlan::moment_of(std::int64_t frame) const {
     const double film_s =
-        loop_s > 0.0
+        repeat_s > 0.0
             ? length_s * (static_cast<double>(frame) / static_cast<double>(n_frames))
             : static_cast<double>(frame * rate.denominator) / static_cast<double>(rate.numerator);
     return {clock.time_at(film_s), film_s};
@@ -30,7 +30,7 @@ FilmPlan film_plan(const ResolvedScene& resolved) {
                   .start_s = scene.film.start_s,
                   .clock = FilmClock(scene)};
     plan.length_s = plan.clock.length_s().value_or(default_film_s);
-    plan.loop_s = resolved.loop ? resolved.loop->loop_s : 0.0;
+    plan.repeat_s = resolved.loop ? resolved.loop->repeat_s : 0.0;
     plan.n_frames = std::max<std::int64_t>(1, std::llround(plan.length_s * plan.rate.per_second()));
     return plan;
 }

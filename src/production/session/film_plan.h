@@ -17,7 +17,7 @@ struct FilmPlan {
     double start_s = 0.0;
     FilmClock clock;
     double length_s = 0.0;      // of the film
-    double loop_s = 0.0;        // period of a loop, seconds of motion; 0: no loop
+    double repeat_s = 0.0;      // of the motion, after which the picture repeats; 0: no loop
     std::int64_t n_frames = 0;  // of the whole film
 
     FilmTime moment_of(std::int64_t frame) const;

@@ -54,7 +54,7 @@ Loop closed(Scene& scene, const LoopRatio& ratio, std::vector<std::string>& note
                                 {ratio.turns, ratio.periods}, component);
     });
     Loop loop;
-    loop.loop_s = ratio.periods * start.polhode_period_s;
+    loop.repeat_s = ratio.periods * start.polhode_period_s;
     loop.in_words = fmt::format("{} about L in {}", counted(ratio.turns, "turn"),
                                 counted(ratio.periods, "polhode period"));
     if (start.changed) {
@@ -72,12 +72,12 @@ Loop closed(Scene& scene, const LoopRatio& ratio, std::vector<std::string>& note
 }
 
 // Fits one loop to the film, from the film's given length or its given speed.
-void fit_film(Scene& scene, double loop_s, std::vector<std::string>& notes) {
+void fit_film(Scene& scene, double repeat_s, std::vector<std::string>& notes) {
     FilmSpec& film = scene.film;
     constexpr double rounding = 1e-12;
-    if (film.duration_s && std::abs(*film.duration_s - loop_s) > rounding * loop_s) {
+    if (film.duration_s && std::abs(*film.duration_s - repeat_s) > rounding * repeat_s) {
         notes.push_back(fmt::format("film.duration_s = {:g} is ignored: the loop lasts {:.6g} s",
-                                    *film.duration_s, loop_s));
+                                    *film.duration_s, repeat_s));
     }
     if (film.length_s) {
         const FilmClock clock(scene);
@@ -86,7 +86,7 @@ void fit_film(Scene& scene, double loop_s, std::vector<std::string>& notes) {
             throw SceneError(scene.location_of("film.length_s"),
                              "the speed is 0 during the whole film; a loop needs motion");
         }
-        const double faster = loop_s / shown_s;
+        const double faster = repeat_s / shown_s;
         if (std::abs(faster - 1.0) > rounding) {
             film.speed *= faster;
             for (KeyframeSpec& key : scene.keyframes) {
@@ -95,12 +95,12 @@ void fit_film(Scene& scene, double loop_s, std::vector<std::string>& notes) {
         }
         return;
     }
-    film.duration_s = loop_s;
+    film.duration_s = repeat_s;
     if (!FilmClock(scene).length_s()) {
         throw SceneError(scene.location_of("film.loop"),
                          fmt::format("the speed falls to 0 before the loop's {:.6g} s have passed; "
                                      "raise it again, or give film.length_s",
-                                     loop_s));
+                                     repeat_s));
     }
 }
 
@@ -111,7 +111,7 @@ std::optional<Loop> resolve_loop(Scene& scene, std::vector<std::string>& notes) 
     const auto ratio = loop_ratio_of(scene.film.loop);
     auto loop = ratio ? std::optional(closed(scene, *ratio, notes)) : one_period(scene);
     if (loop) {
-        fit_film(scene, loop->loop_s, notes);
+        fit_film(scene, loop->repeat_s, notes);
         note_jumps(scene, notes);
     }
     return loop;

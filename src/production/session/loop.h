@@ -9,9 +9,9 @@
 
 namespace poinsot {
 
-// The picture is periodic with loop_s of motion.
+// The picture is periodic with repeat_s of motion.
 struct Loop {
-    double loop_s = 0.0;
+    double repeat_s = 0.0;
     std::string in_words;  // "5 turns about L in 3 polhode periods"
     std::string change;    // changes of the start, with their size; empty: none
 };

@@ -11,9 +11,9 @@
 #include <utility>
 
 #include "drawing/figures/charts/chart_fit.h"
-#include "drawing/stage/marks.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
+#include "drawing/stage/type/type_sizes.h"
 
 namespace poinsot {
 
@@ -36,7 +36,7 @@ double share_of(const Scene& scene, const PanelSpec& panel) {
 // of a drawing and a chart side by side, in which a body would be smaller than half of the page.
 bool needs_own_row(const Scene& scene, const PanelSpec& panel) {
     const PanelKind& kind = panel_kind_named(panel.kind);
-    const bool is_drawing = kind.camera != CameraUse::none || (kind.takes & takes_azimuth) != 0;
+    const bool is_drawing = kind.camera != CameraUse::none || (kind.uses & uses_azimuth) != 0;
     constexpr double enough = 0.7;
     const bool is_small = scene.panels.size() == 2 && is_drawing && share_of(scene, panel) < enough;
     const bool is_column =

@@ -6,7 +6,7 @@
 #include <set>
 #include <string_view>
 
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/stage_store.h"
 #include "drawing/style/picture_quality.h"
 #include "scene/scene_error.h"
@@ -42,7 +42,7 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     options.fonts = session.fonts;
     options.first_shown_s = span.first_shown_s;
     options.is_still = span.is_still;
-    options.loop_s = session.loop ? session.loop->loop_s : 0.0;
+    options.repeat_s = session.loop ? session.loop->repeat_s : 0.0;
     // In pixels of the rendered picture, which is `samples` times as large as the final one.
     options.curve_px = session.accuracy.curve_px(setting.curve_tolerance * setting.samples);
     return at_key_of_error(session.scene, "motion", "film", [&] {

@@ -2,8 +2,8 @@
 
 #include <fmt/format.h>
 
-#include "drawing/stage/evaluations.h"
 #include "drawing/stage/stage_store.h"
+#include "mechanics/counted_motion.h"
 #include "mechanics/methods.h"
 #include "mechanics/stepped/integrated_rotation.h"
 #include "mechanics/top/heavy_top.h"

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "drawing/stage/marks.h"
+#include "drawing/stage/type/type_sizes.h"
 #include "error/error.h"
 #include "image/png.h"
 

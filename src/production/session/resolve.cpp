@@ -134,7 +134,7 @@ MotionProblem problem_of(const ResolvedScene& resolved, std::span<const double> 
     // The trails of a loop include the motion before its start.
     if (resolved.loop)
         problem.first_time_s =
-            std::min(problem.first_time_s, scene.film.start_s - resolved.loop->loop_s);
+            std::min(problem.first_time_s, scene.film.start_s - resolved.loop->repeat_s);
     problem.overshoot_s = overshoot_s(problem);
     return problem;
 }

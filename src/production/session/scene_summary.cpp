@@ -225,8 +225,8 @@ void add_film(const Session& session, const FilmPlan& film, std::vector<SummaryL
 
     if (session.loop) {
         lines.push_back(
-            {"loop_s", json_number(session.loop->loop_s), "loop",
-             fmt::format("{:.9g} s: {}", session.loop->loop_s, session.loop->in_words)});
+            {"loop_s", json_number(session.loop->repeat_s), "loop",
+             fmt::format("{:.9g} s: {}", session.loop->repeat_s, session.loop->in_words)});
         lines.push_back({"loop_change", json_string(session.loop->change),
                          session.loop->change.empty() ? "" : "changed for the loop",
                          session.loop->change});

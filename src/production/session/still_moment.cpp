@@ -52,7 +52,7 @@ FilmTime clearest_moment(const Session& session) {
     options.first_time_s = film.start_s;
     options.last_time_s = film.last_time_s();
     options.curve_px = 4.0;  // curves are not looked at
-    options.loop_s = film.loop_s;
+    options.repeat_s = film.repeat_s;
     options.fonts = session.fonts;
     const Stage stage(session.scene, session.theme, session.motion, options,
                       session.comparison ? &*session.comparison : nullptr);

@@ -6,7 +6,7 @@
 
 #include "error/error.h"
 #include "image/files/png_bands.h"
-#include "shapes/part.h"
+#include "shapes/crop.h"
 #include "system/interrupt.h"
 
 namespace poinsot {

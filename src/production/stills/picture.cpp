@@ -88,16 +88,16 @@ void PictureMaker::draw(const FilmTime& moment, Image& image) {
 void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, Image& image) {
     const PixelArea drawn{staging_.samples * area.x_px, staging_.samples * area.y_px,
                           staging_.samples * area.width_px, staging_.samples * area.height_px};
-    if (staging_.samples == 1) return renderer_->render_into(part_of(whole, drawn), image);
-    renderer_->render_into(part_of(whole, drawn), large_);
+    if (staging_.samples == 1) return renderer_->render_into(cropped(whole, drawn), image);
+    renderer_->render_into(cropped(whole, drawn), large_);
     image = downsampled(large_, staging_.samples);
 }
 
 void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image) {
-    if (staging_.samples == 1) return renderer_->render_into(part_of(whole, area), image);
+    if (staging_.samples == 1) return renderer_->render_into(cropped(whole, area), image);
     const PixelArea drawn{staging_.samples * area.x_px, staging_.samples * area.y_px,
                           staging_.samples * area.width_px, staging_.samples * area.height_px};
-    renderer_->render_into(part_of(whole, drawn), deep_large_);
+    renderer_->render_into(cropped(whole, drawn), deep_large_);
     downsample_into(deep_large_, staging_.samples, image);
 }
 

@@ -10,7 +10,7 @@
 #include "production/session/session.h"
 #include "render/renderer.h"
 #include "scene/film_clock.h"
-#include "shapes/part.h"
+#include "shapes/crop.h"
 
 namespace poinsot {
 

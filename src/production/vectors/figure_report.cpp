@@ -8,7 +8,7 @@
 #include <string_view>
 
 #include "colour/srgb.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/style/colour_vision.h"
 #include "production/session/print_size.h"
 #include "shapes/projection.h"

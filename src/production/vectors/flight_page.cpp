@@ -26,7 +26,7 @@ std::string flight_page(const FlightChart& chart, const std::string& title, bool
     const FlightSheet sheet(chart, theme_named("light"), installed_fonts());
     const Drawing drawing = sheet.drawing();
     constexpr double pt_per_px = 0.36;  // type of 9 pt and more
-    const vector::Page page = vector::page_of(drawing, {.pt_per_px = pt_per_px});
+    const vector::SheetOfPaper page = vector::paper_of(drawing, {.pt_per_px = pt_per_px});
     return is_svg ? vector::svg_of(page, title, "") : vector::pdf_of(page);
 }
 

@@ -44,7 +44,7 @@ std::string letter_of(double held_at) {
     return held_at > 0.75 ? "[r]" : "";
 }
 
-std::string put(const vector::Page& page, const vector::Type& type, LatexGaps& gaps) {
+std::string put(const vector::SheetOfPaper& page, const vector::Type& type, LatexGaps& gaps) {
     const vector::Wording& words = type.wording;
     std::string text =
         latex_of(words.text, words.is_formula ? TypeMode::math : TypeMode::text, gaps);
@@ -89,7 +89,7 @@ void check_latex_place(const std::filesystem::path& figure) {
                         printable(beside.string())));
 }
 
-std::string latex_figure(const vector::Page& page, const std::vector<vector::Type>& type,
+std::string latex_figure(const vector::SheetOfPaper& page, const std::vector<vector::Type>& type,
                          const std::filesystem::path& figure, LatexGaps& gaps) {
     const std::string name = figure.filename().string();
     std::string text = fmt::format("{}the type of {}\n", signature, name);

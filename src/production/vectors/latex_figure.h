@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "typeset/latex.h"
-#include "vector/page.h"
+#include "vector/sheet_of_paper.h"
 
 namespace poinsot {
 
@@ -20,7 +20,7 @@ void check_latex_place(const std::filesystem::path& figure);
 // The contents of FIG.tex: each label on its baseline, in its size in the figure and in the
 // document's own fonts. page: without its text. Appends to the gaps. Throws LabelError for text
 // that cannot be converted.
-std::string latex_figure(const vector::Page& page, const std::vector<vector::Type>& type,
+std::string latex_figure(const vector::SheetOfPaper& page, const std::vector<vector::Type>& type,
                          const std::filesystem::path& figure, LatexGaps& gaps);
 
 }  // namespace poinsot

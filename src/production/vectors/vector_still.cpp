@@ -95,9 +95,10 @@ VectorStill vector_still(const std::filesystem::path& path, const std::string& t
                          const Drawing& drawing, const VectorChoices& choices, Record record,
                          const vector::DrawPixels& draw_pixels) {
     const double dpi = record.dpi.value_or(default_dpi);
-    vector::Page page = vector::page_of(drawing, {.pt_per_px = pt_per_inch / dpi,
-                                                  .shading = shading_named(choices.shading),
-                                                  .draw_pixels = draw_pixels});
+    vector::SheetOfPaper page =
+        vector::paper_of(drawing, {.pt_per_px = pt_per_inch / dpi,
+                                   .shading = shading_named(choices.shading),
+                                   .draw_pixels = draw_pixels});
     constexpr double um_per_pt = 1000.0 * mm_per_inch / pt_per_inch;
     VectorStill still;
     still.off_um = page.off_pt * um_per_pt;

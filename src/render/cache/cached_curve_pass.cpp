@@ -152,7 +152,9 @@ void CachedCurvePass::draw(const ViewScene& scene, const Curve& curve, const Til
     rects_.clear();
     cells_.add_rects(within, rects_);
     if (!rects_.empty())
-        pass.draw_kept(scene, curve, shown->dashes, shown->ends, *shown->layer, rects_, store);
+        pass.draw_kept(scene, curve,
+                       {.dashes = shown->dashes, .ends = shown->ends, .layer = *shown->layer},
+                       rects_, store);
 }
 
 void CachedCurvePass::mark(const ViewScene& scene, TileMask& marks) const {

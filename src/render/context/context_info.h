@@ -1,4 +1,4 @@
-// What a renderer knows of its OpenGL context.
+// Properties of an OpenGL context.
 #pragma once
 
 #include <string>

@@ -20,7 +20,7 @@ enum class ShaderCompilation { thorough, quick };
 // never selects.
 enum class Backend { automatic, osmesa, egl, gpu };
 
-// What opening a context, with Mesa's libraries, and drawing a small picture take at most.
+// The most memory for opening a context, with Mesa's libraries, and drawing a small picture.
 MemoryNeed memory_of_drawing();
 
 // Owns an off-screen OpenGL 3.3 core context, current on this thread during its lifetime.

@@ -67,14 +67,13 @@ void CurvePass::draw(const ViewScene& scene, const Curve& curve, CurveStore& sto
     glDisable(GL_DEPTH_TEST);
 }
 
-void CurvePass::draw_kept(const ViewScene& scene, const Curve& curve, const StrokeDashes& dashes,
-                          const StrokeEnds& ends, const CurveLayer& layer,
+void CurvePass::draw_kept(const ViewScene& scene, const Curve& curve, const KeptStroke& kept,
                           const std::vector<PixelRect>& rects, CurveStore& store) {
-    const Constants constants = constants_of(scene, curve, dashes, &layer);
-    layer.textures().bind();
+    const Constants constants = constants_of(scene, curve, kept.dashes, &kept.layer);
+    kept.layer.textures().bind();
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    program_for(scene, curve).draw(scene, ends, rects, constants, store);
+    program_for(scene, curve).draw(scene, kept.ends, rects, constants, store);
     glDisable(GL_DEPTH_TEST);
 }
 

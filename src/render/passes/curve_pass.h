@@ -8,12 +8,18 @@
 
 namespace poinsot {
 
+// A curve of which all but the end is cached.
+struct KeptStroke {
+    const StrokeDashes& dashes;
+    const StrokeEnds& ends;
+    const CurveLayer& layer;
+};
+
 class CurvePass {
  public:
     void draw(const ViewScene& scene, const Curve& curve, CurveStore& store);
     // Draws the end of a curve, and its cached part from a layer, on these rectangles.
-    void draw_kept(const ViewScene& scene, const Curve& curve, const StrokeDashes& dashes,
-                   const StrokeEnds& ends, const CurveLayer& layer,
+    void draw_kept(const ViewScene& scene, const Curve& curve, const KeptStroke& kept,
                    const std::vector<PixelRect>& rects, CurveStore& store);
     // Marks the tiles that the curve may touch.
     static void mark(const ViewScene& scene, const Curve& curve, CurveStore& store,

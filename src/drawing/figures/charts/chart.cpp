@@ -105,23 +105,24 @@ void ChartSheet::add_axes(const Chart& chart) {
     for (const double value : x_.ticks()) {
         const double x = x_.at(value);
         canvas_.add_line({{x, y_.first_px, 0.0}, {x, y_.last_px, 0.0}}, 0.8, grid, 0.0);
-        canvas_.add_type(tick_text(x_, value), 24.0, x, y_.first_px + 14.0 * px_, 0.5, 0.0,
+        canvas_.add_type(tick_text(x_, value), 24.0, {x, y_.first_px + 14.0 * px_}, {0.5, 0.0},
                          canvas_.theme().text);
     }
     for (const double value : y_.ticks()) {
         const double y = y_.at(value);
         canvas_.add_line({{x_.first_px, y, 0.0}, {x_.last_px, y, 0.0}}, 0.8, grid, 0.0);
-        canvas_.add_type(tick_text(y_, value), 24.0, x_.first_px - 14.0 * px_, y, 1.0, 0.5,
+        canvas_.add_type(tick_text(y_, value), 24.0, {x_.first_px - 14.0 * px_, y}, {1.0, 0.5},
                          canvas_.theme().text);
     }
     canvas_.add_line({{x_.first_px, y_.last_px, 0.0},
                       {x_.first_px, y_.first_px, 0.0},
                       {x_.last_px, y_.first_px, 0.0}},
                      1.8, canvas_.theme().text, 0.0);
-    canvas_.add_type(chart.title, 36.0, x_.first_px, 24.0 * px_, 0.0, 0.0, canvas_.theme().text);
-    canvas_.add_type(chart.y_label, 26.0, x_.first_px - 90.0 * px_, y_.last_px - 18.0 * px_, 0.0,
-                     1.0, canvas_.theme().text);
-    canvas_.add_type(chart.x_label, 26.0, x_.last_px, y_.first_px + 62.0 * px_, 1.0, 0.0,
+    canvas_.add_type(chart.title, 36.0, {x_.first_px, 24.0 * px_}, {0.0, 0.0},
+                     canvas_.theme().text);
+    canvas_.add_type(chart.y_label, 26.0, {x_.first_px - 90.0 * px_, y_.last_px - 18.0 * px_},
+                     {0.0, 1.0}, canvas_.theme().text);
+    canvas_.add_type(chart.x_label, 26.0, {x_.last_px, y_.first_px + 62.0 * px_}, {1.0, 0.0},
                      canvas_.theme().text);
 }
 

@@ -43,15 +43,15 @@ void ChartCanvas::add_dot(double x_px, double y_px, double radius_px, const Colo
     dots_.push_back(dot);
 }
 
-double ChartCanvas::add_type(const std::string& text, double size_px, double x_px, double y_px,
-                             double align_x, double align_y, const Colour& colour) {
+double ChartCanvas::add_type(const std::string& text, double size_px, const Eigen::Vector2d& at_px,
+                             const Eigen::Vector2d& align, const Colour& colour) {
     const TextBlock type =
         type_case_.set(text, {.size_px = size_px * scale_, .mode = TypeMode::text});
     if (type.mask->width == 0) return 0.0;
     Label label;
     label.mask = type.mask;
-    label.top_left_px = {std::round(x_px - align_x * type.mask->width),
-                         std::round(y_px - align_y * type.mask->height)};
+    label.top_left_px = {std::round(at_px.x() - align.x() * type.mask->width),
+                         std::round(at_px.y() - align.y() * type.mask->height)};
     label.colour = colour;
     labels_.push_back(label);
     return type.mask->width;

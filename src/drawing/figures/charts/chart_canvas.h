@@ -35,10 +35,10 @@ class ChartCanvas {
     // A disc with a rim.
     void add_dot(double x_px, double y_px, double radius_px, const Colour& colour,
                  const Colour& rim_colour, double rim_px);
-    // The point of the text's box at these shares of its width and height lies at the position.
+    // The point of the text's box at the shares `align` of its width and height lies at `at_px`.
     // Returns the width of the text.
-    double add_type(const std::string& text, double size_px, double x_px, double y_px,
-                    double align_x, double align_y, const Colour& colour);
+    double add_type(const std::string& text, double size_px, const Eigen::Vector2d& at_px,
+                    const Eigen::Vector2d& align, const Colour& colour);
     // A caption beside a point, which avoids others.
     void request_name(const std::string& name, const Eigen::Vector3d& beside,
                       const Eigen::Vector2d& away, const Colour& colour);

@@ -56,15 +56,15 @@ class SheetFrame {
             const double y = down(tick.value);
             canvas.add_line({{box_.left, y, 0.0}, {box_.right, y, 0.0}}, 0.9, theme.grid);
             if (has_y_numbers)
-                canvas.add_type(fmt::format("${}$", tick.label), number_size, box_.left - 12.0, y,
-                                1.0, 0.5, theme.text);
+                canvas.add_type(fmt::format("${}$", tick.label), number_size, {box_.left - 12.0, y},
+                                {1.0, 0.5}, theme.text);
         }
         for (const Tick& tick : x_.ticks) {
             const double x = across(tick.value);
             canvas.add_line({{x, box_.bottom, 0.0}, {x, box_.bottom + 7.0, 0.0}}, 1.8, theme.text);
             if (has_x_numbers)
-                canvas.add_type(fmt::format("${}$", tick.label), number_size, x, box_.bottom + 13.0,
-                                0.5, 0.0, theme.text);
+                canvas.add_type(fmt::format("${}$", tick.label), number_size,
+                                {x, box_.bottom + 13.0}, {0.5, 0.0}, theme.text);
         }
         canvas.add_line({{box_.left, box_.top, 0.0},
                          {box_.left, box_.bottom, 0.0},
@@ -138,8 +138,8 @@ void draw_ratio(ChartCanvas& canvas, const FlightChart& chart, int which, const 
     frame.draw(canvas, true, true);
     const Theme& theme = canvas.theme();
     canvas.add_type(axis_title(fmt::format("$I_{}/I_1$", which + 2), "", values.exponent),
-                    name_size, box.left - numbers_px + 12.0, box.top - 12.0, 0.0, 1.0, colour);
-    canvas.add_type("flight", number_size, box.right, box.bottom + 46.0, 1.0, 0.0, theme.text);
+                    name_size, {box.left - numbers_px + 12.0, box.top - 12.0}, {0.0, 1.0}, colour);
+    canvas.add_type("flight", number_size, {box.right, box.bottom + 46.0}, {1.0, 0.0}, theme.text);
     for (const double off : {-sd, 0.0, sd})
         canvas.add_line({frame.at(0.4, together + off), frame.at(n + 0.6, together + off)},
                         off == 0.0 ? 3.0 : 1.5, theme.text, off == 0.0 ? 0.0 : 7.0);
@@ -178,7 +178,8 @@ void draw_flight(ChartCanvas& canvas, const ChartedFlight& flight, const SharedA
     above.draw(canvas, false, has_y_numbers);
     below.draw(canvas, has_x_numbers, has_y_numbers);
     if (!flight.name.empty())
-        canvas.add_type(flight.name, number_size, cell.right, cell.top - 4.0, 1.0, 1.0, theme.text);
+        canvas.add_type(flight.name, number_size, {cell.right, cell.top - 4.0}, {1.0, 1.0},
+                        theme.text);
     // So many dots are still separate.
     const std::size_t most_dots = shared.is_single ? 500 : shared.is_small ? 48 : 120;
     const std::size_t stride = (flight.times_s.size() + most_dots - 1) / most_dots;
@@ -204,8 +205,8 @@ void draw_flight(ChartCanvas& canvas, const ChartedFlight& flight, const SharedA
 // The names of the components, from the right.
 void draw_legend(ChartCanvas& canvas, double right, double baseline) {
     for (std::size_t k = 3; k-- > 0;) {
-        right -= canvas.add_type(std::string(component_names[k]), name_size, right, baseline, 1.0,
-                                 0.7, chart_hues[k]) +
+        right -= canvas.add_type(std::string(component_names[k]), name_size, {right, baseline},
+                                 {1.0, 0.7}, chart_hues[k]) +
                  12.0;
         canvas.add_dot(right - 22.0, baseline, 4.6, chart_hues[k], canvas.theme().halo, 0.8);
         canvas.add_line({{right - 44.0, baseline, 0.0}, {right, baseline, 0.0}}, 2.6,
@@ -218,7 +219,7 @@ void draw_legend(ChartCanvas& canvas, double right, double baseline) {
 
 FlightSheet::FlightSheet(const FlightChart& chart, const Theme& theme, FontSource fonts)
     : canvas_(theme, std::move(fonts), static_cast<int>(sheet_px), height_of(chart), 1.0) {
-    canvas_.add_type(chart.title, title_size, side_px, 22.0, 0.0, 0.0, theme.text);
+    canvas_.add_type(chart.title, title_size, {side_px, 22.0}, {0.0, 0.0}, theme.text);
     double top = head_px;
     if (has_ratio_charts(chart)) {
         const double middle = 0.5 * sheet_px;
@@ -248,7 +249,7 @@ FlightSheet::FlightSheet(const FlightChart& chart, const Theme& theme, FontSourc
     const double width = (sheet_px - side_px - left + apart) / static_cast<double>(n_columns);
     const double height = cell_px(n);
     canvas_.add_type(axis_title("$\\boldsymbol\\omega$", "rad/s", shared.omega.exponent), name_size,
-                     side_px, top + (shared.is_single ? 26.0 : 12.0), 0.0, 0.7, theme.text);
+                     {side_px, top + (shared.is_single ? 26.0 : 12.0)}, {0.0, 0.7}, theme.text);
     // Above the numbers of the flights.
     draw_legend(canvas_, sheet_px - side_px, top + (shared.is_single ? 22.0 : 8.0));
     double bottom = top;
@@ -262,14 +263,15 @@ FlightSheet::FlightSheet(const FlightChart& chart, const Theme& theme, FontSourc
         if (!shared.is_single && row > 0) continue;
         if (column == 0 && shared.is_single)
             canvas_.add_type(axis_title("measured $-$ fitted", "rad/s", shared.residual.exponent),
-                             name_size, side_px, cell.top + 0.68 * (cell.bottom - cell.top) + 32.0,
-                             0.0, 0.6, theme.text);
+                             name_size,
+                             {side_px, cell.top + 0.68 * (cell.bottom - cell.top) + 32.0},
+                             {0.0, 0.6}, theme.text);
     }
     canvas_.add_type(shared.is_single
                          ? "$t$ / s"
                          : axis_title("time since the first row / s; below: measured $-$ fitted",
                                       "rad/s", shared.residual.exponent),
-                     name_size, sheet_px - side_px, bottom + 48.0, 1.0, 0.0, theme.text);
+                     name_size, {sheet_px - side_px, bottom + 48.0}, {1.0, 0.0}, theme.text);
 }
 
 }  // namespace poinsot

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "text/languages.h"
 
 namespace poinsot {
@@ -205,10 +205,9 @@ TextBlock set_tick_number(const Panel& panel, StageStore& store, const Tick& tic
 
 }  // namespace
 
-PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const ChartArea& region, const Axis& x,
-                     const Axis& y, std::string_view x_title, std::string_view y_title,
-                     double left_px, double right_px)
-    : area_(region), x_(x), y_(y) {
+PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const PlotLayout& layout)
+    : area_(layout.region), x_(layout.x), y_(layout.y) {
+    const auto& [region, x, y, x_title, y_title, left_px, right_px] = layout;
     const Theme& theme = panel.stage->theme;
     const double gap = 9.0 * panel.type_px;
     const double tick_px = 7.0 * panel.px;

@@ -50,16 +50,20 @@ struct ChartArea {
 // The point of a chart label's box that lies at the given position.
 enum class Anchor { left_middle, right_middle, top_centre, bottom_left, bottom_right };
 
+struct PlotLayout {
+    ChartArea region;  // of the panel
+    Axis x, y;
+    std::string x_title;  // empty: the numbers below the axis are omitted, too
+    std::string y_title;
+    double left_px = 0.0;   // width for the numbers of y, see PlotFrame::numbers_px
+    double right_px = 0.0;  // width for names at the ends of curves
+};
+
 // The frame of a chart in a panel, and the panel's camera for it.
 class PlotFrame {
  public:
-    // Lays the axes out in a region of the panel; the area that remains after numbers and titles is
-    // the chart's. `left_px`: width for the numbers of y (see numbers_px); `right_px`: width for
-    // names at the ends of curves. If the title of x is empty, the numbers below the axis are
-    // omitted, too.
-    PlotFrame(const Panel& panel, StageStore& store, const ChartArea& region, const Axis& x,
-              const Axis& y, std::string_view x_title, std::string_view y_title, double left_px,
-              double right_px);
+    // Lays the axes out; the area that remains after numbers and titles is the chart's.
+    PlotFrame(const Panel& panel, StageStore& store, const PlotLayout& layout);
 
     // Width of the numbers of an axis at the left of a frame.
     static double numbers_px(const Panel& panel, StageStore& store, const Axis& y);

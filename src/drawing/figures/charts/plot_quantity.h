@@ -24,14 +24,14 @@ using PlotValues = std::array<double, most_plot_curves>;
 struct PlotQuantity {
     std::string_view name;
     std::string_view summary;
-    Phrase title;  // of the axis: text with $formulas$
-    std::string_view unit;
-    bool stacked;    // one chart per curve, each with its own scale
-    bool decades;    // values are logarithms to base 10
-    bool from_zero;  // the axis includes 0
+    Phrase title;             // of the axis: text with $formulas$
+    std::string_view unit{};  // SI; empty: none, or the title names it
+    bool stacked = false;     // one chart per curve, each with its own scale
+    bool decades = false;     // values are logarithms to base 10
+    bool from_zero = false;   // the axis includes 0
     Quantities needs;
     bool (*possible)(const StageContext& stage);
-    std::string_view requirement;
+    std::string_view requirement{};
     std::span<const PlotCurve> curves;
     PlotValues (*values)(const StageContext& stage, const FrameInput& instant);
     bool of_measured = true;  // whether it is shown of a measured motion, too

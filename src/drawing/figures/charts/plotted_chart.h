@@ -25,12 +25,12 @@ struct EndName {
 
 struct PlottedChart {
     PlotFrame chart;
-    std::vector<PlottedCurve> curves;
-    std::vector<Curve> comparison;
-    std::vector<Curve> measured;  // of the measured motion, in stretches without gaps
-    std::vector<Label> names;
-    std::vector<Curve> leaders;   // from a curve's end to a name that was moved away from it
-    bool begins_outside = false;  // whether its range excludes the first instants
+    std::vector<PlottedCurve> curves{};
+    std::vector<Curve> comparison{};
+    std::vector<Curve> measured{};  // of the measured motion, in stretches without gaps
+    std::vector<Label> names{};
+    std::vector<Curve> leaders{};  // from a curve's end to a name that was moved away from it
+    bool begins_outside = false;   // whether its range excludes the first instants
 };
 
 // Places the names beside the ends of their curves, and moves them apart if the ends lie close.

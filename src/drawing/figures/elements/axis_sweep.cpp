@@ -8,8 +8,9 @@
 #include <utility>
 
 #include "construction/adaptive_curve.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "text/languages.h"
 
 namespace poinsot {
@@ -56,19 +57,18 @@ AxisSweep::AxisSweep(const Panel& panel, StageStore& store, const Eigen::Vector3
       half_axes_(half_axes),
       n_type_(set_label(panel, store, "\\mathbf{n}")),
       rho_type_(set_label(panel, store, "\\boldsymbol{\\rho}")) {
-    const double tolerance = panel.curve_units();
+    const auto rho_at = [&](double share) {
+        const Eigen::Vector3d n = direction_at(share);
+        return Eigen::Vector3d(n / std::sqrt(moment_about(half_axes, n)));
+    };
+    const SampledCurve sampled = sample_adaptively(
+        rho_at, {.n_pieces = 256, .tolerance = panel.curve_units(), .max_points = 200'000});
     CurveGeometry geometry;
-    double off = 0.0;
-    for (const CurveSample& sample : sample_adaptively(
-             [&](double share) {
-                 const Eigen::Vector3d n = direction_at(share);
-                 return Eigen::Vector3d(n / std::sqrt(moment_about(half_axes, n)));
-             },
-             0.0, 1.0, 256, tolerance, 200'000, &off)) {
+    for (const CurveSample& sample : sampled.samples) {
         geometry.points.push_back(sample.point);
         shares_.push_back(sample.parameter);
     }
-    trace_ = curve_of(panel, keep(panel, store, std::move(geometry), off, "the trace of ρ"),
+    trace_ = curve_of(panel, keep(panel, store, std::move(geometry), sampled.off, "the trace of ρ"),
                       panel.stage->theme.rho, 2.4);
     trace_.on_surface = first_ellipsoid;
     trace_.hidden_opacity = 0.3;
@@ -98,7 +98,7 @@ void AxisSweep::add_trace(const Eigen::Matrix3d& picture_from_principal, double 
     Arrow rho_arrow = arrow_to(panel, rho, theme.rho, 1.35);
     rho_arrow.hidden_opacity = 0.9;
     builder.view.arrows.push_back(rho_arrow);
-    wish_beside(panel, 0.62 * rho, rho, rho_type_, theme.rho, builder);
+    request_label_beside(panel, 0.62 * rho, rho, rho_type_, theme.rho, builder);
     name_shapes("radius", builder);
 }
 

@@ -14,7 +14,8 @@
 #include <vector>
 
 #include "drawing/figures/elements/elements.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
+#include "drawing/stage/label_requests.h"
 #include "numerics/smooth_step.h"
 #include "shapes/projection.h"
 #include "text/languages.h"
@@ -27,15 +28,20 @@ namespace {
 // of their hue.
 constexpr double seen_through = 0.9;
 
-// A label beside the middle part of a line, on the left in the line's direction in the picture.
-void wish_beside_line(const Panel& panel, const Eigen::Vector3d& from, const Eigen::Vector3d& to,
-                      double share, const TextBlock& type, const LineStyle& colour,
-                      ViewBuilder& builder) {
-    const Eigen::Vector2d a = project(builder.view, from).px;
-    const Eigen::Vector2d b = project(builder.view, to).px;
+// A line between two points, and the share of its length at which its label is.
+struct LabelledLine {
+    Eigen::Vector3d from = Eigen::Vector3d::Zero(), to;
+    double share = 0.5;
+};
+
+// Requests a label on the left of a line, in the line's direction in the picture.
+void request_label_beside_line(const Panel& panel, const LabelledLine& line, const TextBlock& type,
+                               const LineStyle& colour, ViewBuilder& builder) {
+    const Eigen::Vector2d a = project(builder.view, line.from).px;
+    const Eigen::Vector2d b = project(builder.view, line.to).px;
     LabelRequest request;
     request.type = type;
-    request.anchor_px = a + share * (b - a);
+    request.anchor_px = a + line.share * (b - a);
     request.away = Eigen::Vector2d((b - a).y(), -(b - a).x()) / (100.0 * panel.px);
     request.gap_px = 7.0 * panel.px;
     request.colour = colour;
@@ -49,12 +55,17 @@ Eigen::Vector3d right_of(const ViewBuilder& builder) {
     return right.normalized();
 }
 
-// The corner of a square in the right angle between two directions (unit vectors). Where it is seen
-// edge-on and would be a mere line, it fades.
-void add_right_angle(const Panel& panel, const Eigen::Vector3d& at, const Eigen::Vector3d& a,
-                     const Eigen::Vector3d& b, const LineStyle& colour, double presence,
-                     ViewBuilder& builder) {
+// A right angle between two directions, unit vectors.
+struct RightAngle {
+    Eigen::Vector3d at, a, b;
+};
+
+// Adds the corner of a square in the angle. Where it is seen edge-on and would be a mere line, it
+// fades.
+void add_right_angle(const Panel& panel, const RightAngle& angle, const LineStyle& colour,
+                     double presence, ViewBuilder& builder) {
     constexpr double side = 0.085;
+    const auto& [at, a, b] = angle;
     const Eigen::Vector3d sight = (builder.view.camera.eye - at).stableNormalized();
     const double opened = std::abs(sight.dot(a.cross(b)));
     const double opacity = presence * smooth_step((opened - 0.05) / 0.2);
@@ -148,11 +159,11 @@ Drawer make_momentum(const Panel& panel, StageStore& store) {
             here.at = picture_of(panel).foot(instant);
             here.opacity *= presence;
             // On the side where the plane is visible: away from the camera's right.
-            add_right_angle(panel, here.at, -right_of(builder), -picture_of(panel).normal,
+            add_right_angle(panel, {here.at, -right_of(builder), -picture_of(panel).normal},
                             arrow.colour, presence, builder);
             builder.view.dots.push_back(here);
         }
-        wish_at_tip(panel, arrow, type, builder);
+        request_label_at_tip(panel, arrow, type, builder);
     };
 }
 
@@ -171,8 +182,8 @@ Drawer make_omega(const Panel& panel, StageStore& store) {
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
         // The label is further along the line, away from the contact and the lines that meet there.
-        wish_beside(panel, beyond ? arrow.tip : past_contact(rho), Eigen::Vector3d::Zero(), type,
-                    arrow.colour, builder);
+        request_label_beside(panel, beyond ? arrow.tip : past_contact(rho), Eigen::Vector3d::Zero(),
+                             type, arrow.colour, builder);
         builder.requests.back().side = 1;
     };
 }
@@ -211,7 +222,7 @@ Drawer make_radius(const Panel& panel, StageStore& store) {
         Arrow arrow = arrow_to(panel, rho, colour, 1.3);
         arrow.hidden_opacity = seen_through;
         builder.view.arrows.push_back(arrow);
-        wish_beside_line(panel, Eigen::Vector3d::Zero(), rho, 0.5, type, colour, builder);
+        request_label_beside_line(panel, {.to = rho}, type, colour, builder);
     };
 }
 
@@ -238,7 +249,7 @@ Drawer make_tangent(const Panel& panel, StageStore& store) {
         const Eigen::Vector3d right = right_of(builder);
         const Eigen::Vector3d away = Eigen::Vector3d::UnitZ().cross(right);
         const Eigen::Vector3d edge = here.centre - 0.85 * plane.radius * (0.6 * right + 0.8 * away);
-        wish_beside(panel, edge, edge + right, type, panel.stage->theme.text, builder);
+        request_label_beside(panel, edge, edge + right, type, panel.stage->theme.text, builder);
     };
 }
 
@@ -256,7 +267,7 @@ Drawer make_gradient(const Panel& panel, StageStore& store) {
         add_named_arrow(panel, arrow, type, builder);
         // The right angle with the tangent plane, which it fades with.
         if (!has_tangent) return;
-        add_right_angle(panel, rho, right_of(builder), normal, arrow.colour,
+        add_right_angle(panel, {rho, right_of(builder), normal}, arrow.colour,
                         panel.stage->timeline.opacity_of("tangent", instant.film_s), builder);
     };
 }
@@ -276,8 +287,8 @@ Drawer make_projection(const Panel& panel, StageStore& store) {
         across.hidden_opacity = seen_through;
         for (const Curve& line : {along, across}) builder.view.curves.push_back(line);
         // On the side of L away from ρ.
-        wish_beside_line(panel, Eigen::Vector3d::Zero(), foot, 0.55, type, panel.stage->theme.text,
-                         builder);
+        request_label_beside_line(panel, {.to = foot, .share = 0.55}, type, panel.stage->theme.text,
+                                  builder);
         const Eigen::Vector2d to_rho =
             project(builder.view, rho).px - project(builder.view, foot).px;
         Eigen::Vector2d& away = builder.requests.back().away;
@@ -307,7 +318,7 @@ Drawer make_distance(const Panel& panel, StageStore& store) {
             arrow.hidden_opacity = seen_through;
             builder.view.arrows.push_back(arrow);
         }
-        wish_beside_line(panel, from, to, 0.5, type, colour, builder);
+        request_label_beside_line(panel, {.from = from, .to = to}, type, colour, builder);
         // Away from the ellipsoid, for both directions of the line.
         Eigen::Vector2d& away = builder.requests.back().away;
         away.x() = std::abs(away.x());
@@ -448,12 +459,12 @@ Drawer make_velocity(const Panel& panel, StageStore& store) {
             arrow.hidden_opacity = 0.8;
             builder.view.arrows.push_back(arrow);
             builder.view.dots.push_back(dot_at(panel, point, colour, 4.0));
-            if (k == named) wish_at_tip(panel, arrow, type, builder);
+            if (k == named) request_label_at_tip(panel, arrow, type, builder);
         }
         // Beyond the contact, as seen from the foot of L, and clear of the curves: at the end of a
         // leader.
-        wish_beside(panel, rho, picture.foot(instant) - 0.5 * picture.normal, rest_type, colour,
-                    builder);
+        request_label_beside(panel, rho, picture.foot(instant) - 0.5 * picture.normal, rest_type,
+                             colour, builder);
         LabelRequest& rest = builder.requests.back();
         rest.away = Eigen::Vector2d(rest.away.x() < 0.0 ? -0.85 : 0.85, 0.53);
         rest.gap_px = 44.0 * panel.px;

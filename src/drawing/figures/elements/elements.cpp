@@ -5,8 +5,9 @@
 #include <vector>
 
 #include "drawing/figures/elements/element_rows.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/overlay.h"
 #include "error/error.h"
 #include "scene/scene_error.h"
@@ -88,13 +89,13 @@ void check_element_names(const Scene& scene) {
     at_scene_key(scene, "show", [&] { check(scene.show); });
 }
 
-Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by) {
+Drawer make_shown_elements(Panel& panel, StageStore& store, PanelUses shown_in) {
     const StageContext& stage = *panel.stage;
     check_element_names(stage.scene);
     std::vector<Drawer> drawers;
     const auto make = [&] {
         for (const Element& element : elements()) {
-            if (element.taken_by != taken_by || !is_shown(stage, element.name)) continue;
+            if (element.shown_in != shown_in || !is_shown(stage, element.name)) continue;
             panel.needs = united(panel.needs, element.needs);
             panel.shows_comparison = panel.shows_comparison || element.reads_comparison;
             drawers.push_back(

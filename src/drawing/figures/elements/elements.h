@@ -19,8 +19,8 @@ struct Element {
     Quantities needs;
     // Makes what all instants share, kept in the store, and the function that draws an instant.
     Drawer (*make)(const Panel& panel, StageStore& store);
-    bool reads_comparison = false;        // whether its drawer reads FrameInput::comparison
-    TakenKeys taken_by = takes_elements;  // the panels that show it
+    bool reads_comparison = false;       // whether its drawer reads FrameInput::comparison
+    PanelUses shown_in = uses_elements;  // the panels that show it
 };
 
 std::span<const Element> elements();
@@ -35,7 +35,7 @@ void check_element_names(const Scene& scene);
 
 // Makes the drawers of the elements shown in panels that take this key, adds what they need to the
 // panel's needs, and returns one drawer for all.
-Drawer make_shown_elements(Panel& panel, StageStore& store, TakenKeys taken_by);
+Drawer make_shown_elements(Panel& panel, StageStore& store, PanelUses shown_in);
 
 // Throws InputError with the nearest name and the list.
 const Element& element_named(std::string_view name);

@@ -1,5 +1,5 @@
 // Elements of textbook figures of the body and its rates: axes, half-axes, rates of precession.
-// Rows of the table in elements.cpp; picture axes.
+// Rows of the table in element_rows.h; picture axes.
 #include "drawing/figures/elements/figure_elements.h"
 
 #include <fmt/format.h>
@@ -16,7 +16,8 @@
 #include "construction/montgomery_phase.h"
 #include "drawing/figures/elements/elements.h"
 #include "drawing/figures/elements/object_shapes.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
+#include "drawing/stage/label_requests.h"
 #include "error/error.h"
 #include "shapes/projection.h"
 #include "text/languages.h"
@@ -62,7 +63,7 @@ void add_turn_of_axes(const Panel& panel, const Eigen::Matrix3Xd& from_points,
         longest = radius;
         middle = centre + Eigen::AngleAxisd(0.5 * turn.angle(), turn.axis()) * from;
     }
-    wish_beside(panel, middle, Eigen::Vector3d::Zero(), type, colour, builder);
+    request_label_beside(panel, middle, Eigen::Vector3d::Zero(), type, colour, builder);
     builder.requests.back().gap_px = 18.0 * panel.px;
 }
 
@@ -86,8 +87,8 @@ Drawer make_turn(const Panel& panel, StageStore& store) {
             line_between(panel, Eigen::Vector3d::Zero(), turn_axis_length * axis, colour, 2.0);
         line.hidden_opacity = 0.6;
         builder.view.curves.push_back(line);
-        wish_beside(panel, turn_axis_length * axis, Eigen::Vector3d::Zero(), axis_type, colour,
-                    builder);
+        request_label_beside(panel, turn_axis_length * axis, Eigen::Vector3d::Zero(), axis_type,
+                             colour, builder);
         const Eigen::Matrix3d given =
             picture_of(panel).picture_from_body(instant).toRotationMatrix();
         constexpr double reach = 1.12;
@@ -156,8 +157,8 @@ void add_half_axes(const Panel& panel, const Eigen::Matrix3d& principal_axes,
         builder.view.dots.push_back(dot_at(panel, end, colour, 5.0));
         // The label is at the end, since beside the middle it would be too near to that of ρ, and
         // beside the line, which may continue as the arrow of the axis.
-        wish_beside(panel, end, Eigen::Vector3d::Zero(), types[static_cast<std::size_t>(i)], colour,
-                    builder);
+        request_label_beside(panel, end, Eigen::Vector3d::Zero(),
+                             types[static_cast<std::size_t>(i)], colour, builder);
         constexpr double turn_rad = 1.1;
         Eigen::Vector2d& away = builder.requests.back().away;
         away = Eigen::Rotation2Dd(turn_rad) * away;
@@ -244,8 +245,8 @@ Drawer make_body_beside(const Panel& panel, StageStore& store) {
             const Arrow arrow =
                 arrow_between(panel, middle, middle + end, panel.stage->theme.axes[i], 0.8);
             builder.view.arrows.push_back(arrow);
-            wish_beside(panel, arrow.tip, middle, types[static_cast<std::size_t>(i)], arrow.colour,
-                        builder);
+            request_label_beside(panel, arrow.tip, middle, types[static_cast<std::size_t>(i)],
+                                 arrow.colour, builder);
         }
     };
 }

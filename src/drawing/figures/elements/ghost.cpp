@@ -8,7 +8,8 @@
 #include <utility>
 
 #include "drawing/figures/elements/elements.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
+#include "drawing/stage/label_requests.h"
 #include "error/error.h"
 
 namespace poinsot {

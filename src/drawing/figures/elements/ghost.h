@@ -1,5 +1,5 @@
-// How panels show the comparison motion: the same start integrated by another method, in the
-// ghost's colour, so that its drift from the first motion is visible.
+// The comparison motion in panels: the same start integrated by another method, in the ghost's
+// colour, so that its drift from the first motion is visible.
 #pragma once
 
 #include <Eigen/Core>

@@ -4,7 +4,8 @@
 
 #include "drawing/figures/elements/element_rows.h"
 #include "drawing/figures/elements/object_shapes.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
+#include "drawing/stage/label_requests.h"
 #include "error/error.h"
 #include "mechanics/inertial_force.h"
 
@@ -78,7 +79,7 @@ Drawer make_inertial_forces(const Panel& panel, StageStore& store) {
             Arrow arrow = arrow_between(panel, attitude * tail, attitude * tip, ink, weight);
             arrow.hidden_opacity = 0.35;
             builder.view.arrows.push_back(arrow);
-            if (is_named) wish_at_tip(panel, arrow, name, builder);
+            if (is_named) request_label_at_tip(panel, arrow, name, builder);
         };
         // The names are at the arrows of the first mass, so that they do not jump.
         bool is_first = true;

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drawing/figures/elements/elements.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/possible_motions.h"
 #include "error/error.h"
 #include "measured/table_faults.h"
@@ -94,7 +94,7 @@ Drawer measured_track(const Panel& panel, StageStore& store,
         stretch.curve.hidden_opacity = behind;
         stretches.push_back(std::move(stretch));
     }
-    const bool whole = stage.options.loop_s > 0.0;  // a loop has no first instant
+    const bool whole = stage.options.repeat_s > 0.0;  // a loop has no first instant
     const Colour stage_halo = stage.theme.halo;
     return [&panel, placement, dots, stretches, ink, stage_halo, whole](const FrameInput& instant,
                                                                         ViewBuilder& builder) {

@@ -8,7 +8,7 @@
 
 #include "colour/srgb.h"
 #include "drawing/figures/elements/elements.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "mesh/flat_face.h"
 #include "mesh/solid_meshes.h"
 #include "numerics/least_turn.h"

@@ -1,5 +1,5 @@
 // Elements of the rolling: the plane, and the contact point's paths on it and on the ellipsoid.
-// Rows of the table in elements.cpp; picture axes, z along L.
+// Rows of the table in element_rows.h; picture axes, z along L.
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -9,9 +9,9 @@
 
 #include "drawing/figures/elements/construction_lines.h"
 #include "drawing/figures/elements/direction_marks.h"
-#include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/filled_annulus.h"
 #include "drawing/figures/elements/trail.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/smooth_paths.h"
 #include "numerics/smooth_step.h"
 #include "shapes/projection.h"
@@ -30,23 +30,22 @@ double plane_radius(const Panel& panel) {
 // A plane with a grid of circles about the foot of L. For a camera that turns about L, circles do
 // not move; straight lines would turn, and lines that followed the camera would contradict the
 // rolling.
-Drawer ringed(const Panel& panel, Plane plane) {
+Drawer plane_with_circles(const Panel& panel, Plane plane) {
     plane.grid_px = 0.0;
-    std::vector<Curve> rings;
+    std::vector<Curve> circles;
     for (int k = 1; k * plane.grid_spacing < plane.radius; ++k) {
         const double radius = k * plane.grid_spacing;
         const double share = (radius / plane.radius - plane.fade_from) / (1.0 - plane.fade_from);
-        Curve ring =
-            arc_about(panel, plane.centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(),
-                      radius, 2.0 * std::numbers::pi, plane.grid_colour, 1.1);
-        ring.on_plane = the_plane;
-        ring.opacity = plane.opacity * (1.0 - smooth_step(share));
-        rings.push_back(ring);
+        Curve circle =
+            arc_curve(panel, {.centre = plane.centre, .radius = radius}, plane.grid_colour, 1.1);
+        circle.on_plane = the_plane;
+        circle.opacity = plane.opacity * (1.0 - smooth_step(share));
+        circles.push_back(circle);
     }
-    return [plane, rings](const FrameInput&, ViewBuilder& builder) {
+    return [plane, circles](const FrameInput&, ViewBuilder& builder) {
         builder.view.planes.push_back(plane);
         builder.view.planes.back().opacity *= plane_presence(plane.centre, builder.view.camera);
-        builder.view.curves.insert(builder.view.curves.end(), rings.begin(), rings.end());
+        builder.view.curves.insert(builder.view.curves.end(), circles.begin(), circles.end());
     };
 }
 
@@ -62,7 +61,7 @@ Drawer make_plane(const Panel& panel, StageStore&) {
     plane.colour = panel.stage->theme.plane;
     plane.grid_colour = panel.stage->theme.grid;
     plane.opacity = panel.stage->theme.plane_opacity;
-    if (panel.stage->turns()) return ringed(panel, plane);
+    if (panel.stage->turns()) return plane_with_circles(panel, plane);
     return [&panel, plane](const FrameInput& instant, ViewBuilder& builder) {
         builder.view.planes.push_back(plane);
         Plane& shown = builder.view.planes.back();
@@ -204,12 +203,12 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
     curve.hidden_opacity = under_the_body;
     const std::vector<DirectionMarks> marks =
         marks_on(panel, store, *curve.geometry, timed.trail.first_index(), false);
-    const std::optional<RingCurve> ring = ring_of(
+    const std::optional<AnnulusCurve> filled = annulus_of(
         panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
-    return [&panel, &picture, curve, ring, trail = std::move(timed.trail), marks](
+    return [&panel, &picture, curve, filled, trail = std::move(timed.trail), marks](
                const FrameInput& instant, ViewBuilder& builder) {
-        if (ring && instant.time_s >= ring->from_s)
-            return builder.view.curves.push_back(ring->curve);
+        if (filled && instant.time_s >= filled->from_s)
+            return builder.view.curves.push_back(filled->curve);
         Curve shown = curve;
         const ShownStretch stretch = trail.at(instant.time_s);
         stretch.apply_to(shown);

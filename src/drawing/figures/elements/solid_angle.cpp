@@ -8,7 +8,7 @@
 #include "construction/montgomery_phase.h"
 #include "drawing/figures/elements/body_axes.h"
 #include "drawing/figures/elements/element_rows.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "error/error.h"
 #include "shapes/projection.h"
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
 
 namespace poinsot {
 

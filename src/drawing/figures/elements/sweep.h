@@ -8,7 +8,7 @@
 
 namespace poinsot {
 
-// What the figure has besides the ellipsoid and the tips of ω, e1, e2, e3.
+// Shapes besides the ellipsoid and the tips of ω, e1, e2, e3.
 struct SweptShapes {
     bool spin_axis = true;              // on the side away from the contact
     std::vector<Eigen::Vector3d> tips;  // of further arrows fixed in the body, principal axes

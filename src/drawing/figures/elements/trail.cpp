@@ -7,9 +7,9 @@
 #include <numbers>
 #include <utility>
 
-#include "drawing/figures/elements/filled_ring.h"
-#include "drawing/stage/marks.h"
+#include "drawing/figures/elements/filled_annulus.h"
 #include "drawing/stage/smooth_paths.h"
+#include "drawing/stage/stage_context.h"
 #include "mechanics/top/heavy_top.h"
 
 namespace poinsot {
@@ -48,9 +48,9 @@ double fading_length_s(const StageContext& stage) {
     return stage.polhode_period_s.value_or(endless);
 }
 
-// Most points of a path, and of a herpolhode that has not yet filled its ring.
+// Most points of a path, and of a herpolhode that has not yet filled its annulus.
 constexpr std::size_t most_points = 200'000;
-constexpr std::size_t most_ring_points = 1'000'000;
+constexpr std::size_t most_annulus_points = 1'000'000;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ Trail::Trail(const StageContext& stage, const std::string& kind, const TimedPath
       last_time_s_(stage.options.last_time_s),
       period_s_(period_s),
       length_s_(fading_length_s(stage)),
-      loops_(stage.options.loop_s > 0.0) {}
+      loops_(stage.options.repeat_s > 0.0) {}
 
 ShownStretch Trail::at(double time_s) const {
     // Wrapped into the period that was sampled from the film's first instant on.
@@ -92,26 +92,32 @@ ShownStretch Trail::at(double time_s) const {
 
 namespace {
 
-// Samples a path over a stretch of time, and counts what that took.
-TimedPath sampled(const StageContext& stage, const PathPoint& point, double from_s, double to_s,
-                  const Quantities& wanted, double tolerance, std::size_t most = most_points) {
+// A path to sample, and the quantities of the motion that its point needs.
+struct WantedPath {
+    const PathPoint& point;
+    Quantities wanted;
+    double tolerance = 0.0;
+    std::size_t most = most_points;
+};
+
+// Samples a path over a stretch of time, and counts its evaluations.
+TimedPath sampled(const StageContext& stage, const WantedPath& path, double from_s, double to_s) {
     const double shortest_s = feature_s(stage);
-    TimedPath path = sample_path(point, from_s, to_s, shortest_s, tolerance, most);
-    if (std::isinf(path.off) && mean_feature_s(stage) > shortest_s)
-        path = sample_path(point, from_s, to_s, mean_feature_s(stage), tolerance, most);
-    stage.motion.count(wanted, path.n_evaluations);
-    return path;
+    TimedPath timed = sample_path(path.point, from_s, to_s, shortest_s, path.tolerance, path.most);
+    if (std::isinf(timed.off) && mean_feature_s(stage) > shortest_s)
+        timed =
+            sample_path(path.point, from_s, to_s, mean_feature_s(stage), path.tolerance, path.most);
+    stage.motion.count(path.wanted, timed.n_evaluations);
+    return timed;
 }
 
 // Samples the whole stretch that is drawn or, for a periodic path, one period before the first
 // instant and one after it.
-TimedPath sampled(const StageContext& stage, const PathPoint& point, std::optional<double> period_s,
-                  const Quantities& wanted, double tolerance) {
+TimedPath sampled(const StageContext& stage, const WantedPath& path,
+                  std::optional<double> period_s) {
     const StageOptions& options = stage.options;
-    if (!period_s)
-        return sampled(stage, point, options.first_time_s, options.last_time_s, wanted, tolerance);
-    return sampled(stage, point, options.first_time_s - *period_s, options.first_time_s + *period_s,
-                   wanted, tolerance);
+    if (!period_s) return sampled(stage, path, options.first_time_s, options.last_time_s);
+    return sampled(stage, path, options.first_time_s - *period_s, options.first_time_s + *period_s);
 }
 
 // Distance of the point at the last instants from its position on the path of one period.
@@ -232,15 +238,15 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
         return timed;
     };
 
-    auto period_s = options.loop_s > 0.0 ? std::optional(options.loop_s) : std::nullopt;
-    TimedPath path = sampled(stage, point, period_s, wanted, tolerance);
+    auto period_s = options.repeat_s > 0.0 ? std::optional(options.repeat_s) : std::nullopt;
+    TimedPath path = sampled(stage, {point, wanted, tolerance}, period_s);
     if (period_s) path.off += seen_drift(stage, point, *period_s, tolerance);
     const bool is_exact = is_smooth(stage) && !stage.rolling->dissipates;
     if (period_s || path.off <= tolerance || !is_exact) return as_curve(std::move(path), period_s);
 
     // Too many turns to sample all of them. The shown part may be a short stretch,
     const auto kept = [&](double from_s, double to_s, std::size_t most = most_points) {
-        path = sampled(stage, point, from_s, to_s, wanted, tolerance, most);
+        path = sampled(stage, {point, wanted, tolerance, most}, from_s, to_s);
         return path.off <= tolerance;
     };
     const double first_shown_s = options.first_shown_s.value_or(options.first_time_s);
@@ -259,38 +265,40 @@ TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double 
     const double longest_s = 0.05 * most_points * feature_s(stage);
     period_s = retracing_s(stage, span_s, longest_s, tolerance);
     if (period_s) {
-        path = sampled(stage, point, period_s, wanted, 0.5 * tolerance);
+        path = sampled(stage, {point, wanted, 0.5 * tolerance}, period_s);
         path.off += seen_drift(stage, point, *period_s, tolerance);
         if (path.off <= tolerance) return as_curve(std::move(path), period_s);
     }
-    // or it may fill its ring.
-    const auto ring =
-        kind == "fading" ? std::nullopt : filled_ring(stage, point, tolerance, width, most_points);
-    if (!ring || !(span_s >= ring->filled_after_s)) {
-        kept(options.first_time_s, options.last_time_s, most_ring_points);
+    // or it may fill its annulus.
+    const auto annulus = kind == "fading"
+                             ? std::nullopt
+                             : filled_annulus(stage, point, tolerance, width, most_points);
+    if (!annulus || !(span_s >= annulus->filled_after_s)) {
+        kept(options.first_time_s, options.last_time_s, most_annulus_points);
         return as_curve(std::move(path), {});
     }
     const bool always = kind == "whole";
-    const double filled_s = options.first_time_s + ring->filled_after_s;
+    const double filled_s = options.first_time_s + annulus->filled_after_s;
     // A curve of one point if no instant shows it.
     const bool is_shown = !always && first_shown_s < filled_s;
-    if (!kept(options.first_time_s, is_shown ? filled_s : options.first_time_s, most_ring_points))
+    if (!kept(options.first_time_s, is_shown ? filled_s : options.first_time_s,
+              most_annulus_points))
         return as_curve(std::move(path), {});
     TimedCurve timed = as_curve(std::move(path), {});
-    timed.ring = RingFromThen{always ? -endless : filled_s, ring->points};
+    timed.annulus = AnnulusFromThen{always ? -endless : filled_s, annulus->points};
     return timed;
 }
 
-double herpolhode_width_px(const Panel& panel, double ring_px) {
+double herpolhode_width_px(const Panel& panel, double annulus_px) {
     const StageContext& stage = *panel.stage;
     const double usual_px = 4.0 * stage.theme.herpolhode_weight;
     if (!is_on_paper(stage) || stage.rolling->dissipates) return usual_px;
-    // In its ring the turns are on average this far apart.
+    // In its annulus the turns are on average this far apart.
     const double span_s =
-        std::max(stage.options.last_time_s - stage.options.first_time_s, stage.options.loop_s);
+        std::max(stage.options.last_time_s - stage.options.first_time_s, stage.options.repeat_s);
     const double rate_rad_s = stage.motion.motion().free_constants().mean_advance_rate_rad_s;
     const double n_turns = std::abs(rate_rad_s) * span_s / (2.0 * std::numbers::pi);
-    const double apart_px = ring_px / std::max(n_turns, 1.0);
+    const double apart_px = annulus_px / std::max(n_turns, 1.0);
     constexpr double share = 0.75;
     const double least_px = std::min(stage.options.least.line_px / panel.px, usual_px);
     return std::clamp(share * apart_px / panel.px, least_px, usual_px);
@@ -318,14 +326,15 @@ TimedCurve polhode_trail(const StageContext& stage, double tolerance, const Body
     const std::string& kind = stage.scene.trail.polhode;
     // By a stepped method, ω need not be periodic.
     const auto period_s = is_smooth(stage) ? stage.polhode_period_s : std::nullopt;
-    TimedPath path = sampled(stage, point, period_s, omega_alone, tolerance);
+    TimedPath path = sampled(stage, {point, omega_alone, tolerance}, period_s);
     // The whole curve is the same at all times; its last stretch is not.
     if (period_s && kind == "fading") path.off += seen_drift(stage, point, *period_s, tolerance);
     const bool may_rest = stage.rolling->polhode.kind() == Polhode::Kind::separatrix &&
                           is_smooth(stage) && !stage.rolling->dissipates;
     if (!(path.off <= tolerance) && may_rest) {
         if (const auto to_s = resting_s(stage, point, tolerance))
-            path = sampled(stage, point, stage.options.first_time_s, *to_s, omega_alone, tolerance);
+            path =
+                sampled(stage, {point, omega_alone, tolerance}, stage.options.first_time_s, *to_s);
     }
     Trail trail(stage, kind, path, period_s);
     TimedCurve timed{std::move(path.points), std::move(trail), path.off};

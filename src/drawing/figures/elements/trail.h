@@ -52,9 +52,9 @@ class Trail {
     bool loops_;  // whether the film loops: then motion precedes the first instant
 };
 
-// What is drawn instead of a curve from an instant on: the line that fills the ring, in the axes of
-// the curve's points.
-struct RingFromThen {
+// The line that fills the annulus, in the axes of the curve's points, and the instant from which it
+// replaces the curve.
+struct AnnulusFromThen {
     double from_s = 0.0;
     std::vector<Eigen::Vector3d> points;
 };
@@ -65,7 +65,7 @@ struct TimedCurve {
     Trail trail;
     double off = 0.0;      // as in TimedPath; more than the tolerance: it cannot be drawn
     SmoothMaker smooth{};  // of motions in closed form
-    std::optional<RingFromThen> ring{};
+    std::optional<AnnulusFromThen> annulus{};
 };
 
 // Draws the part of the curve that the trail shows at an instant.
@@ -74,18 +74,18 @@ Drawer traversed(Curve curve, Trail trail);
 // The path of the contact point on the plane, measured from the foot of L in the ellipsoid's
 // lengths, to a tolerance in them; in the space axes that the stage's instants are given in.
 // `width` is that of the line that will be drawn, in the same lengths: a path of too many turns is
-// a ring once such a line fills it; 0: never. Precondition, here and below: the stage has a
+// an annulus once such a line fills it; 0: never. Precondition, here and below: the stage has a
 // construction.
 TimedCurve herpolhode_trail(const StageContext& stage, double tolerance, double width = 0.0);
 
-// Width of the herpolhode's line, px at 1080 rows, where its ring has a width of `ring_px` pixels
-// in the picture. On paper the line is thin enough that its turns stay apart.
-double herpolhode_width_px(const Panel& panel, double ring_px);
+// Width of the herpolhode's line, px at 1080 rows, where its annulus has a width of `annulus_px`
+// pixels in the picture. On paper the line is thin enough that its turns stay apart.
+double herpolhode_width_px(const Panel& panel, double annulus_px);
 
 // Adds a herpolhode on a wider, pale line that keeps the plane's grid and shadow off it.
 void add_on_grid(const Panel& panel, const Curve& curve, View& view);
 
-// Where a point of the ellipsoid, in body axes and its lengths, is drawn.
+// The place in the picture of a point of the ellipsoid, which is in body axes and its lengths.
 using BodyMap = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
 // The same on the ellipsoid, in body axes; or where `map` takes it, the tolerance being there.

@@ -8,8 +8,9 @@
 #include <vector>
 
 #include "construction/timed_path.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/style/theme_roles.h"
 #include "scene/scene_error.h"
 
@@ -102,7 +103,8 @@ Drawer make_user_marks(Panel& panel, StageStore& store, const MarkPlace& place) 
             dot.hidden_opacity = 0.35;
             builder.view.dots.push_back(dot);
             if (mark.name.mask != nullptr)
-                wish_beside(panel, at, Eigen::Vector3d::Zero(), mark.name, mark.ink, builder);
+                request_label_beside(panel, at, Eigen::Vector3d::Zero(), mark.name, mark.ink,
+                                     builder);
         }
     };
     return fading(stage, store, "marks", std::move(draw));

@@ -13,9 +13,10 @@
 #include "drawing/figures/elements/measured_points.h"
 #include "drawing/figures/elements/trail.h"
 #include "drawing/figures/elements/user_marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/possible_motions.h"
 #include "drawing/stage/smooth_paths.h"
 
@@ -234,16 +235,18 @@ Drawer make_precession_circle(const Panel& panel, StageStore& store) {
         const Eigen::Vector3d centre = tip.dot(axis) * axis;
         const Eigen::Vector3d radius = tip - centre;
         const Eigen::Vector3d from = radius.stableNormalized();
-        Curve circle = arc_about(panel, centre, from, axis.cross(from), radius.norm(),
-                                 2.0 * std::numbers::pi, theme.omega, 2.2);
+        Curve circle = arc_curve(
+            panel,
+            {.centre = centre, .from = from, .towards = axis.cross(from), .radius = radius.norm()},
+            theme.omega, 2.2);
         circle.hidden_opacity = 0.5;
         builder.view.curves.push_back(circle);
         // The radius opposite to ω, where neither ω nor L covers it or its name.
         Curve spoke = line_between(panel, centre, centre - radius, theme.omega, 2.6);
         spoke.hidden_opacity = 0.8;
         builder.view.curves.push_back(spoke);
-        wish_beside(panel, centre - 0.6 * radius, 2.0 * centre - 0.6 * radius, amplitude,
-                    theme.omega, builder);
+        request_label_beside(panel, centre - 0.6 * radius, 2.0 * centre - 0.6 * radius, amplitude,
+                             theme.omega, builder);
         const double side = std::copysign(1.0, centre.dot(axis));
         const double beyond = picture.half_axes[cones.symmetry_axis] + 0.55 * axis_overhang;
         add_turn(panel,

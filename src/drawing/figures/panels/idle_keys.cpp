@@ -32,7 +32,7 @@ class UnusedKeys {
           dissipates_(std::holds_alternative<DissipationTorque>(scene.torque) ||
                       std::holds_alternative<DragTorque>(scene.torque)) {
         // Without a motion a heavy top is not known. "object", the panel of other falling bodies,
-        // takes every key that "top" takes, except trail.axis.
+        // uses every key that "top" uses, except trail.axis.
         if (scene.panels.empty()) kinds_ = {&panel_kind_named(default_panel(scene, false))};
         for (const PanelSpec& spec : scene.panels)
             if (const PanelKind* kind = find_row(panel_kinds(), spec.kind)) kinds_.push_back(kind);
@@ -58,12 +58,12 @@ class UnusedKeys {
         return std::any_of(kinds_.begin(), kinds_.end(),
                            [&holds](const PanelKind* kind) { return holds(*kind); });
     }
-    bool any(TakenKeys key) const {
-        return any_kind([key](const PanelKind& kind) { return (kind.takes & key) != 0; });
+    bool any(PanelUses key) const {
+        return any_kind([key](const PanelKind& kind) { return (kind.uses & key) != 0; });
     }
 
     bool has_inset() const {
-        return any(takes_inset) &&
+        return any(uses_inset) &&
                std::any_of(scene_.panels.begin(), scene_.panels.end(),
                            [](const PanelSpec& panel) { return !panel.inset.empty(); });
     }
@@ -73,13 +73,13 @@ class UnusedKeys {
     }
 
     void add_camera() {
-        if (any(takes_azimuth)) return;
+        if (any(uses_azimuth)) return;
         const bool any_view =
             any_kind([](const PanelKind& kind) { return kind.camera != CameraUse::none; });
         // The part of [camera] that the panels without a direction of their own use.
         CameraUse use = CameraUse::none;
         for (const PanelKind* kind : kinds_)
-            if (kind->own_direction == nullptr) use = std::max(use, kind->camera);
+            if (kind->default_view_direction == nullptr) use = std::max(use, kind->camera);
         const auto add_leaves = [this](std::initializer_list<std::string_view> leaves) {
             for (const std::string_view leaf : leaves)
                 add(fmt::format("camera.{}", leaf),
@@ -92,25 +92,25 @@ class UnusedKeys {
     }
 
     void add_names() {
-        if (!any(takes_names))
+        if (!any(uses_names))
             add("names", fmt::format("only panels {} name curves and surfaces",
-                                     panels_that_take(takes_names, "and")));
+                                     panels_that_use(uses_names, "and")));
     }
 
     void add_measured() {
-        if (!any(takes_measured))
+        if (!any(uses_measured))
             add("measured.file", fmt::format("only panels {} show a measured motion",
-                                             panels_that_take(takes_measured, "and")));
+                                             panels_that_use(uses_measured, "and")));
     }
 
     void add_trails() {
-        const bool polhode = (any(takes_elements) && shows_element(scene_, "polhode")) ||
-                             (dissipates_ && any(takes_spiral));
-        const bool herpolhode = (any(takes_elements) && shows_element(scene_, "herpolhode")) ||
-                                any(takes_herpolhode) || has_inset();
+        const bool polhode = (any(uses_elements) && shows_element(scene_, "polhode")) ||
+                             (dissipates_ && any(uses_polhode_trail));
+        const bool herpolhode = (any(uses_elements) && shows_element(scene_, "herpolhode")) ||
+                                any(uses_herpolhode) || has_inset();
         if (!polhode) add("trail.polhode", "no panel here draws the polhode as a trail");
         const bool axis =
-            any(takes_axis_path) ||
+            any(uses_axis_path) ||
             (scene_.panels.empty() && std::holds_alternative<GravityTorque>(scene_.torque));
         if (!herpolhode)
             add("trail.herpolhode",
@@ -125,11 +125,10 @@ class UnusedKeys {
             add("trail.length_s",
                 "no trail is \"fading\"; set trail.polhode, trail.herpolhode or trail.axis to "
                 "it, or leave this key out");
-        if (!any(takes_direction_marks))
-            add("trail.direction_marks",
-                fmt::format("only panels {} show direction marks",
-                            panels_that_take(takes_direction_marks, "and")));
-        if (!any(takes_elements))
+        if (!any(uses_direction_marks))
+            add("trail.direction_marks", fmt::format("only panels {} show direction marks",
+                                                     panels_that_use(uses_direction_marks, "and")));
+        if (!any(uses_elements))
             add("trail.ticks", "only panel \"space\" shows two curves that roll on each other");
     }
 
@@ -138,19 +137,19 @@ class UnusedKeys {
             if (is_overlay(name)) continue;
             const Element* element = find_row(elements(), name);
             // The stage refuses an unknown name.
-            const TakenKeys panels = element != nullptr ? element->taken_by : takes_elements;
+            const PanelUses panels = element != nullptr ? element->shown_in : uses_elements;
             if (any(panels)) continue;
             add("show",
                 fmt::format("\"{}\" is an element of panel {}; add such a panel, or leave the "
                             "element out",
-                            name, panels_that_take(panels, "or")));
+                            name, panels_that_use(panels, "or")));
             break;
         }
-        if (!any(takes_elements) && !any(takes_forces) && !any(takes_solid_angle))
+        if (!any(uses_elements) && !any(uses_forces) && !any(uses_solid_angle))
             add("page.elements",
                 "no panel here shows elements; add a panel \"space\", or leave it out");
-        const bool body = any(takes_object) || (any(takes_elements) && !scene_.show.empty() &&
-                                                shows_element(scene_, "body"));
+        const bool body = any(uses_object) || (any(uses_elements) && !scene_.show.empty() &&
+                                               shows_element(scene_, "body"));
         for (const char* key : {"object.name", "object.mesh"})
             if (!body)
                 add(key,
@@ -160,21 +159,21 @@ class UnusedKeys {
 
     void add_panels() {
         for (std::size_t i = 0; i < scene_.panels.size(); ++i) {
-            const auto only_of = [&](std::string_view leaf, TakenKeys key) {
-                if ((kinds_[i]->takes & key) == 0)
+            const auto only_of = [&](std::string_view leaf, PanelUses key) {
+                if ((kinds_[i]->uses & key) == 0)
                     add(fmt::format("panels[{}].{}", i, leaf),
                         fmt::format("only panel {} uses it, and this panel is \"{}\"",
-                                    panels_that_take(key, "and"), kinds_[i]->name));
+                                    panels_that_use(key, "and"), kinds_[i]->name));
             };
-            only_of("quantity", takes_quantity);
-            only_of("curves", takes_curves);
-            only_of("inset", takes_inset);
+            only_of("quantity", uses_quantity);
+            only_of("curves", uses_curves);
+            only_of("inset", uses_inset);
             if (scene_.panels.size() == 1 && !scene_.panels[0].title.value_or("").empty())
                 add("panels[0].title", "a single panel shows no heading; give the scene a title");
         }
         // A keyframe of all cameras whose distance or aim no panel uses.
         const auto aims = [](const PanelKind& kind) { return kind.camera == CameraUse::all; };
-        if (any_kind(aims) || any(takes_azimuth)) return;
+        if (any_kind(aims) || any(uses_azimuth)) return;
         for (std::size_t i = 0; i < scene_.keyframes.size(); ++i)
             for (const char* leaf : {"distance", "target", "look_at"})
                 if (!scene_.keyframes[i].panel)
@@ -186,17 +185,17 @@ class UnusedKeys {
 
     void add_marks() {
         const bool body_inside =
-            any(takes_elements) && !scene_.show.empty() && shows_element(scene_, "body");
+            any(uses_elements) && !scene_.show.empty() && shows_element(scene_, "body");
         for (std::size_t i = 0; i < scene_.marks.size(); ++i) {
             const std::string key = fmt::format("marks[{}]", i);
             const std::string& on = scene_.marks[i].on;
-            if (on == "ellipsoid" && !any(takes_marks_on_ellipsoid))
+            if (on == "ellipsoid" && !any(uses_marks_on_ellipsoid))
                 add(key, "no panel here shows the ellipsoid; add a panel \"space\" or \"body\"");
-            if (on == "space" && !any(takes_marks_in_space))
+            if (on == "space" && !any(uses_marks_in_space))
                 add(key, "only panel \"space\" shows marks in space; add such a panel");
-            if (on == "body" && !any(takes_marks_on_body) && !body_inside)
+            if (on == "body" && !any(uses_marks_on_body) && !body_inside)
                 add(key, "no panel here shows the body itself; add a panel \"object\"");
-            if (scene_.marks[i].trail && (on == "space" || !any(takes_mark_trails)))
+            if (scene_.marks[i].trail && (on == "space" || !any(uses_mark_trails)))
                 add(key + ".trail", "this mark does not move in the panels here");
         }
     }

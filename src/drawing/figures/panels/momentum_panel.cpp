@@ -15,9 +15,10 @@
 #include "drawing/figures/elements/elements.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/trail.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/style/theme_contrast.h"
 
@@ -62,16 +63,16 @@ std::vector<Eigen::Vector3d> tips_of_arrows(const Panel& panel) {
 // other.
 const CurveGeometry* keep_meeting_curve(const Panel& panel, StageStore& store) {
     const Polhode& polhode = panel.stage->rolling->polhode;
-    double off = 0.0;
-    const auto samples =
+    const SampledCurve sampled =
         sample_adaptively([&](double chi) { return momentum_direction(panel, polhode.at(chi)); },
-                          polhode.first_chi_rad(), polhode.last_chi_rad(), 16, panel.curve_units(),
-                          most_curve_points, &off);
+                          {.first = polhode.first_chi_rad(),
+                           .last = polhode.last_chi_rad(),
+                           .tolerance = panel.curve_units()});
     CurveGeometry geometry;
     geometry.closed = polhode.closed();
-    for (const CurveSample& sample : samples) geometry.points.push_back(sample.point);
+    for (const CurveSample& sample : sampled.samples) geometry.points.push_back(sample.point);
     if (geometry.closed) geometry.points.pop_back();
-    return keep(panel, store, std::move(geometry), off,
+    return keep(panel, store, std::move(geometry), sampled.off,
                 "the curve in which sphere and ellipsoid meet");
 }
 
@@ -164,104 +165,143 @@ double legend_rows(const Panel& panel, const std::vector<Label>& legend) {
     return in_the_way ? panel.box.y_px + panel.box.height_px - top : 0.0;
 }
 
-}  // namespace
+// The constant |L| as a sphere, and the ellipsoid of constant T. Each surface keeps its tint where
+// the other one covers it.
+constexpr std::string_view surfaces_name = "momentum-sphere";
 
-void make_momentum_panel(Panel& panel, StageStore& store) {
-    const Eigen::Vector3d half_axes = energy_half_axes(panel);
-    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
-    const Eigen::Vector3d framed_axes = half_axes.cwiseMin(longest_framed);
-    for (const Eigen::Vector3d& point :
-         points_of_ellipsoid(framed_axes.asDiagonal().toDenseMatrix())) {
-        points.push_back(point);
-    }
-    const Eigen::Vector3d axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
-    for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
-    for (const Eigen::Vector3d& tip : tips_of_arrows(panel)) points.push_back(tip);
-    const double margin = 0.6 * label_em_px(panel) + 30.0 * panel.px;
-    const std::vector<Label> legend = legend_of(panel, store);
-    // The legend is below the names of axes.
-    const double rows_px = legend_rows(panel, legend);
-    const Margins margins{margin, margin, margin + panel.header_px, margin + rows_px};
-    aim_in_principal_axes(panel, std::move(points), margins);
-
+Ellipsoid momentum_sphere(const Panel& panel) {
     Ellipsoid sphere = ellipsoid_of(panel);
     sphere.colour = panel.stage->theme.sphere;
     sphere.section_px = 0.0;
     sphere.ruling_px = 0.0;
-    // Each surface keeps its tint where the other one covers it.
     sphere.opacity = 0.6;
+    sphere.name = {surfaces_name, 0, ""};
+    return sphere;
+}
+
+Ellipsoid energy_ellipsoid(const Panel& panel, const Eigen::Vector3d& half_axes) {
     Ellipsoid energy = ellipsoid_of(panel);
     energy.opacity *= 0.6;
     energy.half_axes = half_axes.asDiagonal();
     energy.section_px = 0.8 * panel.px;
     energy.ruling_px = 0.0;
-    constexpr std::string_view element = "momentum-sphere";
-    sphere.name = {element, 0, ""};
-    energy.name = {element, 0, "ellipsoid"};
+    energy.name = {surfaces_name, 0, "ellipsoid"};
+    return energy;
+}
 
+// The curve in which the surfaces meet and on which L moves, and the other curve of intersection,
+// which this motion does not reach. None with dissipation or for a motion about a principal axis.
+std::vector<Curve> meeting_curves(const Panel& panel, StageStore& store) {
+    if (panel.stage->rolling->dissipates ||
+        panel.stage->rolling->polhode.kind() == Polhode::Kind::point)
+        return {};
+    Curve reached =
+        curve_of(panel, keep_meeting_curve(panel, store), panel.stage->theme.polhode, 4.6);
+    reached.on_surface = first_ellipsoid;
+    reached.hidden_opacity = 0.72;
+    reached.name = {surfaces_name, 0, "path"};
+    Curve other = reached;
+    other.placement.linear() = -Eigen::Matrix3d::Identity();
+    other.width_px = 1.9 * panel.px;
+    other.opacity = 0.85;
+    other.hidden_opacity = 0.16;
+    return {reached, other};
+}
+
+// Aims the camera so that the surfaces, axes and arrows are in the picture and the legend is below
+// the names of axes. `framed_axes`: the ellipsoid's half-axes, as far as they are framed.
+void aim_at_momentum(Panel& panel, const Eigen::Vector3d& framed_axes,
+                     const Eigen::Vector3d& axis_lengths, const std::vector<Label>& legend) {
+    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+    for (const Eigen::Vector3d& point :
+         points_of_ellipsoid(framed_axes.asDiagonal().toDenseMatrix()))
+        points.push_back(point);
+    for (int i = 0; i < 3; ++i) points.emplace_back(axis_lengths[i] * Eigen::Vector3d::Unit(i));
+    for (const Eigen::Vector3d& tip : tips_of_arrows(panel)) points.push_back(tip);
+    const double margin = 0.6 * label_em_px(panel) + 30.0 * panel.px;
+    const Margins margins{margin, margin, margin + panel.header_px,
+                          margin + legend_rows(panel, legend)};
+    aim_in_principal_axes(panel, std::move(points), margins);
+}
+
+// What all instants share, and the drawer of an instant.
+struct MomentumFigure {
+    const Panel* panel = nullptr;
+    std::vector<Label> legend;
+    Ellipsoid sphere, energy;
     std::vector<Curve> curves;
-    const bool dissipates = panel.stage->rolling->dissipates;
-    if (!dissipates && panel.stage->rolling->polhode.kind() != Polhode::Kind::point) {
-        Curve curve =
-            curve_of(panel, keep_meeting_curve(panel, store), panel.stage->theme.polhode, 4.6);
-        curve.on_surface = first_ellipsoid;
-        curve.hidden_opacity = 0.72;
-        curve.name = {element, 0, "path"};
-        curves.push_back(curve);
-        // The other curve of intersection, which this motion does not reach.
-        curve.placement.linear() = -Eigen::Matrix3d::Identity();
-        curve.width_px = 1.9 * panel.px;
-        curve.opacity = 0.85;
-        curve.hidden_opacity = 0.16;
-        curves.push_back(curve);
-    }
+    Eigen::Vector3d axis_lengths = Eigen::Vector3d::Ones();
+    std::array<TextBlock, 3> axis_types;
+    TextBlock momentum_type, omega_type, velocity_type;
+    Drawer comparison;
+    Drawer spiral;  // of L with dissipation; else empty
+    Drawer elements;
 
-    const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
-    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
-    const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
-    const TextBlock velocity_type =
-        set_label(panel, store, "-\\boldsymbol{\\omega}\\times\\mathbf{L}", 0.85);
-    const Drawer comparison = make_momentum_comparison(panel, store);
-    const Drawer spiral = dissipates ? make_momentum_spiral(panel, store) : Drawer();
-    const Drawer elements = make_shown_elements(panel, store, takes_solid_angle);
-    panel.draw = [&panel, spiral, elements, sphere, energy, curves, axis_lengths, axis_types,
-                  momentum_type, omega_type, velocity_type, legend,
-                  comparison](const FrameInput& instant, ViewBuilder& builder) {
-        const Theme& theme = panel.stage->theme;
+    void operator()(const FrameInput& instant, ViewBuilder& builder) const {
         builder.view.labels = legend;
         builder.view.ellipsoids = {sphere, energy};
         builder.view.curves = curves;
         if (spiral) {
             // The ellipsoid of the remaining T, in units of the remaining L.
             builder.view.ellipsoids.back().half_axes =
-                energy.half_axes * panel.stage->rolling->plane_approach(instant.state.omega_body);
+                energy.half_axes * panel->stage->rolling->plane_approach(instant.state.omega_body);
             spiral(instant, builder);
         }
-        name_shapes("momentum-sphere", builder);
+        name_shapes(surfaces_name, builder);
         elements(instant, builder);
-        add_principal_axes(panel, axis_lengths.asDiagonal(), 0.85, axis_types, builder);
+        add_principal_axes(*panel, axis_lengths.asDiagonal(), 0.85, axis_types, builder);
         name_shapes("axes", builder);
-        const PoinsotConstruction& construction = panel.stage->rolling->construction;
+        add_arrows(instant, builder);
+        comparison(instant, builder);
+        name_shapes("ghost", builder);
+    }
+
+    // ω, dL/dt in the body's axes, and L.
+    void add_arrows(const FrameInput& instant, ViewBuilder& builder) const {
+        const Theme& theme = panel->stage->theme;
+        const PoinsotConstruction& construction = panel->stage->rolling->construction;
         const Eigen::Vector3d contact = construction.contact_body(instant.state.omega_body);
-        const Eigen::Vector3d momentum = momentum_direction(panel, contact);
+        const Eigen::Vector3d momentum = momentum_direction(*panel, contact);
         const auto add_arrow = [&](Arrow arrow, const TextBlock& type, double turn_rad) {
             arrow.hidden_opacity = 0.7;
-            add_named_arrow(panel, arrow, type, builder, turn_rad);
+            add_named_arrow(*panel, arrow, type, builder, turn_rad);
         };
-        add_arrow(arrow_to(panel, omega_at(panel, contact), theme.omega, 1.15), omega_type,
+        add_arrow(arrow_to(*panel, omega_at(*panel, contact), theme.omega, 1.15), omega_type,
                   omega_label_turn_rad);
         name_shapes("omega", builder);
-        const Eigen::Vector3d velocity = velocity_at(panel, contact);
+        const Eigen::Vector3d velocity = velocity_at(*panel, contact);
         if (!velocity.isZero(1e-12)) {
-            add_arrow(arrow_between(panel, momentum, momentum + velocity, theme.potential, 1.0),
+            add_arrow(arrow_between(*panel, momentum, momentum + velocity, theme.potential, 1.0),
                       velocity_type, 0.0);
             name_shapes("velocity", builder);
         }
-        add_arrow(arrow_to(panel, momentum, theme.momentum, 1.15), momentum_type, 0.0);
+        add_arrow(arrow_to(*panel, momentum, theme.momentum, 1.15), momentum_type, 0.0);
         name_shapes("momentum", builder);
-        comparison(instant, builder);
-        name_shapes("ghost", builder);
-    };
+    }
+};
+
+}  // namespace
+
+void make_momentum_panel(Panel& panel, StageStore& store) {
+    const Eigen::Vector3d half_axes = energy_half_axes(panel);
+    const Eigen::Vector3d framed_axes = half_axes.cwiseMin(longest_framed);
+    MomentumFigure figure;
+    figure.panel = &panel;
+    figure.axis_lengths = framed_axes.cwiseMax(1.0).array() + axis_overhang;
+    figure.legend = legend_of(panel, store);
+    aim_at_momentum(panel, framed_axes, figure.axis_lengths, figure.legend);
+    figure.sphere = momentum_sphere(panel);
+    figure.energy = energy_ellipsoid(panel, half_axes);
+    figure.curves = meeting_curves(panel, store);
+    figure.axis_types = set_axis_labels(panel, store);
+    figure.momentum_type = set_label(panel, store, "\\mathbf{L}");
+    figure.omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
+    figure.velocity_type =
+        set_label(panel, store, "-\\boldsymbol{\\omega}\\times\\mathbf{L}", 0.85);
+    figure.comparison = make_momentum_comparison(panel, store);
+    if (panel.stage->rolling->dissipates) figure.spiral = make_momentum_spiral(panel, store);
+    figure.elements = make_shown_elements(panel, store, uses_solid_angle);
+    panel.draw = std::move(figure);
 }
 
 }  // namespace poinsot

@@ -15,9 +15,10 @@
 #include "drawing/figures/elements/inertial_forces.h"
 #include "drawing/figures/elements/object_shapes.h"
 #include "drawing/figures/elements/user_marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "mechanics/torque.h"
 #include "shapes/projection.h"
 
@@ -226,7 +227,7 @@ void make_object_panel(Panel& panel, StageStore& store) {
     const StageContext& stage = *panel.stage;
     const BodyShape shape = body_shape(panel, store);
     const ArrowScale arrows(stage);
-    const Drawer elements = make_shown_elements(panel, store, takes_forces);
+    const Drawer elements = make_shown_elements(panel, store, uses_forces);
 
     const TorqueScale torque_scale(stage);
     const auto margin = [&panel](double names_em) {

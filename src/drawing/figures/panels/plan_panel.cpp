@@ -13,13 +13,14 @@
 #include <vector>
 
 #include "drawing/figures/elements/direction_marks.h"
-#include "drawing/figures/elements/filled_ring.h"
+#include "drawing/figures/elements/filled_annulus.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/measured_points.h"
 #include "drawing/figures/elements/trail.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/possible_motions.h"
 
 namespace poinsot {
@@ -168,7 +169,7 @@ struct HerpolhodeCurve {
     Curve curve;
     Trail trail;
     std::optional<DirectionMarks> marks;
-    std::optional<RingCurve> ring;
+    std::optional<AnnulusCurve> annulus;
 };
 
 HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanScale& scale) {
@@ -205,15 +206,13 @@ HerpolhodeCurve herpolhode_of(const Panel& panel, StageStore& store, const PlanS
     std::optional<DirectionMarks> marks;
     if (wants_marks(panel))
         marks.emplace(panel, store, *curve.geometry, Marking{.spacing = mark_spacing});
-    std::optional<RingCurve> ring = ring_of(
+    std::optional<AnnulusCurve> annulus = annulus_of(
         panel, store, timed, curve, [&](const auto& points) { return placed_points(points); });
-    return {curve, std::move(timed.trail), std::move(marks), std::move(ring)};
+    return {curve, std::move(timed.trail), std::move(marks), std::move(annulus)};
 }
 
 Curve circle_of(const Panel& panel, double radius) {
-    Curve circle = arc_about(panel, Eigen::Vector3d::Zero(), Eigen::Vector3d::UnitX(),
-                             Eigen::Vector3d::UnitY(), radius, 2.0 * std::numbers::pi,
-                             panel.stage->theme.annulus, 2.0);
+    Curve circle = arc_curve(panel, {.radius = radius}, panel.stage->theme.annulus, 2.0);
     circle.dash_px = dash_of(panel, panel.stage->theme.annulus, 8.0);
     circle.occlusion = Occlusion::none;
     return circle;
@@ -243,8 +242,7 @@ void add_end_on(const Panel& panel, bool towards, const LineStyle& ink, ViewBuil
         curve.occlusion = Occlusion::none;
         builder.view.curves.push_back(curve);
     };
-    add(arc_about(panel, centre, Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), radius,
-                  2.0 * std::numbers::pi, ink, 2.4));
+    add(arc_curve(panel, {.centre = centre, .radius = radius}, ink, 2.4));
     if (towards) {
         Dot point = dot_at(panel, centre, ink, 2.6);
         point.occlusion = Occlusion::none;
@@ -324,8 +322,8 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         name_shapes("radius", builder);
         beside(instant, builder);
         name_shapes("drift", builder);
-        if (timed && timed->ring && instant.time_s >= timed->ring->from_s) {
-            builder.view.curves.push_back(timed->ring->curve);
+        if (timed && timed->annulus && instant.time_s >= timed->annulus->from_s) {
+            builder.view.curves.push_back(timed->annulus->curve);
         } else if (timed) {
             Curve shown = timed->curve;
             const ShownStretch stretch = timed->trail.at(instant.time_s);
@@ -335,7 +333,7 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         }
 
         // The start of the film's curve; a loop has none.
-        if (timed && !(panel.stage->options.loop_s > 0.0)) {
+        if (timed && !(panel.stage->options.repeat_s > 0.0)) {
             Dot start = dot_at(panel, timed->curve.geometry->points.front(),
                                panel.stage->theme.herpolhode, 4.5);
             start.occlusion = Occlusion::none;
@@ -348,8 +346,8 @@ void make_plan_panel(Panel& panel, StageStore& store) {
         builder.view.dots.push_back(dot);
         name_shapes("contact", builder);
         add_end_on(panel, towards, panel.stage->theme.momentum, builder);
-        wish_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
-                    panel.stage->theme.momentum, builder);
+        request_label_beside(panel, Eigen::Vector3d::Zero(), contact, momentum_type,
+                             panel.stage->theme.momentum, builder);
         name_shapes("momentum", builder);
         words(instant, builder);
     };

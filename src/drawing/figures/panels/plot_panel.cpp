@@ -14,8 +14,9 @@
 #include "drawing/figures/charts/plot_record.h"
 #include "drawing/figures/charts/plotted_chart.h"
 #include "drawing/figures/elements/ghost.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/possible_motions.h"
+#include "drawing/stage/type/scene_symbols.h"
 #include "measured/table_faults.h"
 #include "text/languages.h"
 
@@ -265,14 +266,15 @@ class PlotMaker {
             y_title += fmt::format(";  {}", phrase_in(stage.scene.language, begins_outside_note));
         const std::string x_title = place.is_lowest ? axis_title("$t$", unit.name, x.exponent) : "";
         const double names_px = widest_name_ + 16.0 * panel_->px;
-        PlottedChart plotted{PlotFrame(*panel_, *store_, place.region, x, place.y, x_title, y_title,
-                                       left_px, names_px),
-                             {},
-                             {},
-                             {},
-                             {},
-                             {},
-                             place.begins_outside};
+        PlottedChart plotted{.chart = PlotFrame(*panel_, *store_,
+                                                {.region = place.region,
+                                                 .x = x,
+                                                 .y = place.y,
+                                                 .x_title = x_title,
+                                                 .y_title = y_title,
+                                                 .left_px = left_px,
+                                                 .right_px = names_px}),
+                             .begins_outside = place.begins_outside};
         std::vector<EndName> names;
         for (std::size_t i = place.first_curve; i <= place.last_curve; ++i) {
             add_curve(plotted, i);
@@ -294,8 +296,12 @@ class PlotMaker {
         const StageContext& stage = *panel_->stage;
         const auto point = [&](double t) { return chart.at(t, record.at(t)[i]); };
         if (!quantity_->decades)
-            return sample_adaptively(point, stage.film_first_s, stage.film_last_s, n_pieces_,
-                                     stage.curve_px, 40'000);
+            return sample_adaptively(point, {.first = stage.film_first_s,
+                                             .last = stage.film_last_s,
+                                             .n_pieces = n_pieces_,
+                                             .tolerance = stage.curve_px,
+                                             .max_points = 40'000})
+                .samples;
         // Residuals are rounding noise, which cannot be sampled as a curve: one value every few
         // pixels.
         std::vector<CurveSample> values;

@@ -7,7 +7,7 @@
 
 #include "construction/adaptive_curve.h"
 #include "drawing/figures/charts/plot_frame.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "mechanics/top/heavy_top.h"
 #include "text/languages.h"
 
@@ -96,108 +96,153 @@ Well well_of(const HeavyTop& top) {
     return well;
 }
 
+// The chart of V_eff(θ) with the line of E. What all instants share, and the drawer of an instant.
+class PotentialFigure {
+ public:
+    // The panel and its motion must outlive it.
+    PotentialFigure(const Panel& panel, StageStore& store, const HeavyTop& top)
+        : panel_(&panel),
+          top_(&top),
+          well_(well_of(top)),
+          energy_J_(top.invariants().energy_J),
+          energy_type_(set_chart_type(panel, store, "E", TypeMode::math, chart_name_size)),
+          potential_type_(
+              set_chart_type(panel, store, "V_{\\mathrm{eff}}", TypeMode::math, chart_name_size)),
+          chart_(make_chart(store)) {
+        add_energy();
+        add_potential(store);
+        add_turning_points(store);
+    }
+
+    void operator()(const FrameInput& instant, ViewBuilder& builder) const {
+        const Theme& theme = panel_->stage->theme;
+        chart_.draw(builder);
+        builder.view.curves.insert(builder.view.curves.end(), lines_.begin(), lines_.end());
+        builder.view.curves.push_back(potential_);
+        builder.view.labels.insert(builder.view.labels.end(), labels_.begin(), labels_.end());
+        for (const double turn : turning_points_) {
+            builder.view.dots.push_back(
+                PlotFrame::dot(*panel_, chart_.at(turn, energy_J_), theme.energy, 5.0));
+        }
+        // The moving point on the curve; the difference to E is the energy of the nutation.
+        const double theta = instant.euler.theta_rad;
+        const Eigen::Vector3d at =
+            chart_.at(theta, std::clamp(potential_below(*top_, theta, well_.last_J), well_.first_J,
+                                        std::max(energy_J_, well_.first_J)));
+        const Eigen::Vector3d above = chart_.at(theta, energy_J_);
+        Curve kinetic = PlotFrame::line(*panel_, at, above, theme.energy, 2.4);
+        kinetic.opacity = 0.8;
+        if (kinetic.geometry != nullptr && (above - at).norm() > 0.0)
+            builder.view.curves.push_back(kinetic);
+        builder.view.dots.push_back(PlotFrame::dot(*panel_, at, theme.angles[0], 8.0));
+    }
+
+ private:
+    PlotFrame make_chart(StageStore& store) const {
+        const Panel& panel = *panel_;
+        const double margin = chart_margin * panel.px;
+        const ChartArea region{margin, 0.5 * margin, panel.box.width_px - margin,
+                               panel.box.height_px - 0.5 * margin - panel.header_px};
+        const auto n_ticks = [&](double px, double apart) {
+            return std::clamp(static_cast<int>(px / (apart * panel.type_px)), 2, 10);
+        };
+        const double theta_margin = 0.04 * (well_.last_theta - well_.first_theta);
+        const Axis x = linear_axis(std::max(0.0, well_.first_theta - theta_margin),
+                                   std::min(pi, well_.last_theta + theta_margin),
+                                   n_ticks(region.width(), 120.0));
+        const Axis y = linear_axis(well_.first_J, well_.last_J, n_ticks(region.height(), 75.0));
+        return PlotFrame(
+            panel, store,
+            {.region = region,
+             .x = x,
+             .y = y,
+             .x_title = axis_title("$\\theta$", "rad", x.exponent),
+             .y_title =
+                 axis_title(phrase_in(panel.stage->scene.language, energy_title), "J", y.exponent),
+             .left_px = PlotFrame::numbers_px(panel, store, y),
+             .right_px =
+                 std::max(energy_type_.width_px(), potential_type_.width_px()) + 16.0 * panel.px});
+    }
+
+    // The curve, clipped to the chart, and its name at its end.
+    void add_potential(StageStore& store) {
+        const Panel& panel = *panel_;
+        CurveGeometry geometry;
+        const auto point = [&](double theta) {
+            return chart_.at(theta, potential_below(*top_, theta, well_.last_J));
+        };
+        const auto end_towards = [&](double theta) {
+            return reaches(*top_, well_.theta_bottom, theta, well_.last_J);
+        };
+        const SampledCurve sampled =
+            sample_adaptively(point, {.first = end_towards(chart_.x().first),
+                                      .last = end_towards(chart_.x().last),
+                                      .n_pieces = 64,
+                                      .tolerance = panel.stage->curve_px});
+        for (const CurveSample& sample : sampled.samples) geometry.points.push_back(sample.point);
+        const Eigen::Vector3d end = geometry.points.back();
+        const LineStyle& ink = panel.stage->theme.potential;
+        potential_ = curve_of(panel, store.keep(std::move(geometry), sampled.off, "the potential"),
+                              ink, 3.6);
+        potential_.occlusion = Occlusion::none;
+        labels_.push_back(chart_label(panel, potential_type_, end.x() + 10.0 * panel.px, end.y(),
+                                      Anchor::left_middle, ink));
+    }
+
+    // The line of E with its name.
+    void add_energy() {
+        const Panel& panel = *panel_;
+        const LineStyle& ink = panel.stage->theme.energy;
+        const Axis& x = chart_.x();
+        lines_.push_back(PlotFrame::line(panel, chart_.at(x.first, energy_J_),
+                                         chart_.at(x.last, energy_J_), ink, 3.0));
+        labels_.push_back(chart_label(panel, energy_type_, chart_.area().right + 10.0 * panel.px,
+                                      chart_.at(0.0, energy_J_).y(), Anchor::left_middle, ink));
+    }
+
+    // Turning points, with lines down to the axis; steady motion has one.
+    void add_turning_points(StageStore& store) {
+        const Panel& panel = *panel_;
+        const LineStyle& ink = panel.stage->theme.angles[0];
+        const TopNutation& nutation = top_->nutation();
+        const Axis& x = chart_.x();
+        turning_points_ = {nutation.theta_min_rad};
+        if (nutation.theta_max_rad - nutation.theta_min_rad > 0.01 * (x.last - x.first))
+            turning_points_.push_back(nutation.theta_max_rad);
+        for (std::size_t i = 0; i < turning_points_.size(); ++i) {
+            const Eigen::Vector3d at = chart_.at(turning_points_[i], energy_J_);
+            Curve drop = PlotFrame::line(panel, at, {at.x(), chart_.area().bottom, 0.0}, ink, 1.8);
+            drop.dash_px = 7.0 * panel.px;
+            lines_.push_back(drop);
+            const TextBlock type = set_chart_type(panel, store,
+                                                  turning_points_.size() == 1 ? "\\theta_0"
+                                                  : i == 0                    ? "\\theta_1"
+                                                                              : "\\theta_2",
+                                                  TypeMode::math, chart_name_size);
+            labels_.push_back(chart_label(panel, type, at.x() + 8.0 * panel.px,
+                                          chart_.area().bottom + 8.0 * panel.px,
+                                          Anchor::bottom_left, ink));
+        }
+    }
+
+    const Panel* panel_;
+    const HeavyTop* top_;
+    Well well_;
+    double energy_J_;
+    TextBlock energy_type_, potential_type_;
+    PlotFrame chart_;
+    Curve potential_;
+    std::vector<Curve> lines_;
+    std::vector<Label> labels_;
+    std::vector<double> turning_points_;
+};
+
 }  // namespace
 
 void make_potential_panel(Panel& panel, StageStore& store) {
     panel.needs = {.attitude = false, .herpolhode = false, .euler_angles = true};
     aim_at_pixels(panel);
-    const HeavyTop& top = *panel.stage->motion.motion().heavy_top();
-    const Theme& theme = panel.stage->theme;
-    const Well well = well_of(top);
-    const double energy = top.invariants().energy_J;
-
-    const TextBlock energy_type =
-        set_chart_type(panel, store, "E", TypeMode::math, chart_name_size);
-    const TextBlock potential_type =
-        set_chart_type(panel, store, "V_{\\mathrm{eff}}", TypeMode::math, chart_name_size);
-    const double margin = chart_margin * panel.px;
-    const ChartArea region{margin, 0.5 * margin, panel.box.width_px - margin,
-                           panel.box.height_px - 0.5 * margin - panel.header_px};
-    const auto n_ticks = [&](double px, double apart) {
-        return std::clamp(static_cast<int>(px / (apart * panel.type_px)), 2, 10);
-    };
-    const double theta_margin = 0.04 * (well.last_theta - well.first_theta);
-    const Axis x =
-        linear_axis(std::max(0.0, well.first_theta - theta_margin),
-                    std::min(pi, well.last_theta + theta_margin), n_ticks(region.width(), 120.0));
-    const Axis y = linear_axis(well.first_J, well.last_J, n_ticks(region.height(), 75.0));
-    const PlotFrame chart(
-        panel, store, region, x, y, axis_title("$\\theta$", "rad", x.exponent),
-        axis_title(phrase_in(panel.stage->scene.language, energy_title), "J", y.exponent),
-        PlotFrame::numbers_px(panel, store, y),
-        std::max(energy_type.width_px(), potential_type.width_px()) + 16.0 * panel.px);
-
-    // The curve, clipped to the chart.
-    CurveGeometry geometry;
-    const auto point = [&](double theta) {
-        return chart.at(theta, potential_below(top, theta, well.last_J));
-    };
-    double off_px = 0.0;
-    for (const CurveSample& sample :
-         sample_adaptively(point, reaches(top, well.theta_bottom, x.first, well.last_J),
-                           reaches(top, well.theta_bottom, x.last, well.last_J), 64,
-                           panel.stage->curve_px, most_curve_points, &off_px)) {
-        geometry.points.push_back(sample.point);
-    }
-    const Eigen::Vector3d end = geometry.points.back();
-    Curve curve = curve_of(panel, store.keep(std::move(geometry), off_px, "the potential"),
-                           theme.potential, 3.6);
-    curve.occlusion = Occlusion::none;
-
-    std::vector<Curve> lines;
-    std::vector<Label> labels;
-    lines.push_back(PlotFrame::line(panel, chart.at(x.first, energy), chart.at(x.last, energy),
-                                    theme.energy, 3.0));
-    labels.push_back(chart_label(panel, energy_type, chart.area().right + 10.0 * panel.px,
-                                 chart.at(0.0, energy).y(), Anchor::left_middle, theme.energy));
-    labels.push_back(chart_label(panel, potential_type, end.x() + 10.0 * panel.px, end.y(),
-                                 Anchor::left_middle, theme.potential));
-
-    // Turning points, with lines down to the axis; steady motion has one.
-    const TopNutation& nutation = top.nutation();
-    std::vector<double> turns{nutation.theta_min_rad};
-    if (nutation.theta_max_rad - nutation.theta_min_rad > 0.01 * (x.last - x.first)) {
-        turns.push_back(nutation.theta_max_rad);
-    }
-    for (std::size_t i = 0; i < turns.size(); ++i) {
-        const Eigen::Vector3d at = chart.at(turns[i], energy);
-        Curve drop =
-            PlotFrame::line(panel, at, {at.x(), chart.area().bottom, 0.0}, theme.angles[0], 1.8);
-        drop.dash_px = 7.0 * panel.px;
-        lines.push_back(drop);
-        const TextBlock type = set_chart_type(panel, store,
-                                              turns.size() == 1 ? "\\theta_0"
-                                              : i == 0          ? "\\theta_1"
-                                                                : "\\theta_2",
-                                              TypeMode::math, chart_name_size);
-        labels.push_back(chart_label(panel, type, at.x() + 8.0 * panel.px,
-                                     chart.area().bottom + 8.0 * panel.px, Anchor::bottom_left,
-                                     theme.angles[0]));
-    }
-
-    panel.draw = [&panel, &top, chart, curve, lines, labels, turns, energy, well](
-                     const FrameInput& instant, ViewBuilder& builder) {
-        const Theme& colours = panel.stage->theme;
-        chart.draw(builder);
-        builder.view.curves.insert(builder.view.curves.end(), lines.begin(), lines.end());
-        builder.view.curves.push_back(curve);
-        builder.view.labels.insert(builder.view.labels.end(), labels.begin(), labels.end());
-        for (const double turn : turns) {
-            builder.view.dots.push_back(
-                PlotFrame::dot(panel, chart.at(turn, energy), colours.energy, 5.0));
-        }
-        // The moving point on the curve; the difference to E is the energy of the nutation.
-        const double theta = instant.euler.theta_rad;
-        const Eigen::Vector3d at =
-            chart.at(theta, std::clamp(potential_below(top, theta, well.last_J), well.first_J,
-                                       std::max(energy, well.first_J)));
-        Curve kinetic = PlotFrame::line(panel, at, chart.at(theta, energy), colours.energy, 2.4);
-        kinetic.opacity = 0.8;
-        if (kinetic.geometry != nullptr && (chart.at(theta, energy) - at).norm() > 0.0) {
-            builder.view.curves.push_back(kinetic);
-        }
-        builder.view.dots.push_back(PlotFrame::dot(panel, at, colours.angles[0], 8.0));
-    };
+    panel.draw = PotentialFigure(panel, store, *panel.stage->motion.motion().heavy_top());
 }
 
 }  // namespace poinsot

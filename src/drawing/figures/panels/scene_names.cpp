@@ -20,23 +20,23 @@ void check_scene_names(const Scene& scene, const Theme& theme, const Motion& mot
     const StageOptions at_start;
     const StageContext stage(scene, theme, motion, at_start, nullptr);
     check_element_names(scene);
-    // What the picture may show. The stage alone knows which marks and measured points it has.
+    // Names of things that the picture may show. The stage alone knows which marks and measured
+    // points it has.
     std::set<std::string, std::less<>> names{"marks", "measured"};
     const std::vector<PanelSpec> panels = panels_of(stage);
     const std::vector<const PanelKind*> kinds = kinds_of(scene, panels);
-    unsigned taken = takes_nothing;
+    unsigned used = uses_nothing;
     for (std::size_t i = 0; i < kinds.size(); ++i) {
         const PanelKind& kind = *kinds[i];
         check_possible(stage, kind);
         names.emplace(kind.name);
-        taken |= kind.takes;
-        if ((kind.takes & takes_quantity) == 0 || panels[i].quantity.empty()) continue;
+        used |= kind.uses;
+        if ((kind.uses & uses_quantity) == 0 || panels[i].quantity.empty()) continue;
         at_scene_key(scene, fmt::format("panels[{}].quantity", i),
                      [&] { plot_quantity_of(stage, panels[i].quantity); });
     }
     for (const Element& element : elements())
-        if ((taken & element.taken_by) != 0 &&
-            (scene.show.empty() || is_shown(stage, element.name)))
+        if ((used & element.shown_in) != 0 && (scene.show.empty() || is_shown(stage, element.name)))
             names.emplace(element.name);
     for (const OverlayName& overlay : overlays())
         if (is_overlay_shown(scene, overlay.name)) names.emplace(overlay.name);

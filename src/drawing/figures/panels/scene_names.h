@@ -1,4 +1,4 @@
-// Whether a scene names what its picture has, before its motion is stepped.
+// The check that a scene names only things of its picture, before its motion is stepped.
 #pragma once
 
 #include "drawing/style/theme.h"

@@ -11,9 +11,10 @@
 #include "drawing/figures/elements/object_shapes.h"
 #include "drawing/figures/elements/sweep.h"
 #include "drawing/figures/elements/user_marks.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel.h"
 #include "scene/scene_error.h"
@@ -161,7 +162,7 @@ Drawer make_marks(Panel& panel, StageStore& store) {
 void make_space_panel(Panel& panel, StageStore& store) {
     aim_along(panel);
 
-    std::vector<Drawer> drawers{make_shown_elements(panel, store, takes_elements)};
+    std::vector<Drawer> drawers{make_shown_elements(panel, store, uses_elements)};
     if (!panel.stage->scene.marks.empty())
         drawers.emplace_back(
             [marks = make_marks(panel, store)](const FrameInput& instant, ViewBuilder& builder) {

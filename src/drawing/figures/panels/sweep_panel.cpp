@@ -19,9 +19,10 @@
 #include "drawing/figures/elements/construction_lines.h"
 #include "drawing/figures/elements/figure_elements.h"
 #include "drawing/figures/elements/object_shapes.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/overlay.h"
 #include "scene/scene_error.h"
 #include "shapes/identity.h"
@@ -168,43 +169,20 @@ class EnergySweep {
     int low_ = 0, high_ = 0;
 };
 
-void make_energy_sweep(Panel& panel, StageStore& store) {
-    const bool above = panel.stage->scene.construction.plane == "above";
-    const Eigen::Vector3d normal =
-        above ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
-    const EnergySweep sweep(panel, normal);
-    const double farthest = sweep.half_axes().maxCoeff();
-
-    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
-    points.push_back((farthest + momentum_beyond_plane) * normal);
-    const double azimuth = timeline_of(panel).camera_at(0.0).azimuth_deg * pi / 180.0;
-    const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
-    for (const double side : {1.85, -1.85}) points.emplace_back(side * right);
-    // The plane at its farthest, so that nothing cuts it.
-    constexpr double least_radius = 0.95;
-    for (double turn_deg = 0.0; turn_deg < 360.0; turn_deg += 30.0)
-        points.emplace_back(farthest * normal + least_radius * direction_of(turn_deg, 0.0));
-    aim_around(panel, std::move(points), margins_of(panel).left_px);
-
+// What all instants of the sweep of the energy share, and the drawer of an instant.
+struct EnergySweepFigure {
+    const Panel* panel = nullptr;
+    EnergySweep sweep;
+    Eigen::Vector3d normal;  // of the plane, in the direction of L
     Plane plane;
-    plane.radius = radius_in_view(panel, farthest * normal, least_radius, 2.0);
-    plane.grid_spacing = 0.2;
-    plane.grid_px = 1.1 * panel.px;
-    plane.colour = panel.stage->theme.plane;
-    plane.grid_colour = panel.stage->theme.grid;
-    plane.opacity = panel.stage->theme.plane_opacity;
-    Ellipsoid ellipsoid = ellipsoid_of(panel);
-    const TextBlock momentum_type = set_label(panel, store, "\\mathbf{L}");
-    const TextBlock omega_type = set_label(panel, store, "\\boldsymbol{\\omega}");
-    const std::array<TextBlock, 3> axis_types = set_axis_labels(panel, store);
-    const LevelScale levels(panel, store);
-    panel.draw = [&panel, sweep, normal, plane, ellipsoid, momentum_type, omega_type, axis_types,
-                  levels](const FrameInput& instant, ViewBuilder& builder) {
-        const StageContext& stage = *panel.stage;
-        const Theme& theme = stage.theme;
-        const EnergyState state = sweep.at(share_at(stage, instant));
+    Ellipsoid ellipsoid;
+    TextBlock momentum_type, omega_type;
+    std::array<TextBlock, 3> axis_types;
+    LevelScale levels;
+
+    void operator()(const FrameInput& instant, ViewBuilder& builder) const {
+        const EnergyState state = sweep.at(share_at(*panel->stage, instant));
         const Eigen::Vector3d foot = state.distance * normal;
-        const Eigen::Vector3d contact = state.picture_from_principal * state.rho;
         builder.view.planes.push_back(plane);
         builder.view.planes.back().centre = foot;
         builder.view.planes.back().opacity *= plane_presence(foot, builder.view.camera);
@@ -213,54 +191,99 @@ void make_energy_sweep(Panel& panel, StageStore& store) {
         builder.view.ellipsoids.back().half_axes =
             state.picture_from_principal * sweep.half_axes().asDiagonal();
         name_shapes("ellipsoid", builder);
-
-        // The polhode of this distance, through the contact; it depends only on ω, which is along
-        // ρ.
-        const InertiaTensor principal =
-            InertiaTensor::from_principal_moments(inertia_of(panel).moments_kg_m2());
-        const Polhode polhode(principal, state.rho);
-        if (polhode.kind() != Polhode::Kind::point) {
-            const double per_rho = std::sqrt(inertia_of(panel).moments_kg_m2().minCoeff());
-            const double tolerance = panel.curve_units() / per_rho;
-            CurveGeometry& geometry = builder.view.live_curves.emplace_back();
-            geometry.id = next_identity();
-            geometry.closed = polhode.closed();
-            for (const Eigen::Vector3d& point : polhode.sampled(tolerance)) {
-                geometry.points.push_back(point * per_rho);
-            }
-            Curve curve = curve_of(panel, &geometry, theme.polhode, 4.6);
-            curve.placement.linear() = state.picture_from_principal;
-            curve.on_surface = first_ellipsoid;
-            curve.hidden_opacity = 0.72;
-            builder.view.curves.push_back(curve);
-            name_shapes("polhode", builder);
-        }
-
-        add_principal_axes(panel,
+        add_polhode(state, builder);
+        add_principal_axes(*panel,
                            state.picture_from_principal * beyond_half_axes(sweep.half_axes()), 0.85,
                            axis_types, builder, axis_label_turn_rad);
         name_shapes("axes", builder);
-        Arrow momentum = arrow_to(panel, (state.distance + momentum_beyond_plane) * normal,
+        add_vectors(state, builder);
+        levels.add_to(builder, sweep.half_axes(), foot);
+        name_shapes("levels", builder);
+    }
+
+    // The polhode of this distance, through the contact; it depends only on ω, which is along ρ.
+    void add_polhode(const EnergyState& state, ViewBuilder& builder) const {
+        const Eigen::Vector3d& moments = inertia_of(*panel).moments_kg_m2();
+        const Polhode polhode(InertiaTensor::from_principal_moments(moments), state.rho);
+        if (polhode.kind() == Polhode::Kind::point) return;
+        const double per_rho = std::sqrt(moments.minCoeff());
+        const double tolerance = panel->curve_units() / per_rho;
+        CurveGeometry& geometry = builder.view.live_curves.emplace_back();
+        geometry.id = next_identity();
+        geometry.closed = polhode.closed();
+        for (const Eigen::Vector3d& point : polhode.sampled(tolerance))
+            geometry.points.push_back(point * per_rho);
+        Curve curve = curve_of(*panel, &geometry, panel->stage->theme.polhode, 4.6);
+        curve.placement.linear() = state.picture_from_principal;
+        curve.on_surface = first_ellipsoid;
+        curve.hidden_opacity = 0.72;
+        builder.view.curves.push_back(curve);
+        name_shapes("polhode", builder);
+    }
+
+    // L, ω up to the contact and its axis beyond it, where its label is, and the contact.
+    void add_vectors(const EnergyState& state, ViewBuilder& builder) const {
+        const Theme& theme = panel->stage->theme;
+        const Eigen::Vector3d contact = state.picture_from_principal * state.rho;
+        Arrow momentum = arrow_to(*panel, (state.distance + momentum_beyond_plane) * normal,
                                   theme.momentum, 1.15);
-        Arrow omega = arrow_to(panel, contact, theme.omega, 1.15);
+        Arrow omega = arrow_to(*panel, contact, theme.omega, 1.15);
         momentum.hidden_opacity = omega.hidden_opacity = 0.9;
-        add_named_arrow(panel, momentum, momentum_type, builder);
+        add_named_arrow(*panel, momentum, momentum_type, builder);
         name_shapes("momentum", builder);
         builder.view.arrows.push_back(omega);
-        // The axis continues beyond the contact, where its label is.
-        Curve axis = line_between(panel, contact, past_contact(contact), theme.omega, 2.0);
+        Curve axis = line_between(*panel, contact, past_contact(contact), theme.omega, 2.0);
         axis.hidden_opacity = 0.6;
         builder.view.curves.push_back(axis);
-        wish_beside(panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type, theme.omega,
-                    builder);
+        request_label_beside(*panel, past_contact(contact), Eigen::Vector3d::Zero(), omega_type,
+                             theme.omega, builder);
         name_shapes("omega", builder);
-        Dot dot = dot_at(panel, contact, theme.contact);
+        Dot dot = dot_at(*panel, contact, theme.contact);
         dot.occlusion = Occlusion::none;
         builder.view.dots.push_back(dot);
         name_shapes("contact", builder);
-        levels.add_to(builder, sweep.half_axes(), foot);
-        name_shapes("levels", builder);
-    };
+    }
+};
+
+// Aims the camera at the sweep, with the plane at its farthest.
+void aim_at_energy_sweep(Panel& panel, const Eigen::Vector3d& normal, double farthest,
+                         double least_radius) {
+    std::vector<Eigen::Vector3d> points = points_of_ellipsoid(Eigen::Matrix3d::Identity());
+    points.push_back((farthest + momentum_beyond_plane) * normal);
+    const double azimuth = timeline_of(panel).camera_at(0.0).azimuth_deg * pi / 180.0;
+    const Eigen::Vector3d right(-std::sin(azimuth), std::cos(azimuth), 0.0);
+    for (const double side : {1.85, -1.85}) points.emplace_back(side * right);
+    for (double turn_deg = 0.0; turn_deg < 360.0; turn_deg += 30.0)
+        points.emplace_back(farthest * normal + least_radius * direction_of(turn_deg, 0.0));
+    aim_around(panel, std::move(points), margins_of(panel).left_px);
+}
+
+void make_energy_sweep(Panel& panel, StageStore& store) {
+    const bool above = panel.stage->scene.construction.plane == "above";
+    const Eigen::Vector3d normal =
+        above ? Eigen::Vector3d::UnitZ() : Eigen::Vector3d(-Eigen::Vector3d::UnitZ());
+    const EnergySweep sweep(panel, normal);
+    const double farthest = sweep.half_axes().maxCoeff();
+    // Of the plane, so that nothing cuts it.
+    constexpr double least_radius = 0.95;
+    aim_at_energy_sweep(panel, normal, farthest, least_radius);
+
+    Plane plane;
+    plane.radius = radius_in_view(panel, farthest * normal, least_radius, 2.0);
+    plane.grid_spacing = 0.2;
+    plane.grid_px = 1.1 * panel.px;
+    plane.colour = panel.stage->theme.plane;
+    plane.grid_colour = panel.stage->theme.grid;
+    plane.opacity = panel.stage->theme.plane_opacity;
+    panel.draw = EnergySweepFigure{.panel = &panel,
+                                   .sweep = sweep,
+                                   .normal = normal,
+                                   .plane = plane,
+                                   .ellipsoid = ellipsoid_of(panel),
+                                   .momentum_type = set_label(panel, store, "\\mathbf{L}"),
+                                   .omega_type = set_label(panel, store, "\\boldsymbol{\\omega}"),
+                                   .axis_types = set_axis_labels(panel, store),
+                                   .levels = LevelScale(panel, store)};
 }
 
 }  // namespace

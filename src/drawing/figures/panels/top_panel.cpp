@@ -14,9 +14,10 @@
 #include "construction/timed_path.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/trail.h"
+#include "drawing/stage/drawing_primitives.h"
 #include "drawing/stage/fade.h"
 #include "drawing/stage/framing.h"
-#include "drawing/stage/marks.h"
+#include "drawing/stage/label_requests.h"
 #include "drawing/stage/possible_motions.h"
 #include "drawing/style/theme_contrast.h"
 #include "mesh/solid_meshes.h"
@@ -158,8 +159,8 @@ Drawer make_ghost_axis(Panel& panel, StageStore& store) {
 // A circle of latitude on the sphere at an angle from the upward vertical.
 Curve latitude(const Panel& panel, double theta_rad, const LineStyle& colour, double width_px) {
     Curve circle =
-        arc_about(panel, {0.0, 0.0, std::cos(theta_rad)}, Eigen::Vector3d::UnitX(),
-                  Eigen::Vector3d::UnitY(), std::sin(theta_rad), 2.0 * pi, colour, width_px);
+        arc_curve(panel, {.centre = {0.0, 0.0, std::cos(theta_rad)}, .radius = std::sin(theta_rad)},
+                  colour, width_px);
     circle.on_surface = the_sphere;
     circle.hidden_opacity = far_opacity;
     return circle;
@@ -252,14 +253,19 @@ class TopDrawer {
             line_between(*panel_, -0.35 * node_length * node, node_length * node, theme.text, 2.0);
         nodes.dash_px = 7.0 * panel_->px;
         sheet_->view.curves.push_back(nodes);
-        wish_beside(*panel_, node_length * node, Eigen::Vector3d::Zero(), names.node, theme.text,
-                    *sheet_);
+        request_label_beside(*panel_, node_length * node, Eigen::Vector3d::Zero(), names.node,
+                             theme.text, *sheet_);
 
-        arc(z, leaning, theta_radius, euler_.theta_rad, theme.angles[0], names.theta);
+        add_arc(
+            {.from = z, .towards = leaning, .radius = theta_radius, .angle_rad = euler_.theta_rad},
+            theme.angles[0], names.theta);
         precession(theme.angles[1], names.phi);
         if (shows_psi)
-            arc(node, e3.cross(node), psi_radius, within_turn(euler_.psi_rad), theme.angles[2],
-                names.psi);
+            add_arc({.from = node,
+                     .towards = e3.cross(node),
+                     .radius = psi_radius,
+                     .angle_rad = within_turn(euler_.psi_rad)},
+                    theme.angles[2], names.psi);
 
         arrow(e1_length * axes_.col(0), theme.axes[0], 0.7, names.e1);
         arrow(e3, theme.axes[2], 1.0, names.e3);
@@ -269,8 +275,9 @@ class TopDrawer {
     // meaning.
     void turn(const Names& names, int vertical) {
         const Theme& theme = panel_->stage->theme;
-        arc(Eigen::Vector3d::UnitX(), Eigen::Vector3d::UnitY(), phi_radius,
-            within_turn(euler_.phi_rad + vertical * euler_.psi_rad), theme.text, names.turn);
+        add_arc({.radius = phi_radius,
+                 .angle_rad = within_turn(euler_.phi_rad + vertical * euler_.psi_rad)},
+                theme.text, names.turn);
         arrow(e1_length * axes_.col(0), theme.axes[0], 0.7, names.e1);
         arrow(axes_.col(2), theme.axes[2], 1.0, names.e3);
     }
@@ -290,56 +297,53 @@ class TopDrawer {
         sheet_->view.dots.push_back(dot_at(*panel_, mass, colour, 6.0));
         if (!is_named) return;
         // Where its upper end is, above the arc of φ; clear of the bar.
-        wish_beside(*panel_, level, mass, name, colour, *sheet_);
+        request_label_beside(*panel_, level, mass, name, colour, *sheet_);
         sheet_->requests.back().gap_px += 7.0 * panel_->px;
     }
 
     void arrow(const Eigen::Vector3d& tip, const LineStyle& colour, double weight,
                const TextBlock& name) {
         sheet_->view.arrows.push_back(arrow_to(*panel_, tip, colour, weight));
-        wish_at_tip(*panel_, sheet_->view.arrows.back(), name, *sheet_);
+        request_label_at_tip(*panel_, sheet_->view.arrows.back(), name, *sheet_);
     }
 
  private:
     // φ from x: a circle for each whole turn, and outside of them the arc of the rest, joined to
     // the last circle at x.
     void precession(const LineStyle& colour, const TextBlock& name) {
-        const Eigen::Vector3d x = Eigen::Vector3d::UnitX(), y = Eigen::Vector3d::UnitY();
+        const Eigen::Vector3d x = Eigen::Vector3d::UnitX();
         const double whole =
             std::min(std::floor(std::abs(euler_.phi_rad) / (2.0 * pi)), most_turns);
         for (int k = 0; k < static_cast<int>(whole); ++k) {
-            sheet_->view.curves.push_back(arc_about(*panel_, Eigen::Vector3d::Zero(), x, y,
-                                                    phi_radius + k * turn_spacing, 2.0 * pi, colour,
-                                                    2.2));
+            sheet_->view.curves.push_back(
+                arc_curve(*panel_, {.radius = phi_radius + k * turn_spacing}, colour, 2.2));
             sheet_->view.curves.back().hidden_opacity = 0.5;
             sheet_->view.curves.push_back(line_between(*panel_, (phi_radius + k * turn_spacing) * x,
                                                        (phi_radius + (k + 1) * turn_spacing) * x,
                                                        colour, 2.2));
         }
-        arc(x, y, phi_radius + whole * turn_spacing, std::fmod(euler_.phi_rad, 2.0 * pi), colour,
-            name, whole > 0.0);
+        add_arc({.radius = phi_radius + whole * turn_spacing,
+                 .angle_rad = std::fmod(euler_.phi_rad, 2.0 * pi)},
+                colour, name, whole > 0.0);
     }
 
     // An arc about the fixed point with its label outside of its middle; nothing if it is too short
     // to be seen as one, unless it `goes_on` from another.
-    void arc(const Eigen::Vector3d& from, const Eigen::Vector3d& towards, double radius,
-             double angle_rad, const LineStyle& colour, const TextBlock& name,
-             bool goes_on = false) {
-        const Eigen::Vector3d centre = Eigen::Vector3d::Zero();
+    void add_arc(const Arc& arc, const LineStyle& colour, const TextBlock& name,
+                 bool goes_on = false) {
         const auto at = [&](double angle) -> Eigen::Vector3d {
-            return radius * (std::cos(angle) * from + std::sin(angle) * towards);
+            return arc.radius * (std::cos(angle) * arc.from + std::sin(angle) * arc.towards);
         };
         double length_px = 0.0;
         constexpr int n = 24;
         for (int k = 0; k < n; ++k)
-            length_px += (project(sheet_->view, at(angle_rad * (k + 1) / n)).px -
-                          project(sheet_->view, at(angle_rad * k / n)).px)
+            length_px += (project(sheet_->view, at(arc.angle_rad * (k + 1) / n)).px -
+                          project(sheet_->view, at(arc.angle_rad * k / n)).px)
                              .norm();
         if (!goes_on && length_px < least_arc_px * panel_->px) return;
-        sheet_->view.curves.push_back(
-            arc_about(*panel_, centre, from, towards, radius, angle_rad, colour, 3.2));
+        sheet_->view.curves.push_back(arc_curve(*panel_, arc, colour, 3.2));
         sheet_->view.curves.back().hidden_opacity = 0.5;
-        wish_beside(*panel_, at(0.5 * angle_rad), centre, name, colour, *sheet_);
+        request_label_beside(*panel_, at(0.5 * arc.angle_rad), arc.centre, name, colour, *sheet_);
     }
 
     const Panel* panel_;
@@ -374,9 +378,9 @@ void make_top_panel(Panel& panel, StageStore& store) {
         builder.view.curves = stand.curves;
         name_shapes("unit-sphere", builder);
         for (const Arrow& arrow : stand.arrows) builder.view.arrows.push_back(arrow);
-        wish_at_tip(panel, stand.arrows[0], names.z, builder);
-        wish_at_tip(panel, stand.arrows[1], names.x, builder);
-        wish_at_tip(panel, stand.arrows[2], names.y, builder);
+        request_label_at_tip(panel, stand.arrows[0], names.z, builder);
+        request_label_at_tip(panel, stand.arrows[1], names.x, builder);
+        request_label_at_tip(panel, stand.arrows[2], names.y, builder);
         name_shapes("space-axes", builder);
         TopDrawer drawer(panel, builder, instant.euler);
         drawer.body(body, spokes, hangs);

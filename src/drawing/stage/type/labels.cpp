@@ -264,109 +264,138 @@ void add_leader_of(const LabelRequest& request, const Label& label, double befor
                presence * label.opacity, rules.segment, view);
 }
 
-}  // namespace
+// A label while it is placed.
+struct PlacedBox {
+    LabelBox box;
+    double gap_px = 0.0;  // requested distance between the named point and the label
+};
 
-std::vector<UnplacedLabel> place_labels(const std::vector<LabelRequest>& requests,
-                                        const LabelRules& rules, View& view) {
-    std::vector<UnplacedLabel> left_out;
-    const std::vector<Shaft> shafts = shafts_of(view);
-    // What labels are moved off: text that is placed already.
-    std::vector<LabelBox> fixed = rules.overlays;
-    for (const Label& label : view.labels) fixed.push_back(label_box(label));
-    std::vector<LabelBox> boxes;
-    std::vector<double> gaps;  // requested distance between the named point and the label
-    const auto shown = [&rules](double opacity) {
-        return rules.is_still ? whole_or_absent(opacity) : opacity;
-    };
-    boxes.reserve(requests.size());
-    gaps.reserve(requests.size());
-    for (const LabelRequest& request : requests) {
-        const Eigen::Vector2d half =
-            0.5 * Eigen::Vector2d(request.type.width_px(), request.type.height_px());
-        // The distance is that of an ellipse about the box: smooth in the direction. If the
-        // direction vanishes (an arrow that points at the eye), it blends into "to the right". No
-        // function of the direction alone is continuous there: the box also moves nearer to the
-        // anchor.
-        const Eigen::Vector2d leaning = request.away + Eigen::Vector2d(0.2, 0.0);
-        const double length = std::max(leaning.norm(), 1e-9);
-        const Eigen::Vector2d away = leaning / length;
-        const double reach = std::hypot(half.x() * away.x(), half.y() * away.y());
-        const double nearness = length / std::hypot(length, 0.25);
-        boxes.push_back({request.anchor_px + away * (nearness * (request.gap_px + reach)), half});
-        gaps.push_back(nearness * request.gap_px);
-        if (request.side != 0) keep_off(shafts, request, boxes.back());
-        for (const Shaft& shaft : shafts)
-            if (!(request.at && (*request.at - shaft.tip).isZero(0.0)))
-                push_off(shaft.head, shaft.opacity, 0.5, boxes.back());
-    }
+// The requested place, off the shafts and heads of arrows that the label does not name.
+PlacedBox requested_box(const LabelRequest& request, const std::vector<Shaft>& shafts) {
+    const Eigen::Vector2d half =
+        0.5 * Eigen::Vector2d(request.type.width_px(), request.type.height_px());
+    // The distance is that of an ellipse about the box: smooth in the direction. If the direction
+    // vanishes (an arrow that points at the eye), it blends into "to the right". No function of the
+    // direction alone is continuous there: the box also moves nearer to the anchor.
+    const Eigen::Vector2d leaning = request.away + Eigen::Vector2d(0.2, 0.0);
+    const double length = std::max(leaning.norm(), 1e-9);
+    const Eigen::Vector2d away = leaning / length;
+    const double reach = std::hypot(half.x() * away.x(), half.y() * away.y());
+    const double nearness = length / std::hypot(length, 0.25);
+    PlacedBox placed{{request.anchor_px + away * (nearness * (request.gap_px + reach)), half},
+                     nearness * request.gap_px};
+    if (request.side != 0) keep_off(shafts, request, placed.box);
+    for (const Shaft& shaft : shafts)
+        if (!(request.at && (*request.at - shaft.tip).isZero(0.0)))
+            push_off(shaft.head, shaft.opacity, 0.5, placed.box);
+    return placed;
+}
 
-    // Overlapping pairs are moved apart along the line between their centres; boxes are treated as
-    // ellipses.
+// Moves overlapping pairs apart along the line between their centres; boxes are treated as
+// ellipses. `weights`: the opacities of the labels. Keeps them off the text in `fixed`.
+void move_apart(const std::vector<double>& weights, const std::vector<LabelBox>& fixed,
+                std::vector<PlacedBox>& placed) {
     constexpr int n_rounds = 40;
     for (int round = 0; round < n_rounds; ++round) {
-        for (std::size_t i = 0; i < boxes.size(); ++i) {
-            for (std::size_t j = i + 1; j < boxes.size(); ++j) {
-                const Eigen::Vector2d sum = 1.25 * (boxes[i].half_px + boxes[j].half_px);
-                const Eigen::Vector2d between = boxes[j].centre_px - boxes[i].centre_px;
+        for (std::size_t i = 0; i < placed.size(); ++i) {
+            for (std::size_t j = i + 1; j < placed.size(); ++j) {
+                LabelBox &one = placed[i].box, &other = placed[j].box;
+                const Eigen::Vector2d sum = 1.25 * (one.half_px + other.half_px);
+                const Eigen::Vector2d between = other.centre_px - one.centre_px;
                 const double nearness = between.cwiseQuotient(sum).norm();
                 // NaN for two omitted labels.
                 if (!(nearness < 1.0)) continue;
                 const Eigen::Vector2d push = 0.5 * (1.0 - nearness) *
                                              between.cwiseQuotient(sum).cwiseProduct(sum) /
-                                             std::max(nearness, 1e-3) * shown(requests[i].opacity) *
-                                             shown(requests[j].opacity);
-                boxes[i].centre_px -= 0.5 * push;
-                boxes[j].centre_px += 0.5 * push;
+                                             std::max(nearness, 1e-3) * weights[i] * weights[j];
+                one.centre_px -= 0.5 * push;
+                other.centre_px += 0.5 * push;
             }
         }
-        for (LabelBox& box : boxes)
-            for (const LabelBox& obstacle : fixed) push_off(obstacle, obstacle.opacity, 1e-3, box);
+        for (PlacedBox& each : placed)
+            for (const LabelBox& obstacle : fixed)
+                push_off(obstacle, obstacle.opacity, 1e-3, each.box);
     }
+}
 
-    for (std::size_t i = 0; i < boxes.size(); ++i) {
-        if (requests[i].type.mask->width == 0) continue;
-        const double margin =
-            std::max(rules.margin_px, rules.halo_px + 2.0 * requests[i].type.mask->samples);
-        Eigen::Vector2d corner = boxes[i].centre_px - boxes[i].half_px + requests[i].offset_px;
-        const auto keep = [&](double value, double from, double size, double box) {
-            return std::max(from + margin, std::min(value, from + size - box - margin));
-        };
-        corner.x() = keep(corner.x(), view.x_px, view.width_px, 2.0 * boxes[i].half_px.x());
-        corner.y() = keep(corner.y(), view.y_px, view.height_px, 2.0 * boxes[i].half_px.y());
+// The upper left corner of a label inside the view.
+Eigen::Vector2d corner_in_view(const LabelRequest& request, const LabelBox& box,
+                               const LabelRules& rules, const View& view) {
+    const double margin =
+        std::max(rules.margin_px, rules.halo_px + 2.0 * request.type.mask->samples);
+    const Eigen::Vector2d corner = box.centre_px - box.half_px + request.offset_px;
+    const auto keep = [margin](double value, double from, double size, double extent) {
+        return std::max(from + margin, std::min(value, from + size - extent - margin));
+    };
+    return {keep(corner.x(), view.x_px, view.width_px, 2.0 * box.half_px.x()),
+            keep(corner.y(), view.y_px, view.height_px, 2.0 * box.half_px.y())};
+}
+
+// The opacity of a label at its place: of two labels that cannot be moved apart, the later one
+// fades out, and so does a label on the head of an arrow. A name may touch the head of its own
+// arrow.
+double opacity_at(const LabelBox& placed, const LabelRequest& request,
+                  const std::vector<Shaft>& shafts, const std::vector<LabelBox>& fixed) {
+    double opacity = placed.opacity;
+    for (const Shaft& shaft : shafts) {
+        const LabelBox core{shaft.head.centre_px, 0.3 * shaft.head.half_px};
+        const bool is_own = request.at && (*request.at - shaft.tip).isZero(0.0);
+        const double clearance =
+            placed.distance(core) / (0.3 * shaft.head.half_px.y()) + (is_own ? 1.0 : 0.0);
+        opacity *= 1.0 - shaft.opacity * (1.0 - smooth_step(clearance));
+    }
+    for (const LabelBox& other : fixed)
+        opacity *=
+            1.0 - other.opacity * smooth_step(-placed.distance(other) / (0.2 * placed.half_px.y()));
+    return opacity;
+}
+
+}  // namespace
+
+std::vector<UnplacedLabel> place_labels(const std::vector<LabelRequest>& requests,
+                                        const LabelRules& rules, View& view) {
+    const std::vector<Shaft> shafts = shafts_of(view);
+    // Text that is placed already, off which labels are moved.
+    std::vector<LabelBox> fixed = rules.overlays;
+    for (const Label& label : view.labels) fixed.push_back(label_box(label));
+    const auto shown = [&rules](double opacity) {
+        return rules.is_still ? whole_or_absent(opacity) : opacity;
+    };
+    std::vector<PlacedBox> placed;
+    std::vector<double> weights;
+    placed.reserve(requests.size());
+    weights.reserve(requests.size());
+    for (const LabelRequest& request : requests) {
+        placed.push_back(requested_box(request, shafts));
+        weights.push_back(shown(request.opacity));
+    }
+    move_apart(weights, fixed, placed);
+
+    std::vector<UnplacedLabel> left_out;
+    for (std::size_t i = 0; i < requests.size(); ++i) {
+        const LabelRequest& request = requests[i];
+        if (request.type.mask->width == 0) continue;
+        const LabelBox& box = placed[i].box;
+        const double present = request.opacity * nearness_to_view(request.anchor_px, view);
+        const double asked = shown(present);
         Label label;
-        label.mask = requests[i].type.mask;
-        label.top_left_px = corner;
-        label.colour = requests[i].colour;
+        label.mask = request.type.mask;
+        label.top_left_px = corner_in_view(request, box, rules, view);
+        label.colour = request.colour;
         label.halo_colour = rules.halo;
         label.halo_px = rules.halo_px;
-        label.name = requests[i].name;
-        label.at = requests[i].at;
-        const double present = requests[i].opacity * nearness_to_view(requests[i].anchor_px, view);
-        label.opacity = shown(present);
-        // What cannot be moved apart: the later label fades out.
-        const LabelBox placed{corner + boxes[i].half_px, boxes[i].half_px};
-        const double asked = label.opacity;
-        for (const Shaft& shaft : shafts) {
-            const LabelBox core{shaft.head.centre_px, 0.3 * shaft.head.half_px};
-            const bool is_own = requests[i].at && (*requests[i].at - shaft.tip).isZero(0.0);
-            // A name may touch the head of its own arrow.
-            const double clearance =
-                placed.distance(core) / (0.3 * shaft.head.half_px.y()) + (is_own ? 1.0 : 0.0);
-            label.opacity *= 1.0 - shaft.opacity * (1.0 - smooth_step(clearance));
-        }
-        for (const LabelBox& other : fixed) {
-            label.opacity *= 1.0 - other.opacity * smooth_step(-placed.distance(other) /
-                                                               (0.2 * boxes[i].half_px.y()));
-        }
-        label.opacity = shown(label.opacity);
-        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back({requests[i].name});
+        label.name = request.name;
+        label.at = request.at;
+        label.opacity = shown(opacity_at({label.top_left_px + box.half_px, box.half_px, asked},
+                                         request, shafts, fixed));
+        if (asked > 0.5 && label.opacity < 0.5) left_out.push_back({request.name});
         if (rules.is_still && present > 0.0 && !(asked > 0.0))
-            left_out.push_back({requests[i].name, false});
+            left_out.push_back({request.name, false});
         if (!(label.opacity > 0.0)) continue;
         view.labels.push_back(label);
         fixed.push_back(label_box(label));
-        if (rules.segment != nullptr && requests[i].at)
-            add_leader_of(requests[i], label, gaps[i], rules, view);
+        if (rules.segment != nullptr && request.at)
+            add_leader_of(request, label, placed[i].gap_px, rules, view);
     }
     return left_out;
 }

@@ -139,7 +139,7 @@ struct Leader {
 // `segment`: from the origin to x.
 void add_leader(const Leader& leader, double opacity, const CurveGeometry* segment, View& view);
 
-// What all labels of a view have in common.
+// Settings of all labels of a view.
 struct LabelRules {
     Colour halo;
     double halo_px = 4.0;

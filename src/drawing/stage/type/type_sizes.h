@@ -7,6 +7,9 @@
 // of a chart is larger than a name. On paper, which is read from near, names weigh less.
 #pragma once
 
+#include "drawing/stage/type/least_sizes.h"
+#include "scene/scene.h"
+
 namespace poinsot {
 
 struct TypeSizes {
@@ -24,5 +27,12 @@ inline constexpr TypeSizes paper_sizes{.title = 40.0,
                                        .vector_name = 34.0,
                                        .thing_name = 27.2,
                                        .caption = 26.0};
+
+// Size of names beside arrows on paper.
+inline constexpr double label_size = paper_sizes.vector_name;
+
+// The scale of text on paper relative to 1080 rows: that of lines, `px`, or a larger one at which a
+// name and its subscript have their least sizes.
+double paper_type_px(const Scene& scene, double px, const LeastSizes& least);
 
 }  // namespace poinsot

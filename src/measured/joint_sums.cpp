@@ -1,0 +1,112 @@
+#include "measured/joint_sums.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace poinsot {
+
+JointPlaces joint_places(const std::optional<Eigen::Vector3d>& moments, DragModel drag,
+                         bool shares_drag) {
+    JointPlaces places;
+    for (const int k : places_of(fitted_changes(moments, drag))) {
+        const bool is_shared = k < n_of_body || (shares_drag && k >= first_of_drag);
+        (is_shared ? places.shared : places.own).push_back(k);
+    }
+    return places;
+}
+
+FlightSums weighted_sums(const JointPart& part, const Flight& flight, bool shares_drag,
+                         std::vector<Eigen::Vector3d>* residuals, double correlation) {
+    FlightSums sums = flight_sums(flight, part.rows, residuals, correlation);
+    FlightChange units = FlightChange::Ones();
+    if (shares_drag) units.tail<3>().setConstant(drag_unit(part, flight.drag));
+    sums.squares *= part.weight;
+    sums.gradient = (part.weight * units.cwiseProduct(sums.gradient)).eval();
+    sums.normal = (part.weight * units.asDiagonal() * sums.normal * units.asDiagonal()).eval();
+    sums.spread = (part.weight * units.asDiagonal() * sums.spread * units.asDiagonal()).eval();
+    return sums;
+}
+
+Reduced reduced(const FlightSums& sums, const JointPlaces& places, double trust) {
+    const auto n = static_cast<Eigen::Index>(places.shared.size());
+    const auto m = static_cast<Eigen::Index>(places.own.size());
+    const auto shared = [&places](Eigen::Index i) {
+        return places.shared[static_cast<std::size_t>(i)];
+    };
+    const auto own = [&places](Eigen::Index i) { return places.own[static_cast<std::size_t>(i)]; };
+    Reduced made;
+    made.squares = sums.squares;
+    SharedSquare normal(n, n);
+    Mixed mixed(n, m);
+    OwnSquare own_normal(m, m);
+    made.gradient.resize(n);
+    made.own_gradient.resize(m);
+    for (Eigen::Index i = 0; i < n; ++i) {
+        made.gradient[i] = sums.gradient[shared(i)];
+        for (Eigen::Index k = 0; k < n; ++k) normal(i, k) = sums.normal(shared(i), shared(k));
+        for (Eigen::Index k = 0; k < m; ++k) mixed(i, k) = sums.normal(shared(i), own(k));
+    }
+    for (Eigen::Index i = 0; i < m; ++i) {
+        made.own_gradient[i] = sums.gradient[own(i)];
+        for (Eigen::Index k = 0; k < m; ++k) own_normal(i, k) = sums.normal(own(i), own(k));
+        own_normal(i, i) *= 1.0 + trust + 1e-12;
+    }
+    made.own_normal.compute(own_normal);
+    made.mixed = mixed;
+    made.normal = normal - mixed * made.own_normal.solve(Mixed(mixed).transpose());
+    made.gradient -= mixed * made.own_normal.solve(made.own_gradient);
+    return made;
+}
+
+JointMinimum minimised_together(std::vector<JointPart> parts, const JointPlaces& places,
+                                bool shares_drag) {
+    constexpr int most_steps = 60;
+    constexpr double least_gain = 1e-9, most_trust = 1e10;
+    double trust = 1e-3;
+    const auto n = static_cast<Eigen::Index>(places.shared.size());
+    for (int n_steps = 0; n_steps < most_steps; ++n_steps) {
+        std::vector<Reduced> all;
+        all.reserve(parts.size());
+        SharedSquare normal = SharedSquare::Zero(n, n);
+        Shared gradient = Shared::Zero(n);
+        double squares = 0.0;
+        for (const JointPart& part : parts) {
+            all.push_back(reduced(weighted_sums(part, part.flight, shares_drag), places, trust));
+            normal += all.back().normal;
+            gradient += all.back().gradient;
+            squares += all.back().squares;
+        }
+        normal.diagonal() *= 1.0 + trust;
+        const Shared step = normal.ldlt().solve(-gradient);
+        if (!std::isfinite(squares) || !step.allFinite()) return {parts, squares};
+        std::vector<JointPart> next = parts;
+        double there = 0.0;
+        for (std::size_t f = 0; f < parts.size(); ++f) {
+            const Own own = -all[f].own_normal.solve(
+                Own(all[f].own_gradient + all[f].mixed.transpose() * step));
+            FlightChange by = FlightChange::Zero();
+            for (std::size_t k = 0; k < places.shared.size(); ++k)
+                by[places.shared[k]] = step[static_cast<Eigen::Index>(k)];
+            if (shares_drag) by.tail<3>() *= drag_unit(parts[f], parts[f].flight.drag);
+            for (std::size_t k = 0; k < places.own.size(); ++k)
+                by[places.own[k]] = own[static_cast<Eigen::Index>(k)];
+            next[f].flight = changed(parts[f].flight, by);
+            there += flight_sums(next[f].flight, next[f].rows).squares * next[f].weight;
+        }
+        if (there < squares) {
+            const double gain = 1.0 - there / squares;
+            parts = std::move(next);
+            trust = std::max(0.1 * trust, 1e-9);
+            if (gain < least_gain) return {parts, there};
+        } else {
+            trust *= 8.0;
+            if (trust > most_trust) return {parts, squares};
+        }
+    }
+    double squares = 0.0;
+    for (const JointPart& part : parts)
+        squares += part.weight * flight_sums(part.flight, part.rows).squares;
+    return {parts, squares};
+}
+
+}  // namespace poinsot
