@@ -2,7 +2,7 @@
 // Usage: node report_in_browser.js PAGE WIDTH [PAGE WIDTH]...
 'use strict';
 const assert = require('node:assert/strict');
-const {opened_file, run_checks, until} = require('../page/browsers.js');
+const {opened_file, run_checks, until} = require('../web/browsers.js');
 
 const files = process.argv.slice(2);
 const checks = [];
