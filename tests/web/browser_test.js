@@ -131,7 +131,7 @@ check('has a button for each of these', async (browser) => {
   const box = await (await tab.$('#scrub')).boundingBox();
   await tab.mouse.click(box.x + box.width / 2, box.y + box.height / 2);
   assert.ok(Math.abs((await film_s(tab)) / (await tab.$eval('#scrub', (s) => Number(s.max))) - 0.5) < 0.05);
-  for (const id of ['previous', 'play', 'next', 'speed', 'say', 'options', 'full'])
+  for (const id of ['previous', 'play', 'next', 'speed', 'say', 'show-options', 'full'])
     assert.ok(await tab.$eval(`#${id}`, (b) => b.getAttribute('aria-label').length > 0), id);
   assert.deepEqual(faults, []);
   await tab.close();
@@ -569,7 +569,7 @@ check('fits windows, screens and zoom', async (browser) => {
       return {sharp: Math.abs(canvas.width - box.width * devicePixelRatio) <= 2, inside: document.documentElement.scrollWidth <= innerWidth,
         seen: box.width > 100 && box.height > 50 && box.bottom <= innerHeight + 1,
         hit: [...document.querySelectorAll('#bar > button')].filter((b) => b.offsetParent).every((b) => b.offsetWidth >= (innerWidth <= 440 && innerHeight < 400 ? 30 : 44) && b.getBoundingClientRect().right <= innerWidth),
-        all: ['previous', 'play', 'next', 'speed', 'say', 'options'].every((id) => document.getElementById(id).offsetParent),
+        all: ['previous', 'play', 'next', 'speed', 'say', 'show-options'].every((id) => document.getElementById(id).offsetParent),
         line: innerHeight >= 400 || document.getElementById('bar').offsetHeight <= 56, rail: document.getElementById('rail').offsetWidth >= 30};
     });
     assert.deepEqual(fits, {sharp: true, inside: true, seen: true, hit: true, all: true, line: true, rail: true}, JSON.stringify(size));
@@ -860,7 +860,7 @@ check('prints the poster', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);
   await tab.emulateMediaType('print');
-  const seen = await tab.evaluate(() => ['#poster', '#bar', 'canvas', '#panel'].map((s) => {
+  const seen = await tab.evaluate(() => ['#poster', '#bar', 'canvas', '#options'].map((s) => {
     const style = getComputedStyle(document.querySelector(s));
     return style.display !== 'none' && style.visibility === 'visible';
   }));
@@ -930,7 +930,7 @@ check('speaks the language of its scene', async (browser) => {
   await ready(tab);
   assert.equal(await tab.$eval('html', (root) => root.lang), 'de');
   await press(tab, 'o');
-  assert.equal(await tab.$eval('#options', (b) => b.getAttribute('aria-label')), 'Einstellungen');
+  assert.equal(await tab.$eval('#show-options', (b) => b.getAttribute('aria-label')), 'Einstellungen');
   assert.match(await tab.$eval('#controls legend', (l) => l.textContent), /^Winkelgeschwindigkeit ω.* \/ rad\/s$/);
   assert.match(await tab.$eval('#elements', (e) => e.textContent), /Hauptachsen/);
   assert.match(await tab.$eval('#time', (t) => t.textContent), /,/);
@@ -988,7 +988,7 @@ check('shows the focus, and says each change once it is over', async (browser) =
     assert.ok(at.ring, `the focus on ${at.id} is seen`);
     seen.add(at.id);
   }
-  for (const id of ['view', 'play', 'scrub', 'speed', 'options', 'close', 'save-png', 'copy-link']) assert.ok(seen.has(id), `Tab reaches ${id}`);
+  for (const id of ['view', 'play', 'scrub', 'speed', 'show-options', 'close', 'save-png', 'copy-link']) assert.ok(seen.has(id), `Tab reaches ${id}`);
   const said = await tab.$eval('#state', (state) => state.textContent);
   await tab.focus('#play');
   await press(tab, 'ArrowRight');

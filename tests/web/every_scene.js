@@ -31,10 +31,10 @@ function faults_of_layout() {
   const bar = document.getElementById('bar').getBoundingClientRect();
   if (canvas.bottom > bar.top + 0.5) wrong.push('the bar covers the picture');
   if (document.documentElement.scrollWidth > innerWidth) wrong.push('the page scrolls sideways');
-  for (const element of document.querySelectorAll('#bar, #time, #panel, #panel label, #panel legend, #panel button'))
+  for (const element of document.querySelectorAll('#bar, #time, #options, #options label, #options legend, #options button'))
     if (seen(element) && element.scrollWidth > element.clientWidth + 1) wrong.push(`${name_of(element)} is cut off`);
-  const panel = document.getElementById('panel').getBoundingClientRect();
-  if (panel.width > 0 && canvas.right > panel.left + 0.5 && canvas.bottom > panel.top + 0.5) wrong.push('the options cover the picture');
+  const options = document.getElementById('options').getBoundingClientRect();
+  if (options.width > 0 && canvas.right > options.left + 0.5 && canvas.bottom > options.top + 0.5) wrong.push('the options cover the picture');
   return wrong;
 }
 
@@ -79,7 +79,7 @@ async function main() {
         await tab.evaluate(() => document.body.classList.add('drawn'));
         await shot('live');
         if (name === 'phone') {
-          await tab.click('#options');
+          await tab.click('#show-options');
           await settled(tab);
           await wait(300);
           await settled(tab);

@@ -79,7 +79,7 @@ async function made(tab, values) {
   }, {...size, ...values});
   return base64 === null ? null : Buffer.from(base64, 'base64');
 }
-const said = (tab) => tab.$eval('#film-said', (field) => field.textContent);
+const said = (tab) => tab.$eval('#film-message', (field) => field.textContent);
 
 /** Makes a film and writes it into a file. */
 async function film_file(tab, name, values) {

@@ -77,7 +77,7 @@ check('needs no more memory for a longer film', async (browser) => {
       write: async ({data}) => { window.n_bytes += data.length; }, close: async () => {}, abort: async () => {},
     })});
     await the_page.films.make({...the_page.films.settings(), kind: 'webm', quality: 'reference', width: 96, height: 54, rate: 125});
-    return document.getElementById('film-said').textContent;
+    return document.getElementById('film-message').textContent;
   });
   const used = async (n_frames) => {
     await until(tab, `document.getElementById('film-done').value >= ${n_frames / 2000}`, 300000);

@@ -258,7 +258,7 @@ check('leads from New to a film of a changed scene', async (browser) => {
   await write_scene(tab, (await scene_text(tab)).replace('"My body"', '"A first film"').replace(/omega_rad_s = .*/, 'omega_rad_s = [0.1, 2.0, 0.1]')
     .replace(/duration_s = .*/, 'duration_s = 2.0'));
   await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
-  await tab.click('#options');
+  await tab.click('#show-options');
   await tab.evaluate(() => {
     window.showSaveFilePicker = undefined;
     the_page.save = async (blob, suffix) => { window.first_film = {name: `${the_page.data.name}${suffix}`, bytes: await blob.arrayBuffer()}; };
@@ -354,7 +354,7 @@ check('writes to a chosen file, and leaves nothing of a film that fails', async 
         abort: async () => { file.aborted = true; },
       })});
       await the_page.films.make({...the_page.films.settings(), width: 320, height: 180});
-      outcomes.push({...file, said: document.getElementById('film-said').textContent});
+      outcomes.push({...file, said: document.getElementById('film-message').textContent});
     }
     return outcomes;
   });

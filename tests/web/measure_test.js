@@ -154,8 +154,8 @@ with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as archive:
   const chosen = await tab.$('#measure-file');
   fs.writeFileSync(archive, zip(meta));
   await chosen.uploadFile(archive);
-  await until(tab, 'document.querySelector("#measure-said.refused")');
-  assert.match(await tab.$eval('#measure-said', (p) => p.textContent), /^phyphox.*: there is no table/);
+  await until(tab, 'document.querySelector("#measure-message.refused")');
+  assert.match(await tab.$eval('#measure-message', (p) => p.textContent), /^phyphox.*: there is no table/);
   assert.deepEqual(faults, []);
   await tab.close();
 });
@@ -207,10 +207,10 @@ check('says of a bad table what the program says', async (browser) => {
     const {status, refusal} = native_fit(file);
     assert.equal(status, 2, text);
     await drop(tab, [['bad.csv', text]]);
-    await until(tab, 'document.querySelector("#measure-said.refused")');
-    const said = await tab.$eval('#measure-said', (p) => p.textContent);
+    await until(tab, 'document.querySelector("#measure-message.refused")');
+    const said = await tab.$eval('#measure-message', (p) => p.textContent);
     assert.ok(said.length > 10 && refusal.replaceAll(`${folder}/`, '').includes(said), `"${said}" is not "${refusal}"`);
-    await tab.evaluate(() => document.getElementById('measure-said').classList.remove('refused'));
+    await tab.evaluate(() => document.getElementById('measure-message').classList.remove('refused'));
   }
   assert.equal(await scene_text(tab), before, 'the scene stays');
   assert.deepEqual(faults, []);
@@ -272,10 +272,10 @@ check('stops a recording on request, and keeps it', async (browser) => {
   await record(tab, thrown(60, 1.2));
   await until(tab, 'parseFloat(document.getElementById("measure-time").textContent) > 0.9');
   await tab.click('#record-stop');
-  await until(tab, 'document.querySelector("#measure-said.refused")');
+  await until(tab, 'document.querySelector("#measure-message.refused")');
   const file = path.join(folder, 'recording.csv');
   fs.writeFileSync(file, await saved_by(tab, 'record-save'));
-  assert.equal(native_fit(file).refusal.replaceAll(`${folder}/`, ''), await tab.$eval('#measure-said', (p) => p.textContent));
+  assert.equal(native_fit(file).refusal.replaceAll(`${folder}/`, ''), await tab.$eval('#measure-message', (p) => p.textContent));
   assert.deepEqual(faults, []);
   await tab.close();
 });
@@ -285,20 +285,20 @@ check('says what recording needs', async (browser) => {
   const none = await opened(browser);
   await none.tab.click('#measure-open');
   await none.tab.click('#record');
-  await until(none.tab, 'document.querySelector("#measure-said.refused")?.textContent.includes("https")', 10000);
+  await until(none.tab, 'document.querySelector("#measure-message.refused")?.textContent.includes("https")', 10000);
   assert.equal(await none.tab.$eval('#record', (button) => button.hidden), false, 'it can be tried again');
   await none.tab.close();
   // The viewer refuses, as iOS asks.
   const refused = await opened(browser, {before: () => { DeviceMotionEvent.requestPermission = () => Promise.resolve('denied'); }});
   await refused.tab.click('#measure-open');
   await refused.tab.click('#record');
-  await until(refused.tab, 'document.querySelector("#measure-said.refused")?.textContent.includes("may not read")');
+  await until(refused.tab, 'document.querySelector("#measure-message.refused")?.textContent.includes("may not read")');
   await refused.tab.close();
   // The page is not from https.
   const insecure = await opened(browser, {before: () => { Object.defineProperty(window, 'isSecureContext', {value: false}); }});
   await insecure.tab.click('#measure-open');
   assert.equal(await insecure.tab.$eval('#record', (button) => button.hidden), true);
-  assert.match(await insecure.tab.$eval('#measure-said', (p) => p.textContent), /https/);
+  assert.match(await insecure.tab.$eval('#measure-message', (p) => p.textContent), /https/);
   assert.deepEqual([...none.faults, ...refused.faults, ...insecure.faults], []);
   await insecure.tab.close();
 });

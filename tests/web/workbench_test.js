@@ -45,7 +45,7 @@ check('shows the scene of the text beside it', async (browser) => {
   await write_scene(tab, text.replace(/omega_rad_s = .*/, 'omega_rad_s = [0.4, 1.5, 0.7]'));
   await until(tab, 'window.poinsot.at(0).omega_body[0] === 0.4');
   // About axis 2 of three different moments it turns over, twice in a period of the polhode.
-  assert.match(await tab.$eval('#motion-said', (p) => p.textContent), /^The body turns over every [\d.]+ s\./);
+  assert.match(await tab.$eval('#motion-words', (p) => p.textContent), /^The body turns over every [\d.]+ s\./);
   assert.deepEqual(faults, []);
   await tab.close();
 });

@@ -14,7 +14,7 @@
 #include "web/host/kept_fonts.h"
 #include "web/host/web_context.h"
 #include "web/module/answers.h"
-#include "web/module/lecture.h"
+#include "web/module/live_scene.h"
 #include "web/module/page_film.h"
 
 namespace poinsot {
@@ -23,7 +23,7 @@ namespace {
 // All of the instance: a module has no other owner for it.
 struct Program {
     std::map<std::string, std::string> files;
-    std::unique_ptr<Lecture> lecture;
+    std::unique_ptr<LiveScene> scene;
     std::unique_ptr<PageFilm> film;  // while one is made
     std::optional<Renderer> renderer;
     std::vector<Camera> held;  // cameras of the panels, while they stay as they are
@@ -33,9 +33,9 @@ Program& program() {
     return it;
 }
 
-Lecture& lecture() {
-    if (!program().lecture) throw InputError("no scene is loaded; load one first");
-    return *program().lecture;
+LiveScene& scene() {
+    if (!program().scene) throw InputError("no scene is loaded; load one first");
+    return *program().scene;
 }
 
 Renderer& renderer() {
@@ -81,20 +81,20 @@ int load(const char* text, std::uint32_t text_size, const char* name, std::uint3
     return answered([&] {
         const std::vector<std::string> given = texts_at(overrides, overrides_size);
         // The scene before it stays if this one is refused.
-        auto loaded = std::make_unique<Lecture>(
-            LectureFiles{text_at(text, text_size), std::string(text_at(name, name_size)), given,
-                         program().files},
+        auto loaded = std::make_unique<LiveScene>(
+            PageScene{text_at(text, text_size), std::string(text_at(name, name_size)), given,
+                      program().files},
             kept_fonts(), CanvasSize{width_px, height_px, type_scale});
         answer() = loaded->description();
         loaded->hold(program().held);
-        program().lecture = std::move(loaded);
+        program().scene = std::move(loaded);
     });
 }
 
 POINSOT_EXPORT(resize) int resize(int width_px, int height_px, double type_scale) {
     return answered([&] {
-        lecture().resize({width_px, height_px, type_scale});
-        answer() = lecture().panels_text();
+        scene().resize({width_px, height_px, type_scale});
+        answer() = scene().panels_text();
     });
 }
 
@@ -105,7 +105,7 @@ POINSOT_EXPORT(set_views) int set_views(const double* numbers, std::uint32_t n_v
         std::vector<PanelView> views;
         for (std::uint32_t k = 0; k < n_views; ++k)
             views.push_back(panel_view(std::span(numbers + 8 * k, 8)));
-        lecture().set_views(std::move(views));
+        scene().set_views(std::move(views));
     });
 }
 
@@ -113,37 +113,37 @@ POINSOT_EXPORT(set_views) int set_views(const double* numbers, std::uint32_t n_v
 POINSOT_EXPORT(hold) int hold(double time_s, double film_s, int holds) {
     return answered([&] {
         program().held.clear();
-        if (holds != 0) program().held = lecture().cameras_at(lecture().moment_of(time_s, film_s));
-        lecture().hold(program().held);
+        if (holds != 0) program().held = scene().cameras_at(scene().moment_of(time_s, film_s));
+        scene().hold(program().held);
     });
 }
 
 // In all of these, `film_s` is the second of the film, or NaN for the first that shows the instant.
-// `beside_later_s`: as for Lecture::drawing_at.
+// `beside_later_s`: as for LiveScene::drawing_at.
 POINSOT_EXPORT(draw) int draw(double time_s, double film_s, double beside_later_s) {
     return answered([&] {
         const Drawing drawing =
-            lecture().drawing_at(lecture().moment_of(time_s, film_s), beside_later_s);
+            scene().drawing_at(scene().moment_of(time_s, film_s), beside_later_s);
         renderer().render_to(drawing, 0, ScreenAlpha::premultiplied);
     });
 }
 
 // The instant of a second of the film, and the first second that shows an instant.
-POINSOT_EXPORT(time_at) double time_at(double film_s) { return lecture().time_at(film_s); }
+POINSOT_EXPORT(time_at) double time_at(double film_s) { return scene().time_at(film_s); }
 POINSOT_EXPORT(film_second_at) double film_second_at(double time_s) {
-    return lecture().moment_of(time_s).film_s;
+    return scene().moment_of(time_s).film_s;
 }
 
 // Everything that `draw` computes before it calls OpenGL; for measurements.
 POINSOT_EXPORT(prepare) int prepare(double time_s) {
-    return answered([&] { static_cast<void>(lecture().drawing_at(lecture().moment_of(time_s))); });
+    return answered([&] { static_cast<void>(scene().drawing_at(scene().moment_of(time_s))); });
 }
 
 // The bytes of a picture, R, G, B and alpha from its top row, lie at the answer.
 POINSOT_EXPORT(pixels) int pixels(double time_s, double film_s, int width_px, int height_px) {
     return answered([&] {
         const Drawing drawing =
-            lecture().drawing_of_size(lecture().moment_of(time_s, film_s), width_px, height_px);
+            scene().drawing_of_size(scene().moment_of(time_s, film_s), width_px, height_px);
         answer() = pixels_of(renderer(), drawing);
     });
 }
@@ -157,8 +157,8 @@ int open_film(const char* text, std::uint32_t text_size, const char* name, std::
         const std::vector<std::string> given = texts_at(overrides, overrides_size);
         program().film.reset();
         program().film = std::make_unique<PageFilm>(
-            LectureFiles{text_at(text, text_size), std::string(text_at(name, name_size)), given,
-                         program().files},
+            PageScene{text_at(text, text_size), std::string(text_at(name, name_size)), given,
+                      program().files},
             kept_fonts());
         answer() = program().film->description();
     });
@@ -202,19 +202,19 @@ POINSOT_EXPORT(film_slides) int film_slides() {
 }
 
 POINSOT_EXPORT(at) int at(double time_s) {
-    return answered([&] { numbers() = lecture().digits_at(time_s); });
+    return answered([&] { numbers() = scene().digits_at(time_s); });
 }
 
 POINSOT_EXPORT(state) int state(double time_s, double film_s) {
-    return answered([&] { answer() = lecture().state_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = scene().state_at(scene().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(svg) int svg(double time_s, double film_s) {
-    return answered([&] { answer() = lecture().svg_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = scene().svg_at(scene().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(grips) int grips(double time_s, double film_s) {
-    return answered([&] { answer() = lecture().grips_at(lecture().moment_of(time_s, film_s)); });
+    return answered([&] { answer() = scene().grips_at(scene().moment_of(time_s, film_s)); });
 }
 
 POINSOT_EXPORT(omega_at)
@@ -222,7 +222,7 @@ int omega_at(double time_s, double film_s, int panel, double x_px, double y_px) 
     return answered([&] {
         numbers().clear();
         if (const auto omega =
-                lecture().omega_under(lecture().moment_of(time_s, film_s), panel, {x_px, y_px}))
+                scene().omega_under(scene().moment_of(time_s, film_s), panel, {x_px, y_px}))
             numbers().assign(omega->begin(), omega->end());
     });
 }
@@ -231,11 +231,11 @@ POINSOT_EXPORT(start_at)
 int start_at(double time_s, double film_s, int panel, int thing, double x_px, double y_px) {
     return answered([&] {
         numbers().clear();
-        const FilmTime moment = lecture().moment_of(time_s, film_s);
+        const FilmTime moment = scene().moment_of(time_s, film_s);
         const Eigen::Vector2d px(x_px, y_px);
-        const auto omega = thing == 0 ? lecture().omega_under(moment, panel, px)
-                                      : lecture().omega_of_plane_at(moment, panel, px);
-        const auto start = lecture().start_with(moment, omega);
+        const auto omega = thing == 0 ? scene().omega_under(moment, panel, px)
+                                      : scene().omega_of_plane_at(moment, panel, px);
+        const auto start = scene().start_with(moment, omega);
         if (!start) return;
         const Eigen::Vector3d& at_start = start->omega_body;
         const Eigen::Quaterniond& q = start->space_from_body;
@@ -246,8 +246,8 @@ POINSOT_EXPORT(energy_at)
 int energy_at(double time_s, double film_s, int panel, double x_px, double y_px) {
     return answered([&] {
         numbers().clear();
-        if (const auto energy_J = lecture().energy_of_plane_at(lecture().moment_of(time_s, film_s),
-                                                               panel, {x_px, y_px}))
+        if (const auto energy_J =
+                scene().energy_of_plane_at(scene().moment_of(time_s, film_s), panel, {x_px, y_px}))
             numbers().push_back(*energy_J);
     });
 }

@@ -16,7 +16,7 @@
 
 namespace poinsot {
 
-PageFilm::PageFilm(const LectureFiles& files, FontSource fonts)
+PageFilm::PageFilm(const PageScene& files, FontSource fonts)
     : session_(session_of_page(scene_of_page(files), std::move(fonts))),
       film_(film_plan(session_)),
       picture_(session_, whole_film(film_), setting_of(session_.scene)) {}

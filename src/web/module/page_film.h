@@ -8,7 +8,7 @@
 #include <string>
 
 #include "production/session/picture_setting.h"
-#include "web/module/lecture.h"
+#include "web/module/live_scene.h"
 
 namespace poinsot {
 
@@ -26,7 +26,7 @@ struct PageOutput {
 class PageFilm {
  public:
     // Size, rate and quality are overrides. Throws InputError.
-    PageFilm(const LectureFiles& files, FontSource fonts);
+    PageFilm(const PageScene& files, FontSource fonts);
     PageFilm(const PageFilm&) = delete;
     PageFilm& operator=(const PageFilm&) = delete;
 

@@ -52,7 +52,7 @@ class Bar {
   /** Puts the words of the language on the buttons. */
   name() {
     const words = this.words();
-    for (const [id, word] of [['previous', 'previous_stop'], ['next', 'next_stop'], ['options', 'options'], ['say', 'notes'], ['full', 'full_screen'],
+    for (const [id, word] of [['previous', 'previous_stop'], ['next', 'next_stop'], ['show-options', 'options'], ['say', 'notes'], ['full', 'full_screen'],
       ['begin', 'start_figure'], ['close', 'close']]) {
       part(/** @type {string} */ (id)).setAttribute('aria-label', words.of(/** @type {string} */ (word)));
       part(/** @type {string} */ (id)).title = words.of(/** @type {string} */ (word));

@@ -67,8 +67,8 @@ class Controls {
     }
   }
 
-  /** Shows a refusal below its control. @param {string} key @param {string} message */
-  refuse(key, message) {
+  /** Shows a message below its control. @param {string} key @param {string} message */
+  show_message(key, message) {
     const row = this.rows.get(key) ?? [...this.rows.values()][0];
     if (row) row.message.textContent = message;
   }

@@ -31,12 +31,12 @@ function frames_of_span(film, {kind, index}) {
 
 class FilmCancelled extends Error {}
 
-/** Makes one film; `said` hears of each frame. */
+/** Makes one film; `progress` is called after each frame. */
 class FilmRun {
-  /** @param {Program} program of its own @param {(done: number, n_frames: number) => void} said */
-  constructor(program, said) {
+  /** @param {Program} program of its own @param {(done: number, n_frames: number) => void} progress */
+  constructor(program, progress) {
     this.program = program;
-    this.said = said;
+    this.progress = progress;
     this.is_cancelled = false;
     /** Set where the browser takes the graphics away. */
     this.is_lost = false;
@@ -44,7 +44,7 @@ class FilmRun {
 
   /** @param {number} done @param {number} n_frames */
   async go_on(done, n_frames) {
-    this.said(done, n_frames);
+    this.progress(done, n_frames);
     await let_page_answer();
     if (this.is_cancelled) throw new FilmCancelled('cancelled');
     if (this.is_lost) throw new Error('lost');
@@ -90,7 +90,7 @@ class FilmRun {
       }
       for (const encoder of encoders) await encoder.finish();
       const bytes = await file.finish();
-      this.said(n_frames, n_frames);
+      this.progress(n_frames, n_frames);
       return bytes;
     } catch (error) {
       await file.cancel();
@@ -223,7 +223,7 @@ class FilmPanel {
 
   /** @param {string} text */
   #say(text) {
-    part('film-said').textContent = text;
+    part('film-message').textContent = text;
   }
 
   /** What a failure is in one sentence. @param {unknown} error */

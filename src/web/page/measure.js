@@ -350,9 +350,9 @@ class Measure {
 
   /** Says a word of `measure_words`, or a text. @param {string} word @param {string} [text] @param {boolean} [is_refusal] */
   #say(word, text = '', is_refusal = false) {
-    const said = part('measure-said');
-    said.textContent = word ? this.words.of(word) : text;
-    said.classList.toggle('refused', is_refusal);
+    const message = part('measure-message');
+    message.textContent = word ? this.words.of(word) : text;
+    message.classList.toggle('refused', is_refusal);
   }
 
   /** @param {unknown} error */

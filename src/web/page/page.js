@@ -1,4 +1,4 @@
-// The page: panel of options, keys, link, screen readers, and when the figure starts and rests.
+// The page: options, keys, link, screen readers, and when the figure starts and rests.
 
 const idle_after_ms = 2500;
 const settled_after_ms = 400;
@@ -19,7 +19,7 @@ class Page {
         bytes: () => this.program_bytes(),
         drawn: () => this.#drawn(),
         loaded: () => this.#loaded(),
-        failed: (kind, message) => (kind === 'draw' ? this.#say(message) : this.#fail(kind, message)),
+        failed: (kind, message) => (kind === 'draw' ? this.#show_message(message) : this.#fail(kind, message)),
       });
     const words = () => this.words;
     this.bar = new Bar(this.figure, words, () => this.changed());
@@ -53,7 +53,7 @@ class Page {
       return program && loaded && !is_lost ? this.figure.image(film_s, 480, Math.round((480 * loaded.film_height) / loaded.film_width)) : null;
     });
     /** Called after a scene is loaded. @type {() => void} */
-    this.said = () => {};
+    this.on_loaded = () => {};
     /** Values that are set at the next frame. @type {Map<string, string>} */
     this.coming = new Map();
     /** Whether the colours follow the system and were not chosen. */
@@ -112,7 +112,7 @@ class Page {
     document.body.classList.remove('drawn');
     if (kind !== 'lost') {
       part('bar').hidden = true;
-      this.#open_panel(false);
+      this.#open_options(false);
     }
   }
 
@@ -162,14 +162,14 @@ class Page {
     this.controls.show(loaded.controls);
     this.films.show();
     this.#show_elements();
-    const said = [loaded.motion, ...loaded.notes].filter(Boolean).join('\n');
-    if (said !== this.regime) {
+    const text = [loaded.motion, ...loaded.notes].filter(Boolean).join('\n');
+    if (text !== this.regime) {
       const strong = document.createElement('strong');
       strong.textContent = loaded.motion;
       part('regime').replaceChildren(strong, ...loaded.notes.map((note) => `\n${note}`));
     }
-    this.regime = said;
-    part('section-change').hidden = loaded.controls.length === 0 && !said;
+    this.regime = text;
+    part('section-change').hidden = loaded.controls.length === 0 && !text;
     part('original').hidden = loaded.controls.length === 0;
     this.#head('change', loaded.controls.length > 0 ? 'change' : 'motion');
     part('hint').textContent = [this.#drags('omega') && this.words.of('drag_omega'), this.#drags('plane') && this.words.of('drag_plane')]
@@ -179,7 +179,7 @@ class Page {
       this.failure = '';
       part('sentence').hidden = true;
     }
-    this.said();
+    this.on_loaded();
   }
 
   /** Whether the film is over and another page follows. */
@@ -206,8 +206,8 @@ class Page {
     this.settle_timer = window.setTimeout(() => {
       const {figure} = this;
       if (!figure.program || figure.film.playing) return;
-      const said = figure.program.state(figure.time_s, figure.film.at_s);
-      if (part('state').textContent !== said) part('state').textContent = said;
+      const state = figure.program.state(figure.time_s, figure.film.at_s);
+      if (part('state').textContent !== state) part('state').textContent = state;
       try {
         history.replaceState(null, '', `#${this.fragment()}`);
       } catch {
@@ -280,7 +280,7 @@ class Page {
         this.set(coming);
       } catch (error) {
         const last = [...coming.keys()].pop() ?? '';
-        this.controls.refuse(last, message_of(error));
+        this.controls.show_message(last, message_of(error));
       }
     };
     this.figure.invalidate();
@@ -307,7 +307,7 @@ class Page {
       this.figure.reload(changes);
       part('sentence').hidden = !this.failure;
     } catch (error) {
-      this.#say(error);
+      this.#show_message(error);
       this.#show_elements();
     }
     this.#settle();
@@ -320,17 +320,17 @@ class Page {
     return has('start.omega_rad_s') || (thing === 'plane' && has('start.energy_J') && has_momentum);
   }
 
-  // ── The panel of options ────────────────────────────────────────────────────────────────
+  // ── The options ────────────────────────────────────────────────────────────────
 
   /** @param {boolean} open */
-  #open_panel(open) {
-    part('panel').hidden = !open;
-    document.body.classList.toggle('with-panel', open);
-    part('options').setAttribute('aria-expanded', String(open));
+  #open_options(open) {
+    part('options').hidden = !open;
+    document.body.classList.toggle('with-options', open);
+    part('show-options').setAttribute('aria-expanded', String(open));
     this.#fit();
   }
 
-  /** Names a section of the panel. @param {string} section @param {string} word */
+  /** Names a section of the options. @param {string} section @param {string} word */
   #head(section, word) {
     const heading = part(`section-${section}`).querySelector('h2');
     if (heading) heading.textContent = this.words.of(word);
@@ -346,7 +346,7 @@ class Page {
       if (label) label.textContent = words.of(/** @type {string} */ (word));
     }
     part('bar').setAttribute('aria-label', words.of('figure'));
-    part('panel').setAttribute('aria-label', words.of('options'));
+    part('options').setAttribute('aria-label', words.of('options'));
     input('link').setAttribute('aria-label', words.of('link'));
     this.bar.name();
     this.#name_keys();
@@ -434,7 +434,7 @@ class Page {
       window.setTimeout(() => { part('copy-link').textContent = this.words.of('copy_link'); }, 1600);
     } catch {
       // Where the clipboard is closed, the viewer copies by hand.
-      this.#open_panel(true);
+      this.#open_options(true);
       field.hidden = false;
       field.select();
     }
@@ -455,7 +455,7 @@ class Page {
   #fit() {
     const {clientWidth, clientHeight} = part('stage');
     const upright = clientHeight > clientWidth && clientWidth < 640;
-    const free = upright && !part('panel').hidden ? clientHeight - part('panel').clientHeight : clientHeight;
+    const free = upright && !part('options').hidden ? clientHeight - part('options').clientHeight : clientHeight;
     part('picture').style.height = `${free}px`;
   }
 
@@ -473,16 +473,16 @@ class Page {
     window.clearTimeout(this.idle_timer);
     if (!this.figure.film.playing) return;
     this.idle_timer = window.setTimeout(() => {
-      const busy = !part('panel').hidden || !part('speeds').hidden || part('bar').matches(':hover') || part('bar').querySelector(':focus-visible');
+      const busy = !part('options').hidden || !part('speeds').hidden || part('bar').matches(':hover') || part('bar').querySelector(':focus-visible');
       document.body.classList.toggle('idle', this.figure.film.playing && !busy);
     }, idle_after_ms);
   }
 
   #wire() {
-    part('options').addEventListener('click', () => this.#open_panel(part('panel').hidden));
+    part('show-options').addEventListener('click', () => this.#open_options(part('options').hidden));
     part('close').addEventListener('click', () => {
-      this.#open_panel(false);
-      part('options').focus();
+      this.#open_options(false);
+      part('show-options').focus();
     });
     part('begin').addEventListener('click', () => {
       this.start().then(() => {
@@ -496,13 +496,13 @@ class Page {
     part('scene-view').addEventListener('click', () => this.views.reset());
     part('save-png').addEventListener('click', () => {
       const [width, height] = [input('png-width'), input('png-height')].map((field) => Math.min(16384, Math.max(16, Math.round(field.valueAsNumber) || 1080)));
-      this.figure.png(width ?? 1920, height ?? 1080).then((blob) => this.save(blob, '.png'), (error) => this.#say(error));
+      this.figure.png(width ?? 1920, height ?? 1080).then((blob) => this.save(blob, '.png'), (error) => this.#show_message(error));
     });
     part('save-svg').addEventListener('click', () => {
       try {
         this.save(new Blob([this.svg()], {type: 'image/svg+xml'}), '.svg');
       } catch (error) {
-        this.#say(error);
+        this.#show_message(error);
       }
     });
     part('copy-link').addEventListener('click', () => void this.#copy_link());
@@ -515,7 +515,7 @@ class Page {
     document.addEventListener('visibilitychange', () => { this.figure.last_ms = 0; });
     const sizes = new ResizeObserver(() => this.#fit());
     sizes.observe(part('stage'));
-    sizes.observe(part('panel'));
+    sizes.observe(part('options'));
     window.addEventListener('hashchange', () => {
       const choices = this.#read_fragment();
       if (this.figure.program) this.#reload(choices);
@@ -524,7 +524,7 @@ class Page {
   }
 
   /** @param {unknown} error */
-  #say(error) {
+  #show_message(error) {
     part('sentence').textContent = message_of(error);
     part('sentence').hidden = false;
   }
@@ -578,7 +578,7 @@ class Page {
   /** Closes what is open; false: nothing was. */
   #escape() {
     if (!part('speeds').hidden) this.bar.close_speeds();
-    else if (!part('panel').hidden) this.#open_panel(false);
+    else if (!part('options').hidden) this.#open_options(false);
     else return this.grips.take_back();
     return true;
   }
@@ -632,7 +632,7 @@ class Page {
       t: () => this.set_theme(this.figure.loaded && document.documentElement.classList.contains('dark') ? 'light' : 'dark'),
       n: () => this.notes.toggle(),
       l: () => void this.#copy_link(),
-      o: () => this.#open_panel(part('panel').hidden),
+      o: () => this.#open_options(part('options').hidden),
     };
   }
 }

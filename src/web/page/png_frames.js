@@ -45,7 +45,7 @@ async function png_file(pixels, width, height, name, text) {
     row[0] = 2;
     for (let x = 0; x < stride; ++x) row[x + 1] = /** @type {number} */ (pixels[y * stride + x]) - /** @type {number} */ (pixels[(y - 1) * stride + x]);
   }
-  const encode = (/** @type {string} */ said) => new TextEncoder().encode(said);
+  const encode = (/** @type {string} */ text) => new TextEncoder().encode(text);
   const number = (/** @type {number} */ value) => {
     const bytes = new Uint8Array(4);
     new DataView(bytes.buffer).setUint32(0, value);

@@ -27,15 +27,15 @@
 
 /** What the program refuses, with the place in the scene where there is one. */
 class ProgramError extends Error {
-  /** @param {{kind: string, message: string, file?: string, line?: number, column?: number}} said */
-  constructor(said) {
-    super(said.message);
+  /** @param {{kind: string, message: string, file?: string, line?: number, column?: number}} error */
+  constructor(error) {
+    super(error.message);
     this.name = 'ProgramError';
     /** 'scene', 'input', 'environment', 'no-webgl', 'no-wasm' or 'crash'. */
-    this.kind = said.kind;
-    this.file = said.file || '';
-    this.line = said.line || 0;
-    this.column = said.column || 0;
+    this.kind = error.kind;
+    this.file = error.file || '';
+    this.line = error.line || 0;
+    this.column = error.column || 0;
   }
 }
 
@@ -231,7 +231,7 @@ class WasmModule {
     this.exports = {};
     this.memory = new ModuleMemory();
     /** What the module wrote before it ended itself. */
-    this.said = '';
+    this.printed = '';
   }
 
   /** @param {WebAssembly.Module} module @param {Record<string, Record<string, any>>} imports */
@@ -273,7 +273,7 @@ class WasmModule {
           written += size;
         }
         this.memory.ints[given[3] >> 2] = written;
-        this.said = text;
+        this.printed = text;
         return 0;
       }
       if (name === 'proc_exit') throw new WebAssembly.RuntimeError(`the program ended with ${given[0]}`);
@@ -307,7 +307,7 @@ class WasmModule {
     try {
       if (this.exports[name](...given)) return undefined;
     } catch (error) {
-      throw new ProgramError({kind: 'crash', message: this.said || String(/** @type {Error} */ (error).message || error)});
+      throw new ProgramError({kind: 'crash', message: this.printed || String(/** @type {Error} */ (error).message || error)});
     }
     throw new ProgramError(JSON.parse(this.answer()));
   }

@@ -81,7 +81,7 @@ async function make_slide_films(run, film, plan, codec, maker, save) {
       await encoder.add(planes, step.is_key);
     }
     await encoder.finish();
-    run.said(steps.length, steps.length);
+    run.progress(steps.length, steps.length);
   } finally {
     encoder.close();
     for (const file of open.values()) await file.cancel();

@@ -106,7 +106,7 @@ class Workbench {
     this.#wire();
     this.#show_cards();
     this.#show_tab('figure');
-    page.said = () => this.#find();
+    page.on_loaded = () => this.#find();
     this.measure = new Measure(this.words, (name, text, files) => this.open({kind: 'file', name, text}, files, true));
     this.#offer_draft();
     this.#open_named();
@@ -147,9 +147,9 @@ class Workbench {
     }
     for (const button of document.querySelectorAll('.dialog-close')) button.setAttribute('aria-label', words.of('close'));
     // What the motion is, in words, under the figure.
-    const said = document.createElement('p');
-    said.id = 'motion-said';
-    part('bar').after(said);
+    const motion = document.createElement('p');
+    motion.id = 'motion-words';
+    part('bar').after(motion);
     this.#name_look();
   }
 
@@ -295,9 +295,9 @@ class Workbench {
     this.#search('');
   }
 
-  /** Shows the examples in whose name, title or text all these words are. @param {string} said */
-  #search(said) {
-    const wanted = said.toLowerCase().split(/\s+/);
+  /** Shows the examples in whose name, title or text all these words are. @param {string} query */
+  #search(query) {
+    const wanted = query.toLowerCase().split(/\s+/);
     let n = 0;
     for (const button of /** @type {NodeListOf<HTMLElement>} */ (part('scenes').querySelectorAll('button'))) {
       button.hidden = !wanted.every((word) => button.dataset['words']?.includes(word));
@@ -549,7 +549,7 @@ class Workbench {
         // In the words of `poinsot check`; a small screen leaves them out.
         const exact = document.createElement(strong.textContent ? 'span' : 'em');
         exact.textContent = loaded.regime;
-        part('motion-said').replaceChildren(strong, ' ', exact);
+        part('motion-words').replaceChildren(strong, ' ', exact);
       }
     }
     part('findings').replaceChildren(...rows);

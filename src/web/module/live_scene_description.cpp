@@ -21,7 +21,7 @@
 #include "text/json_text.h"
 #include "text/numbers.h"
 #include "typeset/plain_text.h"
-#include "web/module/lecture.h"
+#include "web/module/live_scene.h"
 
 namespace poinsot {
 
@@ -120,7 +120,7 @@ std::string control_of(const Scene& scene, const std::string& name) {
 
 }  // namespace
 
-std::string Lecture::description() const {
+std::string LiveScene::description() const {
     const Scene& scene = session_.scene;
     const Theme& theme = session_.theme;
     std::vector<std::string> notes, chapters;

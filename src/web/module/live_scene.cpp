@@ -1,4 +1,4 @@
-#include "web/module/lecture.h"
+#include "web/module/live_scene.h"
 
 #include <fmt/format.h>
 
@@ -38,7 +38,7 @@ constexpr double deg = 180.0 / std::numbers::pi;
 
 }  // namespace
 
-Scene scene_of_page(const LectureFiles& files) {
+Scene scene_of_page(const PageScene& files) {
     const SceneFiles bytes_of = [&files](const NamedFile& named) {
         const auto found = files.files.find(named.name);
         if (found == files.files.end())
@@ -59,7 +59,7 @@ Session session_of_page(const Scene& scene, FontSource fonts) {
 
 namespace {
 
-Scene read(const LectureFiles& files, const CanvasSize& size, CanvasSize& film_size) {
+Scene read(const PageScene& files, const CanvasSize& size, CanvasSize& film_size) {
     Scene scene = scene_of_page(files);
     film_size = {scene.film.width_px, scene.film.height_px};
     scene.film.width_px = size.width_px;
@@ -151,7 +151,7 @@ Camera changed(const Camera& camera, const PanelView& view) {
     return made;
 }
 
-Lecture::Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size)
+LiveScene::LiveScene(const PageScene& files, FontSource fonts, const CanvasSize& size)
     : session_(session_of_page(read(files, size, film_size_), std::move(fonts))),
       grid_(session_.scene.grid),
       panels_(session_.scene.panels),
@@ -160,14 +160,13 @@ Lecture::Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& 
     resize(size);
 }
 
-void Lecture::size_scene(const CanvasSize& size) {
+void LiveScene::size_scene(const CanvasSize& size) {
     Scene& scene = session_.scene;
     scene.film.width_px = size.width_px;
     scene.film.height_px = size.height_px;
     scene.type_scale = type_scale_ * size.type_scale;
     const bool is_upright = size.height_px > size.width_px && !panels_.empty();
     scene.grid = is_upright ? GridSpec{{1.0}, {}} : grid_;
-    // In place, for the drawn stage refers to the panels.
     for (std::size_t i = 0; i < panels_.size(); ++i) {
         PanelSpec& panel = scene.panels[i];
         panel.column = is_upright ? 0 : panels_[i].column;
@@ -181,19 +180,19 @@ void Lecture::size_scene(const CanvasSize& size) {
     session_.accuracy = accuracy_of(scene);
 }
 
-Stage Lecture::stage_of_size(const CanvasSize& size) {
+Stage LiveScene::stage_of_size(const CanvasSize& size) {
     size_scene(size);
     PictureSetting setting = setting_of(session_.scene);
     setting.samples = 1;
     return stage_of(session_, {film_.time_of(0), film_.last_time_s(), {}}, setting);
 }
 
-void Lecture::resize(const CanvasSize& size) {
+void LiveScene::resize(const CanvasSize& size) {
     stage_.emplace(stage_of_size(size));
     size_ = size;
 }
 
-void Lecture::set_views(const std::vector<PanelView>& views) {
+void LiveScene::set_views(const std::vector<PanelView>& views) {
     cameras_.clear();
     cameras_.resize(stage_->panels().size());
     for (const PanelView& view : views) {
@@ -204,16 +203,16 @@ void Lecture::set_views(const std::vector<PanelView>& views) {
     }
 }
 
-bool Lecture::has_panel(int panel) const {
+bool LiveScene::has_panel(int panel) const {
     return panel >= 0 && static_cast<std::size_t>(panel) < stage_->panels().size();
 }
 
-FilmTime Lecture::moment_of(double time_s, double film_s) const {
+FilmTime LiveScene::moment_of(double time_s, double film_s) const {
     if (is_given(film_s)) return {time_s, film_s};
     return moment_of_time(film_.clock, time_s);
 }
 
-std::vector<Camera> Lecture::cameras_at(const FilmTime& moment) const {
+std::vector<Camera> LiveScene::cameras_at(const FilmTime& moment) const {
     const Drawing drawing = drawing_at(moment);
     std::vector<Camera> cameras;
     for (std::size_t k = 0; k < stage_->panels().size(); ++k)
@@ -221,7 +220,7 @@ std::vector<Camera> Lecture::cameras_at(const FilmTime& moment) const {
     return cameras;
 }
 
-void Lecture::hold(const std::vector<Camera>& cameras) {
+void LiveScene::hold(const std::vector<Camera>& cameras) {
     held_.clear();
     if (cameras.size() != stage_->panels().size()) return;
     for (const Camera& camera : cameras)
@@ -247,7 +246,7 @@ void exchange_beside(View& view, View& later) {
 
 }  // namespace
 
-Drawing Lecture::drawing_at(const FilmTime& moment, double beside_later_s) const {
+Drawing LiveScene::drawing_at(const FilmTime& moment, double beside_later_s) const {
     const std::vector<CameraChange>& cameras = held_.empty() ? cameras_ : held_;
     Drawing drawing = stage_->at(moment, cameras);
     if (!(beside_later_s > 0.0)) return drawing;
@@ -257,13 +256,13 @@ Drawing Lecture::drawing_at(const FilmTime& moment, double beside_later_s) const
     return drawing;
 }
 
-Drawing Lecture::drawing_of_size(const FilmTime& moment, int width_px, int height_px) {
+Drawing LiveScene::drawing_of_size(const FilmTime& moment, int width_px, int height_px) {
     picture_stage_.emplace(stage_of_size({width_px, height_px}));
     size_scene(size_);
     return picture_stage_->at(moment, cameras_);
 }
 
-std::vector<double> Lecture::digits_at(double time_s) const {
+std::vector<double> LiveScene::digits_at(double time_s) const {
     const bool is_top = session_.motion.regime() == Regime::heavy_top;
     const MotionSample sample = session_.motion.sample(
         time_s, {.attitude = true, .herpolhode = true, .euler_angles = is_top});
@@ -277,7 +276,7 @@ std::vector<double> Lecture::digits_at(double time_s) const {
     return digits;
 }
 
-std::string Lecture::state_at(const FilmTime& moment) const {
+std::string LiveScene::state_at(const FilmTime& moment) const {
     // In the order of language_codes.
     static constexpr Phrase sentence{
         "Time {t:.4g}. Angular velocity {omega:.3g}; its components along the body axes are "
@@ -302,7 +301,7 @@ std::string Lecture::state_at(const FilmTime& moment) const {
         live_text(session_.scene, phrase_in(session_.scene.language, sentence), instant));
 }
 
-std::string Lecture::svg_at(const FilmTime& moment) const {
+std::string LiveScene::svg_at(const FilmTime& moment) const {
     // The canvas as a slide 540 points high.
     const Drawing drawing = drawing_at(moment);
     vector::PageChoices choices;
@@ -332,7 +331,7 @@ const Plane* invariable_plane_of(const View& view) {
 
 }  // namespace
 
-std::string Lecture::grips_at(const FilmTime& moment) const {
+std::string LiveScene::grips_at(const FilmTime& moment) const {
     const Drawing drawing = drawing_at(moment);
     std::vector<std::string> grips;
     for (std::size_t k = 0; k < stage_->panels().size(); ++k) {
@@ -375,8 +374,8 @@ std::string Lecture::grips_at(const FilmTime& moment) const {
     return json_list(grips);
 }
 
-std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int panel,
-                                                    const Eigen::Vector2d& px) const {
+std::optional<Eigen::Vector3d> LiveScene::omega_under(const FilmTime& moment, int panel,
+                                                      const Eigen::Vector2d& px) const {
     if (!has_panel(panel)) return std::nullopt;
     const Drawing drawing = drawing_at(moment);
     const View& view = drawing.views[static_cast<std::size_t>(panel)];
@@ -440,7 +439,7 @@ std::optional<Eigen::Vector3d> Lecture::omega_under(const FilmTime& moment, int 
     return omega_of(u);
 }
 
-std::optional<RotationState> Lecture::start_with(
+std::optional<RotationState> LiveScene::start_with(
     const FilmTime& moment, const std::optional<Eigen::Vector3d>& omega) const {
     const bool is_free = session_.motion.free_rotation() != nullptr &&
                          session_.scene.start.given_by_conserved() == nullptr;
@@ -456,8 +455,8 @@ std::optional<RotationState> Lecture::start_with(
     return Motion(problem).at(-moment.time_s);
 }
 
-std::optional<double> Lecture::energy_of_plane_at(const FilmTime& moment, int panel,
-                                                  const Eigen::Vector2d& px) const {
+std::optional<double> LiveScene::energy_of_plane_at(const FilmTime& moment, int panel,
+                                                    const Eigen::Vector2d& px) const {
     if (!has_panel(panel)) return std::nullopt;
     const Drawing drawing = drawing_at(moment);
     const View& view = drawing.views[static_cast<std::size_t>(panel)];
@@ -485,8 +484,8 @@ std::optional<double> Lecture::energy_of_plane_at(const FilmTime& moment, int pa
     return std::clamp(energy * ratio * ratio, bounds.minCoeff(), bounds.maxCoeff());
 }
 
-std::optional<Eigen::Vector3d> Lecture::omega_of_plane_at(const FilmTime& moment, int panel,
-                                                          const Eigen::Vector2d& px) const {
+std::optional<Eigen::Vector3d> LiveScene::omega_of_plane_at(const FilmTime& moment, int panel,
+                                                            const Eigen::Vector2d& px) const {
     const std::optional<double> energy_J = energy_of_plane_at(moment, panel, px);
     if (!energy_J) return std::nullopt;
     const InertiaTensor& inertia = session_.motion.problem().inertia;
@@ -495,7 +494,7 @@ std::optional<Eigen::Vector3d> Lecture::omega_of_plane_at(const FilmTime& moment
     return start_on_polhode(inertia, {*energy_J, momentum, std::nullopt}, omega).omega_body;
 }
 
-std::string Lecture::panels_text() const {
+std::string LiveScene::panels_text() const {
     std::vector<std::string> panels;
     const FilmTime first{film_.time_of(0), 0.0};
     for (const Panel& panel : stage_->panels()) {

@@ -17,7 +17,7 @@
 namespace poinsot {
 
 // A scene's text, its name for messages, overrides as those of --set, and the files that it names.
-struct LectureFiles {
+struct PageScene {
     std::string_view text;
     std::string name;
     std::span<const std::string> overrides;
@@ -47,12 +47,12 @@ PanelView panel_view(std::span<const double> numbers);
 // The camera of a panel after a viewer's changes.
 Camera changed(const Camera& camera, const PanelView& view);
 
-class Lecture {
+class LiveScene {
  public:
     // Throws InputError.
-    Lecture(const LectureFiles& files, FontSource fonts, const CanvasSize& size);
-    Lecture(const Lecture&) = delete;
-    Lecture& operator=(const Lecture&) = delete;
+    LiveScene(const PageScene& files, FontSource fonts, const CanvasSize& size);
+    LiveScene(const LiveScene&) = delete;
+    LiveScene& operator=(const LiveScene&) = delete;
 
     // Lays out anew for a canvas of this size.
     void resize(const CanvasSize& size);
