@@ -1,13 +1,15 @@
 // node browser_pixels.js BROWSER POINSOT MODULE FONTS PROGRAM_JS SCENES_FOLDER OUT_FOLDER SIZE [SCENE…]: draws scenes
 // with the page's module in a browser (firefox under Xvfb, or chromium) and compares the pixels with a portable frame of
-// the film. Prints a line a scene; fails where more differs than `limits` allow.
+// the film. Fails where more differs than `limits` allow.
 'use strict';
-const fs = require('fs');
-const http = require('http');
-const os = require('os');
-const path = require('path');
-const zlib = require('zlib');
-const {execFileSync, spawn} = require('child_process');
+const {execFileSync, spawn} = require('node:child_process');
+const test = require('node:test');
+const assert = require('node:assert/strict');
+const fs = require('node:fs');
+const http = require('node:http');
+const os = require('node:os');
+const path = require('node:path');
+const zlib = require('node:zlib');
 const {files_of} = require('./scene_files.js');
 
 const [browser, poinsot, module_file, fonts_file, program_file, folder, out, size, ...only] = process.argv.slice(2);
@@ -142,7 +144,8 @@ const known_faults = {
 
 const frame = 40;
 
-let n_failed = 0;
+/** What came of each scene. @type {{name: string, fails: boolean, text: string}[]} */
+const outcomes = [];
 const list = scenes.map((name) => {
   const text = fs.readFileSync(path.join(folder, `${name}.toml`), 'utf8');
   execFileSync(poinsot, ['render', path.join(folder, `${name}.toml`), '-q', '--portable', '--size', size, '--frames', `${frame}-${frame}`,
@@ -173,10 +176,7 @@ const server = http.createServer((request, response) => {
     response.end();
     const body = Buffer.concat(parts);
     if (kind === 'done') return end();
-    if (kind === 'failed') {
-      ++n_failed;
-      return console.log(`FAILS ${name}: ${body.toString()}`);
-    }
+    if (kind === 'failed') return outcomes.push({name, fails: true, text: body.toString()});
     const native = pixels_of_png(path.join(out, `${name}.native_0040.png`));
     write_png(path.join(out, `${name}.page.png`), body);
     let n_differ = 0;
@@ -193,19 +193,21 @@ const server = http.createServer((request, response) => {
     const more = n_more / (native.length / 4);
     const is_over = more > (list.find((each) => each.name === name).has_mesh ? limits.with_mesh : 0);
     const fails = (is_over && more > (known_faults[name] ?? 0)) || error !== '0';
-    n_failed += fails ? 1 : 0;
-    console.log(`${fails ? 'FAILS' : is_over ? 'known' : 'ok   '} ${name}: ${share(n_differ)} differ, ${share(n_more)} by more than 1, most ${most}; start, load, first, next, module ms ${timing}; gl ${error} ${light}`);
+    outcomes.push({name, fails, text: `${is_over && !fails ? 'known: ' : ''}${share(n_differ)} differ, ${share(n_more)} by more than 1, most ${most}; start, load, first, next, module ms ${timing}; gl ${error} ${light}`});
   });
 });
 
 let child = null;
 let profile = '';
+/** @type {(value?: any) => void} */
+let have_ended = () => {};
+const ended = new Promise((resolve) => { have_ended = resolve; });
 function end() {
   server.close();
   server.closeAllConnections();
   if (child) process.kill(-child.pid);
   if (profile) setTimeout(() => fs.rmSync(profile, {recursive: true, force: true}), 1000);
-  process.exitCode = n_failed > 0 ? 1 : 0;
+  have_ended();
 }
 
 server.listen(0, '127.0.0.1', () => {
@@ -219,8 +221,17 @@ server.listen(0, '127.0.0.1', () => {
     child = spawn('chromium', ['--headless', '--no-sandbox', '--enable-unsafe-swiftshader', `--user-data-dir=${profile}`, url], options);
   }
   setTimeout(() => {
-    console.log('FAILS: the browser took too long');
-    ++n_failed;
+    outcomes.push({name: 'the browser', fails: true, text: 'it took too long'});
     end();
   }, Number(process.env.POINSOT_BROWSER_LIMIT_MS || 1500000)).unref();
+});
+
+test('draws the scenes in a browser as the program does', async (t) => {
+  await ended;
+  for (const {name, fails, text} of outcomes)
+    await t.test(name, (t) => {
+      t.diagnostic(text);
+      assert.ok(!fails, text);
+    });
+  assert.ok(outcomes.length >= scenes.length, `${outcomes.length} of ${scenes.length} scenes`);
 });

@@ -5,15 +5,13 @@ const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {faults_of, is_firefox, opened_file, page_of, press, ready, run_checks, settled, until, violations, wait} = require('./browsers.js');
+const {browser_checks, faults_of, is_firefox, opened_file, page_of, press, ready, settled, until, violations, wait} = require('./browsers.js');
 
 const [program, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-page-'));
 process.on('exit', () => fs.rmSync(folder, {recursive: true, force: true}));
 
-/** @type {[string, (browser: any) => Promise<void>][]} */
-const checks = [];
-const check = (name, run) => checks.push([name, run]);
+const check = browser_checks(only);
 
 const lecture = path.join(__dirname, 'lecture.toml');
 const page_file = process.env['POINSOT_PAGE'] ?? page_of(program, lecture, path.join(folder, 'lecture.html'));
@@ -1010,5 +1008,3 @@ check('is accessible by the rules of axe', async (browser) => {
   }
   await tab.close();
 });
-
-run_checks(checks, only);

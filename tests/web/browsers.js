@@ -4,6 +4,7 @@
 const assert = require('node:assert/strict');
 const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
+const test = require('node:test');
 const puppeteer = require('puppeteer-core');
 
 const axe = fs.readFileSync(require.resolve('axe-core/axe.min.js'), 'utf8');
@@ -122,24 +123,32 @@ const write_scene = (tab, text) => tab.evaluate((text) => {
   }
 }, text);
 
-/** Runs checks, a list of [name, function of the browser], and ends the process. @param {string[]} only words of names */
-async function run_checks(checks, only) {
-  for (const word of only) assert.ok(checks.some(([name]) => name.includes(word)), `no check is named "${word}"`);
-  const browser = await launched();
-  let n_failed = 0;
-  for (const [name, run] of checks) {
-    if (only.length > 0 && !only.some((word) => name.includes(word))) continue;
-    const began = Date.now();
-    try {
-      await run(browser);
-      console.log(`ok    ${name} (${Date.now() - began} ms)`);
-    } catch (error) {
-      ++n_failed;
-      console.log(`FAIL  ${name}\n${error.stack ?? error}`);
-    }
-  }
-  await browser.close();
-  process.exit(n_failed > 0 ? 1 : 0);
+/**
+ * Registers tests of Node's runner that get a browser: `check(name, action)`. All of a file share one browser, which ends with the last of them.
+ * @param {string[]} only parts of names; tests whose names have none of them are left out
+ */
+function browser_checks(only = []) {
+  /** @type {Promise<any>|null} */
+  let browser = null;
+  let n_left = 0;
+  /** @type {string[]} */
+  const names = [];
+  // After the file has registered all of its tests.
+  setImmediate(() => {
+    for (const word of only) if (!names.some((name) => name.includes(word))) test(`has a test named "${word}"`, () => assert.fail('none has this word in its name'));
+  });
+  return (/** @type {string} */ name, /** @type {(browser: any) => Promise<void>|void} */ action) => {
+    names.push(name);
+    if (only.length > 0 && !only.some((word) => name.includes(word))) return;
+    ++n_left;
+    test(name, async () => {
+      try {
+        await action(await (browser ??= launched()));
+      } finally {
+        if (--n_left === 0) await browser?.then((open) => open.close(), () => {});
+      }
+    });
+  };
 }
 
-module.exports = {drop, faults_of, is_firefox, launched, opened_file, page_of, press, ready, run_checks, saved_by, scene_text, settled, until, violations, wait, write_page, write_scene};
+module.exports = {browser_checks, drop, faults_of, is_firefox, launched, opened_file, page_of, press, ready, saved_by, scene_text, settled, until, violations, wait, write_page, write_scene};

@@ -1,9 +1,11 @@
 // node digits.js POINSOT MODULE FONTS PROGRAM_JS SCENES_FOLDER [N_INSTANTS [SCENE…]]: the digits of the page's
 // module are those of `poinsot sample`: free motions bit for bit, others within 1e-15 of the largest.
 'use strict';
-const fs = require('fs');
-const path = require('path');
-const {execFileSync} = require('child_process');
+const {execFileSync} = require('node:child_process');
+const test = require('node:test');
+const assert = require('node:assert/strict');
+const fs = require('node:fs');
+const path = require('node:path');
 const {files_of} = require('./scene_files.js');
 
 const [poinsot, module_file, fonts_file, program_file, folder, n_given, ...only] = process.argv.slice(2);
@@ -28,10 +30,11 @@ function instants(loaded, is_stepped) {
   return times;
 }
 
-async function main() {
-  const program = await Program.start(fs.readFileSync(module_file), fs.readFileSync(fonts_file), null);
-  let n_failed = 0;
-  for (const name of scenes) {
+const started = Program.start(fs.readFileSync(module_file), fs.readFileSync(fonts_file), null);
+
+for (const name of scenes) {
+  test(name, async (t) => {
+    const program = await started;
     const file = path.join(folder, `${name}.toml`);
     const text = fs.readFileSync(file, 'utf8');
     for (const named of files_of(text)) program.addFile(named, fs.readFileSync(path.join(folder, named)));
@@ -70,10 +73,8 @@ async function main() {
     const is_exact = !report.regime.includes('top') && !is_stepped && !is_object;
     const limit = 1e-15;
     const fails = n_compared === 0 || (is_exact ? n_differ > 0 : worst > limit && !is_stepped);
-    n_failed += fails ? 1 : 0;
-    console.log(`${fails ? 'FAILS' : 'ok   '} ${name}: ${n_differ} of ${rows.length} instants differ, by ${worst} (${report.regime})`);
-  }
-  process.exitCode = n_failed > 0 ? 1 : 0;
+    const outcome = `${n_differ} of ${rows.length} instants differ, by ${worst} (${report.regime})`;
+    t.diagnostic(outcome);
+    assert.ok(!fails, outcome);
+  });
 }
-
-main();

@@ -2,9 +2,10 @@
 // on sheets. Usage: node every_scene.js POINSOT SCENES OUT [SCENE…]; POINSOT is "-" where OUT holds the pages
 // already.
 'use strict';
+const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
-const {launched, opened_file, page_of, ready, settled, wait} = require('./browsers.js');
+const {browser_checks, opened_file, page_of, ready, settled, wait} = require('./browsers.js');
 
 const [program, folder, out, ...only] = process.argv.slice(2);
 const all = fs.readdirSync(folder).filter((name) => name.endsWith('.toml')).map((name) => name.slice(0, -5));
@@ -53,52 +54,44 @@ async function write_sheets(browser, screen, pictures) {
   }
 }
 
-async function main() {
-  const browser = await launched();
-  const pictures = {desk: [], phone: []};
-  let n_failed = 0;
-  for (const scene of scenes) {
+const check = browser_checks();
+const pictures = {desk: [], phone: []};
+for (const scene of scenes) {
+  check(scene, async (browser) => {
     const wrong = [];
     const file = path.join(out, `${scene}.html`);
     if (program !== '-') page_of(program, path.join(folder, `${scene}.toml`), file);
     const {tab, faults} = await opened_file(browser, file, {size: screens[0].size});
-    try {
-      await ready(tab);
-      for (const {name, size} of screens) {
-        await tab.setViewport(size);
-        const files = [];
-        const shot = async (what) => {
-          const picture = path.join(out, `${scene}.${name}.${what}.png`);
-          await tab.screenshot({path: picture});
-          files.push(picture);
-          wrong.push(...(await tab.evaluate(faults_of_layout)).map((fault) => `${name}, ${what}: ${fault}`));
-        };
+    await ready(tab);
+    for (const {name, size} of screens) {
+      await tab.setViewport(size);
+      const files = [];
+      const shot = async (what) => {
+        const picture = path.join(out, `${scene}.${name}.${what}.png`);
+        await tab.screenshot({path: picture});
+        files.push(picture);
+        wrong.push(...(await tab.evaluate(faults_of_layout)).map((fault) => `${name}, ${what}: ${fault}`));
+      };
+      await settled(tab);
+      await tab.evaluate(() => document.body.classList.remove('drawn'));
+      if (name === 'desk') await shot('poster');
+      await tab.evaluate(() => document.body.classList.add('drawn'));
+      await shot('live');
+      if (name === 'phone') {
+        await tab.click('#show-options');
         await settled(tab);
-        await tab.evaluate(() => document.body.classList.remove('drawn'));
-        if (name === 'desk') await shot('poster');
-        await tab.evaluate(() => document.body.classList.add('drawn'));
-        await shot('live');
-        if (name === 'phone') {
-          await tab.click('#show-options');
-          await settled(tab);
-          await wait(300);
-          await settled(tab);
-          await shot('options');
-          await tab.click('#close');
-        }
-        pictures[name].push({scene, files});
+        await wait(300);
+        await settled(tab);
+        await shot('options');
+        await tab.click('#close');
       }
-    } catch (error) {
-      wrong.push(String(error.stack ?? error));
+      pictures[name].push({scene, files});
     }
-    wrong.push(...faults);
-    n_failed += wrong.length > 0 ? 1 : 0;
-    console.log(wrong.length > 0 ? `FAIL  ${scene}\n      ${wrong.join('\n      ')}` : `ok    ${scene}, ${(fs.statSync(file).size / 1e6).toFixed(2)} MB`);
     await tab.close();
-  }
-  for (const screen of screens) await write_sheets(browser, screen, pictures[screen.name]);
-  await browser.close();
-  process.exit(n_failed > 0 ? 1 : 0);
+    assert.deepEqual([...wrong, ...faults], []);
+  });
 }
 
-main();
+check('the pictures are on sheets', async (browser) => {
+  for (const screen of screens) await write_sheets(browser, screen, pictures[screen.name]);
+});

@@ -4,16 +4,14 @@
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
-const {is_firefox, opened_file, page_of, ready, run_checks, until} = require('./browsers.js');
+const {browser_checks, is_firefox, opened_file, page_of, ready, until} = require('./browsers.js');
 const {assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, rgb_of, said, verified} = require('./film_checks.js');
 
 const [program, ...only] = process.argv.slice(2);
 const scenes = path.join(__dirname, '../../scenes');
 const scene_file = (name) => path.join(scenes, `${name}.toml`);
 
-/** @type {[string, (browser: any) => Promise<void>][]} */
-const checks = [];
-const check = (name, run) => checks.push([name, run]);
+const check = browser_checks(only);
 
 // Spans of 3 s and more: of lecture_construction a chapter in which captions change and the camera moves, of measured all.
 for (const [name, options, span] of [['generic', ['--set', 'film.duration_s=4', '--set', 'film.still_s=1'], 'whole'],
@@ -113,5 +111,3 @@ check('saves nothing where the graphics are lost or the encoder fails in the mid
   }
   await tab.close();
 });
-
-run_checks(checks, only);

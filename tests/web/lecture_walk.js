@@ -5,7 +5,7 @@
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
-const {launched, opened_file, page_of, press, ready, until} = require('./browsers.js');
+const {browser_checks, opened_file, page_of, press, ready, until} = require('./browsers.js');
 
 const [program, scenes, out] = process.argv.slice(2);
 const pages = ['lecture', 'sphere', 'symmetric_oblate', 'symmetric_prolate', 'euler_angles', 'heavy_top_conserved', 'heavy_top_wavy', 'heavy_top_cusp',
@@ -44,9 +44,8 @@ async function write_sheet(browser, name, tiles, n_columns) {
   await tab.close();
 }
 
-async function main() {
+browser_checks()('gives the whole lecture, stop by stop and page by page', async (browser) => {
   for (const name of pages) page_of(program, path.join(scenes, `${name}.toml`), path.join(out, `${name}.html`));
-  const browser = await launched();
   const {tab, faults} = await opened_file(browser, path.join(out, 'lecture.html'), {size});
   const stops = [];
   const loops = [];
@@ -82,11 +81,5 @@ async function main() {
   await write_sheet(browser, 'stops', stops, 3);
   await write_sheet(browser, 'loops', loops, 5);
   await write_sheet(browser, 'others', others, 4);
-  await browser.close();
-  console.log(`ok    ${stops.length} stops and ${others.length / 2} pages; look at ${path.join(out, 'stops.png')}, loops.png and others.png`);
-}
-
-main().then(() => process.exit(0), (error) => {
-  console.log(error.stack ?? error);
-  process.exit(1);
+  console.log(`${stops.length} stops and ${others.length / 2} pages; look at ${path.join(out, 'stops.png')}, loops.png and others.png`);
 });

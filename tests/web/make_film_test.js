@@ -4,15 +4,13 @@
 const assert = require('node:assert/strict');
 const fs = require('node:fs');
 const path = require('node:path');
-const {is_firefox, opened_file, page_of, ready, run_checks, scene_text, until, write_page, write_scene} = require('./browsers.js');
+const {browser_checks, is_firefox, opened_file, page_of, ready, scene_text, until, write_page, write_scene} = require('./browsers.js');
 const {assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, probed, psnr, rgb_of, run, said, size, spoiled, verified} =
   require('./film_checks.js');
 
 const [program, make_workbench, ...only] = process.argv.slice(2);
 
-/** @type {[string, (browser: any) => Promise<void>][]} */
-const checks = [];
-const check = (name, run) => checks.push([name, run]);
+const check = browser_checks(only);
 
 const small = {width: 160, height: 90};
 const scene = path.join(folder, 'short.toml');
@@ -421,5 +419,3 @@ check('offers the qualities of the program, and the size of the scene whatever t
   assert.equal(names.length, 4);
   await tab.close();
 });
-
-run_checks(checks, only);

@@ -6,7 +6,7 @@ const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {drop, is_firefox, opened_file, ready, run_checks, saved_by, scene_text, until, violations, wait, write_page} = require('./browsers.js');
+const {browser_checks, drop, is_firefox, opened_file, ready, saved_by, scene_text, until, violations, wait, write_page} = require('./browsers.js');
 
 const [make, poinsot, scenes, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-measure-'));
@@ -24,8 +24,7 @@ function made_workbench() {
 }
 
 const workbench = made_workbench();
-const checks = [];
-const check = (name, run) => checks.push([name, run]);
+const check = browser_checks(only);
 
 async function opened(browser, {size = {width: 1280, height: 800}, before = null} = {}) {
   const opening = await opened_file(browser, workbench, {size, before});
@@ -325,5 +324,3 @@ if (!is_firefox)
     assert.ok(Math.abs(row[2] - 2) < 0.01 && Math.abs(row[3] - 3) < 0.01, `${row}`);
     await tab.close();
   });
-
-run_checks(checks, only);

@@ -7,7 +7,7 @@ const fs = require('node:fs');
 const http = require('node:http');
 const os = require('node:os');
 const path = require('node:path');
-const {faults_of, ready, run_checks, scene_text, until, write_page} = require('./browsers.js');
+const {browser_checks, faults_of, ready, scene_text, until, write_page} = require('./browsers.js');
 
 const [make_site, source, make_workbench, scenes] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-site-'));
@@ -56,11 +56,13 @@ async function walk(browser, start) {
   await tab.close();
 }
 
-run_checks([
-  ['opens from its folder', (browser) => walk(browser, `file://${site}/`)],
-  ['opens from a server', async (browser) => {
-    const server = await serve();
-    await walk(browser, `http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (server.address()).port}/`);
-    server.close();
-  }],
-], []);
+const check = browser_checks();
+
+check('opens from its folder', (browser) => walk(browser, `file://${site}/`));
+
+check('opens from a server', async (browser) => {
+  const server = await serve();
+  await walk(browser, `http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (server.address()).port}/`);
+  server.closeAllConnections();
+  server.close();
+});

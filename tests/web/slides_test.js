@@ -6,7 +6,7 @@ const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {opened_file, run_checks, until, wait} = require('./browsers.js');
+const {browser_checks, opened_file, until, wait} = require('./browsers.js');
 
 const [program, examples, pictures] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-slides-'));
@@ -80,9 +80,7 @@ const next = (tab) => tab.keyboard.press('ArrowRight');
 const previous = (tab) => tab.keyboard.press('ArrowLeft');
 const slide_number = (tab) => tab.evaluate(() => Reveal.getIndices().h);
 
-/** @type {[string, (browser: any) => Promise<void>][]} */
-const checks = [];
-const check = (name, run) => checks.push([name, run]);
+const check = browser_checks();
 
 check('plays forwards to each stop, and loops until the viewer goes on', async (browser) => {
   const {tab, faults} = await opened(browser);
@@ -170,5 +168,3 @@ check('prints each slide once, filled with its still', async (browser) => {
   }));
   assert.deepEqual(pages, ['wobble/01.png fills the page', 'wobble/02.png fills the page', 'wobble/03.png fills the page', '']);
 });
-
-run_checks(checks, []);

@@ -6,7 +6,7 @@ const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {drop, is_firefox, opened_file, ready, run_checks, saved_by, scene_text, until, violations, wait, write_page, write_scene} = require('./browsers.js');
+const {browser_checks, drop, is_firefox, opened_file, ready, saved_by, scene_text, until, violations, wait, write_page, write_scene} = require('./browsers.js');
 
 const [make, scenes, ...only] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-workbench-'));
@@ -24,8 +24,7 @@ function made_workbench() {
 }
 
 const workbench = made_workbench();
-const checks = [];
-const check = (name, run) => checks.push([name, run]);
+const check = browser_checks(only);
 
 async function opened(browser) {
   const opening = await opened_file(browser, workbench, {size: {width: 1100, height: 640}});
@@ -588,5 +587,3 @@ check('is accessible by the rules of axe', async (browser) => {
   assert.deepEqual(await violations(tab), []);
   await tab.close();
 });
-
-run_checks(checks, only);
