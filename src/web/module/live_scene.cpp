@@ -97,13 +97,7 @@ bool is_given(double value) { return !std::isnan(value); }
 PanelView panel_view(std::span<const double> n) {
     PanelView view;
     view.panel = static_cast<int>(n[0]);
-    view.azimuth_deg = n[1];
-    view.elevation_deg = n[2];
-    view.roll_deg = n[3];
-    view.distance = n[4];
-    view.zoom = n[5];
-    view.shift_right = n[6];
-    view.shift_up = n[7];
+    for (std::size_t k = 0; k < view_fields.size(); ++k) view.*view_fields[k].value = n[1 + k];
     return view;
 }
 
@@ -140,8 +134,8 @@ Camera changed(const Camera& camera, const PanelView& view) {
                               ? made.height_units
                               : 2.0 * distance * std::tan(0.5 * camera.vertical_field_rad);
     Eigen::Vector3d shift = Eigen::Vector3d::Zero();
-    if (is_given(view.shift_right)) shift -= view.shift_right * height * axes.col(0);
-    if (is_given(view.shift_up)) shift -= view.shift_up * height * axes.col(1);
+    if (is_given(view.shift_x)) shift -= view.shift_x * height * axes.col(0);
+    if (is_given(view.shift_y)) shift -= view.shift_y * height * axes.col(1);
     made.eye += shift;
     made.target += shift;
     if (is_given(view.roll_deg)) {

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <array>
 #include <limits>
 #include <map>
 #include <optional>
@@ -32,8 +33,24 @@ struct PanelView {
     double roll_deg = none;                           // clockwise, of the picture
     double distance = none;                           // of the eye, view units
     double zoom = none;                               // factor on the size of what is seen
-    double shift_right = none, shift_up = none;       // of the picture, in heights of the panel
+    // Of the picture, to the right and up, in heights of the panel.
+    double shift_x = none, shift_y = none;
 };
+
+// The values of a view by the names that pages and their scripts give them, in the order in which
+// they follow the number of the panel.
+struct ViewField {
+    std::string_view name;
+    double PanelView::*value;
+};
+inline constexpr std::array<ViewField, 7> view_fields{{{"azimuth_deg", &PanelView::azimuth_deg},
+                                                       {"elevation_deg", &PanelView::elevation_deg},
+                                                       {"roll_deg", &PanelView::roll_deg},
+                                                       {"distance", &PanelView::distance},
+                                                       {"zoom", &PanelView::zoom},
+                                                       {"shift_x", &PanelView::shift_x},
+                                                       {"shift_y", &PanelView::shift_y}}};
+inline constexpr std::size_t n_view_numbers = 1 + view_fields.size();
 
 // Of the canvas. `type_scale`: factor on the size of all type, for small screens.
 struct CanvasSize {
@@ -41,7 +58,7 @@ struct CanvasSize {
     double type_scale = 1.0;
 };
 
-// From eight numbers in this order.
+// From n_view_numbers numbers.
 PanelView panel_view(std::span<const double> numbers);
 
 // The camera of a panel after a viewer's changes.

@@ -11,6 +11,7 @@
 
 #include "image/downsample.h"
 #include "render/renderer.h"
+#include "text/json_text.h"
 #include "web/host/kept_fonts.h"
 #include "web/host/web_context.h"
 #include "web/module/answers.h"
@@ -98,13 +99,21 @@ POINSOT_EXPORT(resize) int resize(int width_px, int height_px, double type_scale
     });
 }
 
-// Eight numbers a view: the panel, azimuth, elevation, roll, distance, zoom and the shift to the
-// right and up; those that are not given are NaN.
+// The names of a view's values, in their order.
+POINSOT_EXPORT(view_names) int view_names() {
+    return answered([&] {
+        std::vector<std::string> names;
+        for (const ViewField& field : view_fields) names.push_back(json_string(field.name));
+        answer() = json_list(names);
+    });
+}
+
+// n_view_numbers a view: the panel and the values of view_fields; those that are not given are NaN.
 POINSOT_EXPORT(set_views) int set_views(const double* numbers, std::uint32_t n_views) {
     return answered([&] {
         std::vector<PanelView> views;
         for (std::uint32_t k = 0; k < n_views; ++k)
-            views.push_back(panel_view(std::span(numbers + 8 * k, 8)));
+            views.push_back(panel_view(std::span(numbers + n_view_numbers * k, n_view_numbers)));
         scene().set_views(std::move(views));
     });
 }

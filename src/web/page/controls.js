@@ -31,7 +31,9 @@ function title_of(control, words) {
   return words.label(control.key) ?? clause.replace(/^[a-z]/, (letter) => letter.toUpperCase());
 }
 
-/** A component of a vector, "start.omega_rad_s[1]", is a number. @param {Control} control @param {Words} words @returns {Control} */
+/** @typedef {Control & {size?: number}} ShownControl `size`: of the largest component of a vector. */
+
+/** A component of a vector, "start.omega_rad_s[1]", is a number. @param {Control} control @param {Words} words @returns {ShownControl} */
 function component_of(control, words) {
   const label = title_of(control, words);
   const index = /\[(\d+)\]$/.exec(control.key)?.[1];
@@ -141,7 +143,7 @@ class Controls {
     const label = control.unit ? `${name} / ${control.unit}` : name;
     slider.setAttribute('aria-label', label);
     field.setAttribute('aria-label', label);
-    const step = control.step ?? (control.kind === 'integer' ? 1 : null);
+    const {step} = control;
     slider.step = step === null ? 'any' : String(step);
     field.step = step === null ? 'any' : String(step);
     const widen = (/** @type {number} */ value) => {

@@ -1,5 +1,6 @@
 // The program itself: the WebAssembly module poinsot.wasm, its calls of OpenGL as WebGL 2, and its
-// functions with arguments and results of JavaScript. This file knows no page.
+// functions with arguments and results of JavaScript. This file knows no page. A test compares the types of its results with the
+// answers of the module.
 
 /**
  * @typedef {{name: string, kind: string, x: number, y: number, width: number, height: number,
@@ -9,9 +10,8 @@
  *   distance?: number, zoom?: number, shift_x?: number, shift_y?: number}} View
  *   How a viewer changed a panel's camera. The shifts move the picture to the right and up, in
  *   heights of the panel.
- * @typedef {{key: string, label: string, unit: string, kind: string, value: any, min: number|null,
- *   max: number|null, step: number, choices?: string[], size?: number}} Control
- *   `size`: of the largest component of a vector.
+ * @typedef {{key: string, label: string, unit: string, kind: 'boolean'|'choice'|'integer'|'number'|'vector',
+ *   value: boolean|number|string|number[], min: number|null, max: number|null, step: number|null, choices?: string[]}} Control
  * @typedef {{title: string, caption: string, language: string,
  *   theme: {name: string, background: string, text: string}, first_time_s: number,
  *   last_time_s: number, film_length_s: number, opens_at_s: number, loops: boolean, frames_per_s: number,
@@ -361,11 +361,15 @@ class Program extends WasmModule {
     this.last = null;
     this.imported = gl_functions(this.memory, () => /** @type {WebGL2RenderingContext} */ (this.gl));
     this.has_integer_light = false;
+    /** The values of a view in the order in which the module takes them. @type {(keyof Omit<View, 'panel'>)[]} */
+    this.view_names = [];
   }
 
   async #instantiate() {
     await this.instantiate(/** @type {WebAssembly.Module} */ (this.module),
       {gl: this.imported.functions, page: {has_integer_light: () => (this.has_integer_light ? 1 : 0)}});
+    this.call('view_names');
+    this.view_names = JSON.parse(this.answer());
     this.#add_fonts();
     for (const [name, bytes] of this.files) this.#add_file(name, bytes);
   }
@@ -451,9 +455,7 @@ class Program extends WasmModule {
 
   /** Replaces the viewers' changes of cameras; [] gives the scene's own back. @param {View[]} views */
   setViews(views) {
-    const numbers = new Float64Array(views.flatMap((view) => [
-      view.panel, view.azimuth_deg, view.elevation_deg, view.roll_deg, view.distance, view.zoom, view.shift_x, view.shift_y,
-    ].map((number) => (number === undefined ? NaN : number))));
+    const numbers = new Float64Array(views.flatMap((view) => [view.panel, ...this.view_names.map((name) => view[name] ?? NaN)]));
     this.with_items([new Uint8Array(numbers.buffer)], (at) => this.call('set_views', at, views.length));
   }
 
