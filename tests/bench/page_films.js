@@ -67,7 +67,7 @@ async function measure() {
           encode_s += (performance.now() - began) / 1000;
         };
         const began = performance.now();
-        await the_page.films.make({...the_page.films.settings(), kind, width, height, span: {kind: 'whole', index: 0}});
+        await the_page.options.films.make({...the_page.options.films.settings(), kind, width, height, span: {kind: 'whole', index: 0}});
         Object.assign(Program.prototype, {filmFrame: draw});
         Object.assign(FrameEncoder.prototype, {add});
         return {n_frames, draw_s, encode_s, all_s: (performance.now() - began) / 1000};

@@ -325,6 +325,35 @@ check('turns the body beside the construction while the contact point is held', 
   await tab.close();
 });
 
+check('lists every key that works, and no other', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  const letters = Array.from({length: 95}, (_, i) => String.fromCharCode(32 + i)).filter((letter) => letter === letter.toLowerCase());
+  const names = ['ArrowLeft', 'ArrowUp', 'ArrowRight', 'ArrowDown', 'PageUp', 'PageDown', 'Home', 'End', 'Enter', 'Tab', 'Backspace', 'Delete', 'Insert', 'F2'];
+  const works = await tab.evaluate((keys) => keys.flatMap((key) => ['', 'Shift ', 'Alt '].filter((modifier) => {
+    // Other keys need Shift on some keyboards.
+    if (modifier === 'Shift ' && !key.startsWith('Arrow')) return false;
+    const event = new KeyboardEvent('keydown', {key, shiftKey: modifier === 'Shift ', altKey: modifier === 'Alt ', bubbles: true, cancelable: true});
+    document.body.dispatchEvent(event);
+    // A covered page takes any key.
+    if (!document.getElementById('blank').hidden) document.body.dispatchEvent(new KeyboardEvent('keydown', {key: 'x', bubbles: true}));
+    return event.defaultPrevented;
+  }).map((modifier) => modifier + key)), [...letters, ...names]);
+  const meant = {Space: ' ', 'Page ↑': 'PageUp', 'Page ↓': 'PageDown', '←': 'ArrowLeft', '↑': 'ArrowUp', '→': 'ArrowRight', '↓': 'ArrowDown', '−': '-'};
+  const named = (cap) => meant[cap] ?? (cap.length === 1 ? cap.toLowerCase() : cap);
+  const rows = await tab.$$eval('#keys dt', (terms) => terms.map((term) => [...term.querySelectorAll('kbd')].map((cap) => cap.textContent)));
+  const listed = rows.flatMap((caps) => {
+    if (caps[1] === '…') return Array.from({length: Number(caps[2]) - Number(caps[0]) + 1}, (_, i) => String(Number(caps[0]) + i));
+    if (['Shift', 'Alt'].includes(caps[0])) return caps[1].split(' ').map((cap) => `${caps[0]} ${named(cap)}`);
+    return caps.map(named);
+  });
+  assert.ok(listed.length > 40);
+  // "=" is "+" without Shift.
+  assert.deepEqual(works.filter((key) => key !== '=').sort(), listed.sort());
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('covers the screen by B and W, and any key comes back', async (browser) => {
   const {tab, faults} = await opened(browser);
   await ready(tab);

@@ -70,7 +70,7 @@ async function made(tab, values) {
     // As where a browser has no dialog for files.
     window.showSaveFilePicker = undefined;
     the_page.save = () => {};
-    const blob = await the_page.films.make(the_page.films.settings());
+    const blob = await the_page.options.films.make(the_page.options.films.settings());
     if (!blob) return null;
     const bytes = new Uint8Array(await blob.arrayBuffer());
     let text = '';

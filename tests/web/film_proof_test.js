@@ -74,13 +74,13 @@ check('needs no more memory for a longer film', async (browser) => {
     window.showSaveFilePicker = async () => ({createWritable: async () => ({
       write: async ({data}) => { window.n_bytes += data.length; }, close: async () => {}, abort: async () => {},
     })});
-    await the_page.films.make({...the_page.films.settings(), kind: 'webm', quality: 'reference', width: 96, height: 54, rate: 125});
+    await the_page.options.films.make({...the_page.options.films.settings(), kind: 'webm', quality: 'reference', width: 96, height: 54, rate: 125});
     return document.getElementById('film-message').textContent;
   });
   const used = async (n_frames) => {
     await until(tab, `document.getElementById('film-done').value >= ${n_frames / 2000}`, 300000);
     const metrics = is_firefox ? null : await tab.metrics();
-    return [metrics?.JSHeapUsedSize ?? 0, await tab.evaluate('the_page.films.run.program.exports.memory.buffer.byteLength')];
+    return [metrics?.JSHeapUsedSize ?? 0, await tab.evaluate('the_page.options.films.run.program.exports.memory.buffer.byteLength')];
   };
   const before = [await used(400), await used(500), await used(600)];
   const after = [await used(1700), await used(1800), await used(1900)];
@@ -99,7 +99,7 @@ check('saves nothing where the graphics are lost or the encoder fails in the mid
   const {tab} = await opened_file(browser, page_of_s(4));
   await ready(tab);
   for (const [harm, sentence] of [
-    ["the_page.films.run.program.gl.getExtension('WEBGL_lose_context').loseContext()", /took the graphics memory away; nothing was saved/],
+    ["the_page.options.films.run.program.gl.getExtension('WEBGL_lose_context').loseContext()", /took the graphics memory away; nothing was saved/],
     ["VideoEncoder.prototype.encode = () => { throw new DOMException('it is too hot', 'OperationError'); }", /failed; nothing was saved: it is too hot/]]) {
     const film = made(tab, {kind: 'mp4', width: 160, height: 90});
     await until(tab, 'document.getElementById("film-done").value > 0.2');

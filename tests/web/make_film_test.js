@@ -283,7 +283,7 @@ check('can be cancelled, stays usable, and saves nothing then', async (browser) 
   assert.match(await tab.$eval('#film-hint', (hint) => hint.textContent), /\d+ \/ 60.*time left/);
   // There is one film at a time, from the first press on: the button has gone.
   assert.ok(await tab.$eval('#film-make', (button) => button.hidden));
-  assert.equal(await tab.evaluate('the_page.films.make(the_page.films.settings())'), null);
+  assert.equal(await tab.evaluate('the_page.options.films.make(the_page.options.films.settings())'), null);
   await tab.evaluate('document.getElementById("film-cancel").click()');
   assert.equal(await cancelled, null);
   assert.match(await said(tab), /nothing was saved/);
@@ -298,9 +298,9 @@ check('can be cancelled, stays usable, and saves nothing then', async (browser) 
     };
     document.getElementById('film-make').click();
     document.getElementById('film-make').click();
-    while (!the_page.films.run) await new Promise((resolve) => setTimeout(resolve, 20));
+    while (!the_page.options.films.run) await new Promise((resolve) => setTimeout(resolve, 20));
     document.getElementById('film-cancel').click();
-    while (the_page.films.is_making) await new Promise((resolve) => setTimeout(resolve, 20));
+    while (the_page.options.films.is_making) await new Promise((resolve) => setTimeout(resolve, 20));
     Program.start = start;
     return n_started;
   }), 1);
@@ -323,7 +323,7 @@ check('writes the same film to a chosen file, with a hash of its packets', async
         },
         close: async () => {}, abort: async () => {},
       })});
-      await the_page.films.make({...the_page.films.settings(), kind, width: 160, height: 90});
+      await the_page.options.films.make({...the_page.options.films.settings(), kind, width: 160, height: 90});
       return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
     }, kind);
     const file = path.join(folder, `streamed.${kind}`);
@@ -351,7 +351,7 @@ check('writes to a chosen file, and leaves nothing of a film that fails', async 
         close: async () => { file.closed = true; },
         abort: async () => { file.aborted = true; },
       })});
-      await the_page.films.make({...the_page.films.settings(), width: 320, height: 180});
+      await the_page.options.films.make({...the_page.options.films.settings(), width: 320, height: 180});
       outcomes.push({...file, said: document.getElementById('film-message').textContent});
     }
     return outcomes;

@@ -11,10 +11,11 @@ inline constexpr std::array<std::string_view, 3> plain_scripts{"unpack.js", "loa
                                                                "start.js"};
 
 // Packed by LZMA, in the order in which they are joined.
-inline constexpr std::array<std::string_view, 17> packed_scripts{
-    "words.js",     "film.js",   "link.js",      "program.js", "view.js",       "controls.js",
-    "grips.js",     "notes.js",  "figure.js",    "bar.js",     "png_frames.js", "film_encoder.js",
-    "film_file.js", "slides.js", "make_film.js", "page.js",    "scripting.js"};
+inline constexpr std::array<std::string_view, 20> packed_scripts{
+    "words.js",      "film.js",         "link.js",      "program.js", "view.js",
+    "controls.js",   "grips.js",        "notes.js",     "figure.js",  "bar.js",
+    "png_frames.js", "film_encoder.js", "film_file.js", "slides.js",  "make_film.js",
+    "keys.js",       "address.js",      "options.js",   "page.js",    "scripting.js"};
 
 // As they are: those that the workbench adds.
 inline constexpr std::array<std::string_view, 8> workbench_scripts{

@@ -120,7 +120,7 @@ async function chosen_file(name, kind) {
 }
 
 /** The section "Film" of the options. */
-class FilmPanel {
+class FilmSection {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
