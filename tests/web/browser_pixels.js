@@ -83,7 +83,8 @@ function write_png(file, rgba) {
                                         chunk('IDAT', zlib.deflateSync(rows, {level: 1})), chunk('IEND', Buffer.alloc(0))]));
 }
 
-const page = `<!doctype html><meta charset="utf-8"><canvas id="c" width="${width}" height="${height}"></canvas><script src="/program.js"></script><script>
+const page = `<!doctype html><meta charset="utf-8"><canvas id="c" width="${width}" height="${height}"></canvas><script type="module">
+import {Program} from '/program.js';
 const bytes = async (name) => new Uint8Array(await (await fetch(name)).arrayBuffer());
 const say = (of, body) => fetch('/' + of, {method: 'POST', body});
 (async () => {

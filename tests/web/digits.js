@@ -9,7 +9,6 @@ const path = require('node:path');
 const {files_of} = require('./scene_files.js');
 
 const [poinsot, module_file, fonts_file, program_file, folder, n_given, ...only] = process.argv.slice(2);
-const {Program} = require(path.resolve(program_file));
 const n_instants = Number(n_given || 200);
 const all = fs.readdirSync(folder).filter((name) => name.endsWith('.toml')).map((name) => name.slice(0, -5));
 const scenes = only.length > 0 ? only : all;
@@ -30,7 +29,7 @@ function instants(loaded, is_stepped) {
   return times;
 }
 
-const started = Program.start(fs.readFileSync(module_file), fs.readFileSync(fonts_file), null);
+const started = import(path.resolve(program_file)).then(({Program}) => Program.start(fs.readFileSync(module_file), fs.readFileSync(fonts_file), null));
 
 for (const name of scenes) {
   test(name, async (t) => {

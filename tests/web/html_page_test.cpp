@@ -124,21 +124,31 @@ TEST(HtmlPage, HasAnIconOfItsOwn) {
     EXPECT_NE(policy.find("img-src data:"), std::string::npos);
 }
 
+std::string text_of(const std::string& name) {
+    for (const PageFile& file : page_files())
+        if (file.name == name) return file.text;
+    ADD_FAILURE() << "there is no " << name;
+    return "";
+}
+
 TEST(HtmlPage, CarriesEveryScriptOfThePage) {
     const std::string page = html_page(a_page());
     const std::string workbench = html_workbench(a_page(), {}, "{}");
+    const PageScripts scripts = page_scripts(text_of);
     const auto is_in = [](const auto& list, const std::string& name) {
         return std::find(list.begin(), list.end(), name) != list.end();
     };
     for (const PageFile& file : page_files()) {
         if (!file.name.ends_with(".js") && !file.name.ends_with(".css")) continue;
-        const std::string code = compact_script(file.text);
-        if (is_in(packed_scripts, file.name)) {
+        const bool is_script = file.name.ends_with(".js");
+        const std::string code =
+            is_script ? joined_scripts({file.name}, text_of) : compact_script(file.text);
+        if (is_in(scripts.packed, file.name)) {
             EXPECT_EQ(workbench.find(code), std::string::npos) << file.name;
             continue;
         }
         const bool is_of_workbench =
-            file.name == "workbench.css" || is_in(workbench_scripts, file.name);
+            file.name == "workbench.css" || is_in(scripts.workbench, file.name);
         EXPECT_EQ(page.find(code) != std::string::npos, !is_of_workbench) << file.name;
         EXPECT_NE(workbench.find(code), std::string::npos) << file.name;
     }
@@ -147,10 +157,7 @@ TEST(HtmlPage, CarriesEveryScriptOfThePage) {
 // The policy allows a packed script by the hash of what web/page/unpack.js makes of it; the tests
 // of the page in browsers run it.
 TEST(HtmlPage, AllowsItsPackedScripts) {
-    std::string joined;
-    for (const std::string_view name : packed_scripts)
-        for (const PageFile& file : page_files())
-            if (file.name == name) joined += compact_script(file.text);
+    const std::string joined = joined_scripts(page_scripts(text_of).packed, text_of);
     const std::string page = html_page(a_page());
     const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");
     EXPECT_NE(policy.find("'sha256-" + base64_of_digits(sha256_of(joined)) + "'"),

@@ -7,7 +7,6 @@
 #include <cassert>
 #include <charconv>
 #include <iterator>
-#include <span>
 #include <utility>
 
 #include "system/sha256.h"
@@ -143,17 +142,20 @@ std::string filled(std::string_view page, const Values& values) {
     }
 }
 
-std::string joined(std::span<const std::string_view> names) {
-    std::string text;
-    for (const std::string_view name : names) text += compact_script(page_file(name));
-    return text;
+std::string joined(const std::vector<std::string>& names) {
+    return joined_scripts(names, page_file);
+}
+
+const PageScripts& scripts() {
+    static const PageScripts it = page_scripts(page_file);
+    return it;
 }
 
 // What the scripts and styles fill in; `allowed`: the hash sources of further scripts.
 Values program_values(std::string script, std::string style, const std::string& allowed = "") {
     return {{"version", POINSOT_VERSION},
             {"script-hash",
-             hash_source(script) + " " + hash_source(joined(packed_scripts)) +
+             hash_source(script) + " " + hash_source(joined(scripts().packed)) +
                  (makes_films() ? " " + hash_source_of(page_film_writer_sha256()) : "") + allowed},
             {"style-hash", hash_source(style)},
             {"script", std::move(script)},
@@ -182,7 +184,7 @@ Values operator+(Values values, Values more) {
 
 // All values except the scene's.
 Values page_values() {
-    return program_values(joined(plain_scripts), compact_script(page_file("page.css"))) +
+    return program_values(joined(scripts().plain), compact_script(page_file("page.css"))) +
            Values{{"body", "page"}, {"before", ""}, {"data", ""}};
 }
 
@@ -236,7 +238,7 @@ std::string html_workbench(const PageContents& first, const WorkbenchScenes& sce
             .json("no_script", no_script.line())
             .line();
     const Values values =
-        program_values(joined(plain_scripts) + joined(workbench_scripts),
+        program_values(joined(scripts().plain) + joined(scripts().workbench),
                        compact_script(page_file("page.css") + page_file("workbench.css")),
                        has_text_editor() ? " " + hash_source_of(page_text_editor_sha256()) : "") +
         Values{{"body", "workbench"},

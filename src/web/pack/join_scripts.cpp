@@ -4,7 +4,6 @@
 #include <sstream>
 #include <string>
 
-#include "web/pack/compact_script.h"
 #include "web/pack/page_scripts.h"
 
 int main(int n_arguments, char** arguments) {
@@ -12,12 +11,13 @@ int main(int n_arguments, char** arguments) {
         std::cerr << "usage: join_scripts OUTPUT FOLDER\n";
         return 2;
     }
-    std::ofstream output(arguments[1], std::ios::binary);
-    for (const std::string_view name : poinsot::packed_scripts) {
+    const auto text_of = [folder = std::string(arguments[2])](const std::string& name) {
         std::ostringstream text;
-        text << std::ifstream(std::string(arguments[2]) + "/" + std::string(name)).rdbuf();
-        output << poinsot::compact_script(text.str());
-    }
+        text << std::ifstream(folder + "/" + name).rdbuf();
+        return text.str();
+    };
+    std::ofstream output(arguments[1], std::ios::binary);
+    output << poinsot::joined_scripts(poinsot::page_scripts(text_of).packed, text_of);
     output.close();
     return output ? 0 : 3;
 }

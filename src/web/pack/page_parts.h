@@ -23,8 +23,7 @@ std::string_view page_fonts_lzma();
 // What the workbench measures with, likewise.
 std::string_view page_fit_module_lzma();
 
-// The packed scripts of a page, joined in the order of page_scripts.h, without comments and
-// indents.
+// The packed scripts of a page, joined as page_scripts.h says.
 std::string_view page_scripts_lzma();
 
 // The script that writes films, compressed by LZMA, and the SHA-256 of the script in hexadecimal

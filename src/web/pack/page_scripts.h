@@ -1,25 +1,29 @@
-// Which scripts a page carries, and how.
+// Which scripts a page carries, and in which order. The files of web/page/ are modules that import
+// each other; a page carries them joined, since modules inside one file cannot import each other.
 #pragma once
 
-#include <array>
+#include <functional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace poinsot {
 
-// As they are: what unpacks the others.
-inline constexpr std::array<std::string_view, 3> plain_scripts{"unpack.js", "loader.js",
-                                                               "start.js"};
+// The names of scripts, each after those that it imports.
+struct PageScripts {
+    std::vector<std::string> plain;      // as they are: what unpacks the others
+    std::vector<std::string> packed;     // by LZMA
+    std::vector<std::string> workbench;  // as they are: those that the workbench adds
+};
 
-// Packed by LZMA, in the order in which they are joined.
-inline constexpr std::array<std::string_view, 20> packed_scripts{
-    "words.js",      "film.js",         "link.js",      "program.js", "view.js",
-    "controls.js",   "grips.js",        "notes.js",     "figure.js",  "bar.js",
-    "png_frames.js", "film_encoder.js", "film_file.js", "slides.js",  "make_film.js",
-    "keys.js",       "address.js",      "options.js",   "page.js",    "scripting.js"};
+using TextOfScript = std::function<std::string(const std::string& name)>;
 
-// As they are: those that the workbench adds.
-inline constexpr std::array<std::string_view, 8> workbench_scripts{
-    "zip_reader.js",    "drafts.js",  "editor.js", "record.js",
-    "measure_chart.js", "measure.js", "pptx.js",   "workbench.js"};
+// Follows the imports of start.js, scripting.js and workbench.js.
+PageScripts page_scripts(const TextOfScript& text_of);
+
+// The modules as one script without comments and indents. Precondition: an import statement is one
+// line, no two modules give a name of their top level to different things, and what compact_script
+// asks.
+std::string joined_scripts(const std::vector<std::string>& names, const TextOfScript& text_of);
 
 }  // namespace poinsot

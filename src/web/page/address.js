@@ -1,6 +1,10 @@
 // The address of a page holds its state: instant, speed, views, values and look.
 
-class Address {
+import {fragment_of, state_of} from './link.js';
+/** @import {Choices} from './figure.js' */
+/** @import {Page} from './page.js' */
+
+export class Address {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;

@@ -1,14 +1,17 @@
 // The bar below the picture: play, stops, the rail of the film, speed.
 
+/** @import {Figure} from './figure.js' */
+/** @import {Words} from './words.js' */
+
 const speeds = [0.125, 0.25, 0.5, 1, 2, 4, 8];
 
 /** An element of the page by its id. @param {string} id @returns {HTMLElement} */
-function part(id) {
+export function part(id) {
   return /** @type {HTMLElement} */ (document.getElementById(id));
 }
 
 /** @param {string} id @returns {HTMLInputElement} */
-function input(id) {
+export function input(id) {
   return /** @type {HTMLInputElement} */ (document.getElementById(id));
 }
 
@@ -17,7 +20,7 @@ function set_icon(id, name) {
   part(id).querySelector('use')?.setAttribute('href', `#i-${name}`);
 }
 
-class Bar {
+export class Bar {
   /** @param {Figure} figure @param {() => Words} words @param {() => void} changed */
   constructor(figure, words, changed) {
     this.figure = figure;

@@ -1,7 +1,10 @@
 // Sliders, fields, switches and choices for the keys of [page] controls.
 
+/** @import {Control} from './program.js' */
+/** @import {Words} from './words.js' */
+
 /** A value as TOML, for --set. @param {unknown} value @returns {string} */
-function toml_of(value) {
+export function toml_of(value) {
   if (Array.isArray(value)) return `[${value.map(toml_of).join(', ')}]`;
   if (typeof value === 'number') return Number.isInteger(value) && Math.abs(value) < 1e15 ? value.toFixed(1) : String(value);
   return String(value);
@@ -17,7 +20,7 @@ function override_of(control, value) {
  * component of a vector, takes their place.
  * @param {{min: number|null, max: number|null, size?: number}} control @param {number} value
  */
-function slider_span({min, max, size = 0}, value) {
+export function slider_span({min, max, size = 0}, value) {
   const reach = 3 * (Math.max(size, Math.abs(value)) || 1);
   const is_wide = min !== null && max !== null && Math.log10(max / (min > 0 ? min : 1)) > 4;
   const least = min === null || is_wide ? Math.max(min ?? -Infinity, -reach) : min;
@@ -34,7 +37,7 @@ function title_of(control, words) {
 /** @typedef {Control & {size?: number}} ShownControl `size`: of the largest component of a vector. */
 
 /** A component of a vector, "start.omega_rad_s[1]", is a number. @param {Control} control @param {Words} words @returns {ShownControl} */
-function component_of(control, words) {
+export function component_of(control, words) {
   const label = title_of(control, words);
   const index = /\[(\d+)\]$/.exec(control.key)?.[1];
   if (!Array.isArray(control.value)) return {...control, label};
@@ -43,7 +46,7 @@ function component_of(control, words) {
   return {...control, kind: 'number', label: `${label} [${index}]`, value: control.value[Number(index)] ?? 0, size};
 }
 
-class Controls {
+export class Controls {
   /** @param {HTMLElement} holder @param {() => Words} words @param {(key: string, value: string) => void} change */
   constructor(holder, words, change) {
     this.holder = holder;

@@ -1,5 +1,8 @@
 // Drafts: scenes that are being written, kept in this browser until they are older than most others.
 
+/** @import {KeptText} from './editor.js' */
+/** @import {SceneSource} from './workbench.js' */
+
 /**
  * @typedef {{id: string, writer: string, at_ms: number, name: string, source: SceneSource, kept: KeptText, files: Record<string, string>}} Draft
  *   `writer`: the visit to the page that wrote it last; `files`: as base64, those that the text names.
@@ -12,7 +15,7 @@ const most_draft_characters = 1.8e6;
 /** Of what the editor needs to undo changes. */
 const most_state_characters = 3e5;
 
-class Drafts {
+export class Drafts {
   constructor() {
     this.writer = Drafts.#fresh();
     this.id = Drafts.#fresh();

@@ -1,5 +1,10 @@
 // The editor of scenes: CodeMirror, with completions, help and messages from the schema; without npm's packages, a plain text area.
 
+import {part} from './bar.js';
+import {block, unpacked} from './loader.js';
+import {languages} from './words.js';
+/** @import {Words} from './words.js' */
+
 /**
  * @typedef {{type?: string, description?: string, enum?: unknown[], default?: unknown, items?: Schema, anyOf?: Schema[],
  *   properties?: Record<string, Schema>}} Schema
@@ -270,7 +275,7 @@ class CodeEditor {
 }
 
 /** @param {Schema} schema @param {() => void} changed by the viewer @param {Words} words */
-function new_editor(schema, changed, words) {
+export function new_editor(schema, changed, words) {
   const keys = new SceneKeys(schema);
   if (block('text-editor')) {
     // The page's policy allows the script by its hash.

@@ -1,5 +1,11 @@
 // The picture in the page: starts the program, draws when something changed, and only then.
 
+import {Film} from './film.js';
+import {bytes_of_base64} from './loader.js';
+import {Program, ProgramError} from './program.js';
+/** @import {SceneData} from './loader.js' */
+/** @import {Loaded, View} from './program.js' */
+
 const longest_step_s = 0.25; // between two frames: a hidden page does not jump
 const most_pixels = 3840 * 2400;
 const most_side_px = 16384; // of a picture as a file
@@ -17,7 +23,7 @@ function type_scale_of(width, height) {
 const most_enlarged = 2; // type of more than twice its size leaves no room for the figure
 
 /** What went wrong, in words. @param {unknown} error */
-function message_of(error) {
+export function message_of(error) {
   if (error && typeof error === 'object' && 'message' in error) return String(error.message);
   return String(error);
 }
@@ -32,7 +38,7 @@ function no_choices() {
   return {values: new Map(), shown: null, names: null, theme: ''};
 }
 
-class Figure {
+export class Figure {
   /**
    * @param {{stage: HTMLElement, picture: HTMLElement, poster: HTMLImageElement}} parts
    * @param {{drawn: () => void, loaded: () => void, failed: (kind: string, message: string) => void,

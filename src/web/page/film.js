@@ -6,7 +6,7 @@
  * @typedef {{length_s: number, frames_per_s: number, loops: boolean, stops: Stop[], chapters: Chapter[]}} FilmPlan
  */
 
-class Film {
+export class Film {
   /** @param {FilmPlan} plan */
   constructor(plan) {
     this.plan = plan;

@@ -1,5 +1,8 @@
 // The encoder of a film: which of the browser's codecs, and how many bits. No page and no drawing.
 
+import {message_of} from './figure.js';
+/** @import {FilmFile, FilmPacket} from './film_file.js' */
+
 /**
  * @typedef {'mp4'|'webm'|'png'|'slides'|'pptx'} FilmKind
  * @typedef {{width: number, height: number, numerator: number, denominator: number}} FilmShape
@@ -14,7 +17,7 @@ const key_frame_every_s = 2;
 const most_waiting_frames = 4;
 
 /** Frames from one key frame to the next. @param {FilmShape} shape */
-function key_frame_interval({numerator, denominator}) {
+export function key_frame_interval({numerator, denominator}) {
   return Math.max(1, Math.round((key_frame_every_s * numerator) / denominator));
 }
 
@@ -22,10 +25,10 @@ function key_frame_interval({numerator, denominator}) {
  * Bits for a frame of one pixel, by the names of `poinsot list qualities`. A larger frame takes more of them by the power 0.8 of its
  * pixels, as lines grow less than areas.
  */
-const film_qualities = /** @type {Record<string, number>} */ ({draft: 1.6, lecture: 4, print: 6, reference: 12});
+export const film_qualities = /** @type {Record<string, number>} */ ({draft: 1.6, lecture: 4, print: 6, reference: 12});
 
 /** @param {string} quality @param {FilmShape} shape @returns {number} bits a second */
-function bitrate_of(quality, {width, height, numerator, denominator}) {
+export function bitrate_of(quality, {width, height, numerator, denominator}) {
   return Math.round(((film_qualities[quality] ?? 4) * (width * height) ** 0.8 * numerator) / denominator);
 }
 
@@ -67,7 +70,7 @@ function video_frame(shape, index, planes) {
  * The first codec that encodes a frame: a browser may say that it supports one and then refuse it. Null where none does.
  * @param {FilmKind} kind @param {FilmShape} shape @param {string} quality @returns {Promise<FilmCodec|null>}
  */
-async function working_codec(kind, shape, quality) {
+export async function working_codec(kind, shape, quality) {
   if (typeof VideoEncoder === 'undefined') return null;
   for (const [string, codec, name] of codecs_of(kind, shape)) {
     /** @type {VideoEncoderConfig} */
@@ -103,7 +106,7 @@ async function encodes(config, shape) {
 }
 
 /** Joins the packets of pictures with those of their transparency, which come from another encoder. */
-class AlphaPairs {
+export class AlphaPairs {
   /** @param {FilmFile} file */
   constructor(file) {
     this.file = file;
@@ -139,7 +142,7 @@ class AlphaPairs {
 }
 
 /** Encodes frames one after the other. */
-class FrameEncoder {
+export class FrameEncoder {
   /**
    * @param {FilmShape} shape @param {FilmCodec} codec
    * @param {(index: number, packet: FilmPacket) => Promise<void>} take a packet, in the order in which a film stores them, and which frame it is

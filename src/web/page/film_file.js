@@ -1,5 +1,9 @@
 // The file of a film: Mediabunny writes packets and captions; chapters, hashes and the record are written here.
 
+import {block, unpacked} from './loader.js';
+import {joined_bytes} from './png_frames.js';
+/** @import {FilmCodec, FilmShape} from './film_encoder.js' */
+
 /**
  * @typedef {{data: Uint8Array<ArrayBuffer>, type: EncodedVideoChunkType, about: EncodedVideoChunkMetadata|undefined, alpha?: Uint8Array<ArrayBuffer>}} FilmPacket
  * @typedef {{title: string, first_frame: number, end_frame: number}} FilmChapter
@@ -15,12 +19,12 @@
 let film_writer = null;
 
 /** Whether the page carries it. */
-function has_film_writer() {
+export function has_film_writer() {
   return block('film-writer') !== '';
 }
 
 /** Its script is one of those that the page's policy allows. */
-async function load_film_writer() {
+export async function load_film_writer() {
   if (film_writer) return;
   const script = document.createElement('script');
   script.textContent = new TextDecoder().decode(await unpacked('film-writer'));
@@ -30,7 +34,7 @@ async function load_film_writer() {
   if (!film_writer) throw new Error('this page may not run its film writer');
 }
 
-const utf8 = (/** @type {string} */ text) => new TextEncoder().encode(text);
+export const utf8 = (/** @type {string} */ text) => new TextEncoder().encode(text);
 
 /** @param {Uint8Array<ArrayBuffer>} bytes */
 async function sha256_of(bytes) {
@@ -174,7 +178,7 @@ function webm_tags(bytes, chapters) {
 }
 
 /** One film. Packets are added in the order in which the file stores them. */
-class FilmFile {
+export class FilmFile {
   /** @param {FilmContents} contents @param {FileSink|null} sink null: the film stays in memory */
   constructor(contents, sink) {
     const {kind, codec, shape, texts} = contents;

@@ -1,5 +1,9 @@
 // What can be dragged in the picture: the tips of ω and ρ, and the point where L meets the invariable plane.
 
+import {toml_of} from './controls.js';
+/** @import {Figure} from './figure.js' */
+/** @import {Words} from './words.js' */
+
 /**
  * In pixels of the canvas. `moved`: the point that a drag moves to the pointer.
  * @typedef {{panel: number, thing: string, x: number, y: number, moved_x: number, moved_y: number}} Grip
@@ -13,7 +17,7 @@
 const grip_reach_px = 12; // CSS pixels
 const grip_step_px = 4; // of an arrow key
 
-class Grips {
+export class Grips {
   /** @param {Figure} figure @param {HTMLElement} holder lies over the canvas @param {GripEvents} events */
   constructor(figure, holder, events) {
     this.figure = figure;

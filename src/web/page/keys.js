@@ -1,5 +1,9 @@
 // The keys of a page: one table, from which the page acts and lists its keys.
 
+/** @import {Page} from './page.js' */
+/** @import {Views} from './view.js' */
+/** @import {Words} from './words.js' */
+
 /**
  * Keys with one meaning. `modifier`: held with them. An action that returns false leaves its key to the page around this one.
  * @typedef {{word: string, modifier?: 'Shift'|'Alt', keys: Record<string, (page: Page) => boolean|void>}} KeyRow
@@ -24,7 +28,7 @@ function zoom_by(factor) {
 }
 
 /** @type {KeyRow[]} */
-const key_rows = [
+export const key_rows = [
   {word: 'key_play', keys: {' ': ({figure}) => figure.film.toggle()}},
   {word: 'key_frame', keys: {ArrowLeft: ({figure}) => figure.film.step(-1), ArrowRight: ({figure}) => figure.film.step(1)}},
   {word: 'key_stop', keys: {
@@ -50,7 +54,7 @@ const key_rows = [
 ];
 
 /** The action of a key; undefined: it is none of the page. @param {{key: string, shiftKey: boolean, altKey: boolean}} event */
-function action_of({key, shiftKey, altKey}) {
+export function action_of({key, shiftKey, altKey}) {
   // "=" is "+" without Shift.
   const name = key === '=' ? '+' : key.length === 1 ? key.toLowerCase() : key;
   // Other keys need Shift on some keyboards.
@@ -61,14 +65,14 @@ function action_of({key, shiftKey, altKey}) {
 const caps = /** @type {Record<string, string>} */ ({' ': 'Space', PageUp: 'Page ↑', PageDown: 'Page ↓', ArrowLeft: '←', ArrowUp: '↑', ArrowRight: '→', ArrowDown: '↓', '-': '−'});
 
 /** What stands on the keys of a row: many keys as the first and the last, arrows with a modifier together. @param {KeyRow} row @returns {string[]} */
-function caps_of({modifier, keys}) {
+export function caps_of({modifier, keys}) {
   const all = Object.keys(keys).map((key) => caps[key] ?? (key.length === 1 ? key.toUpperCase() : key));
   if (modifier) return [modifier, all.join(' ')];
   return all.length > 4 ? [all[0] ?? '', '…', all[all.length - 1] ?? ''] : all;
 }
 
 /** Lists the keys of the page. @param {HTMLElement} list @param {Words} words */
-function list_keys(list, words) {
+export function list_keys(list, words) {
   list.replaceChildren(...key_rows.flatMap((row) => {
     const term = document.createElement('dt');
     for (const text of caps_of(row)) {
@@ -83,7 +87,7 @@ function list_keys(list, words) {
 }
 
 /** Whether a key belongs to the field, button or slider that has the focus. @param {KeyboardEvent} event */
-function is_for_field(event) {
+export function is_for_field(event) {
   const target = event.target instanceof HTMLElement ? event.target : null;
   if (!target) return false;
   return target.matches('input[type=number], input[type=text], textarea, select')

@@ -1,17 +1,19 @@
 // The state of a page in the fragment of its address: instant, views, values, look.
 
+/** @import {View} from './program.js' */
+
 /**
  * @typedef {{at_s: number|null, speed: number, views: View[], values: Map<string, string>,
  *   shown: string[]|null, names: boolean|null, theme: string}} PageState
  */
 
 /** @returns {PageState} */
-function empty_state() {
+export function empty_state() {
   return {at_s: null, speed: 1, views: [], values: new Map(), shown: null, names: null, theme: ''};
 }
 
 /** @type {(keyof Omit<View, 'panel'>)[]} */
-const view_keys = ['azimuth_deg', 'elevation_deg', 'roll_deg', 'distance', 'zoom', 'shift_x', 'shift_y'];
+export const view_keys = ['azimuth_deg', 'elevation_deg', 'roll_deg', 'distance', 'zoom', 'shift_x', 'shift_y'];
 
 /** Few digits, for a short link. @param {number} x */
 function short_number(x) {
@@ -19,7 +21,7 @@ function short_number(x) {
 }
 
 /** @param {PageState} state @returns {string} without "#" */
-function fragment_of(state) {
+export function fragment_of(state) {
   const fields = new URLSearchParams();
   if (state.at_s !== null) fields.append('at', String(Number(state.at_s.toPrecision(12))));
   if (state.speed !== 1) fields.append('speed', short_number(state.speed));
@@ -37,7 +39,7 @@ function fragment_of(state) {
 const longest_fragment = 20000; // characters; a page writes some hundred
 
 /** Reads a fragment; leaves out what it does not understand. @param {string} fragment */
-function state_of(fragment) {
+export function state_of(fragment) {
   const state = empty_state();
   if (fragment.length > longest_fragment) return state;
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));

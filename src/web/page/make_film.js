@@ -1,5 +1,17 @@
 // Films made in the page: MP4, WebM, slides, and pictures as a ZIP archive, of the frames that `poinsot render` draws.
 
+import {input, part} from './bar.js';
+import {message_of} from './figure.js';
+import {AlphaPairs, FrameEncoder, bitrate_of, film_qualities, key_frame_interval, working_codec} from './film_encoder.js';
+import {FilmFile, has_film_writer, load_film_writer} from './film_file.js';
+import {bytes_of_base64} from './loader.js';
+import {ZipWriter, joined_bytes, png_file} from './png_frames.js';
+import {Program, ProgramError} from './program.js';
+import {write_slides} from './slides.js';
+/** @import {FilmKind} from './film_encoder.js' */
+/** @import {FileSink, FilmContents, FilmHashes} from './film_file.js' */
+/** @import {Page} from './page.js' */
+
 /**
  * @typedef {{kind: FilmKind, width: number, height: number, rate: number, quality: string, span: FilmSpan}} FilmSettings
  * @typedef {{kind: 'whole'|'chapter'|'stop', index: number}} FilmSpan
@@ -32,7 +44,7 @@ function frames_of_span(film, {kind, index}) {
 class FilmCancelled extends Error {}
 
 /** Makes one film; `progress` is called after each frame. */
-class FilmRun {
+export class FilmRun {
   /** @param {Program} program of its own @param {(done: number, n_frames: number) => void} progress */
   constructor(program, progress) {
     this.program = program;
@@ -101,6 +113,9 @@ class FilmRun {
   }
 }
 
+/** What writes presentations; the workbench alone has it. @type {{write: typeof write_slides|null}} */
+export const presentations = {write: null};
+
 /** What a kind of film ends its name with, and its type. @type {Record<FilmKind, [string, string]>} */
 const film_files = {
   mp4: ['.mp4', 'video/mp4'], webm: ['.webm', 'video/webm'], png: ['.zip', 'application/zip'], slides: ['_slides.zip', 'application/zip'],
@@ -120,7 +135,7 @@ async function chosen_file(name, kind) {
 }
 
 /** The section "Film" of the options. */
-class FilmSection {
+export class FilmSection {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;
@@ -161,7 +176,7 @@ class FilmSection {
     options('film-kind', [['mp4', 'MP4'], ['webm', 'WebM'], ['png', words.of('film_pictures')],
       ...(has_slides ? [/** @type {[string, string]} */ (['slides', words.of('film_slides')])] : []),
       // The workbench alone has what writes them.
-      ...(has_slides && typeof write_presentation === 'function' ? [/** @type {[string, string]} */ (['pptx', 'PowerPoint (.pptx)'])] : [])]);
+      ...(has_slides && presentations.write ? [/** @type {[string, string]} */ (['pptx', 'PowerPoint (.pptx)'])] : [])]);
     options('film-quality', Object.keys(film_qualities).map((name) => [name, words.of(`quality_${name}`)]), 'lecture');
     const {chapters, stops} = loaded;
     options('film-span', [
@@ -286,7 +301,7 @@ class FilmSection {
         const memory = {write: async (/** @type {Uint8Array<ArrayBuffer>} */ part) => { parts.push(new Blob([part])); }};
         const zip = new ZipWriter((bytes) => (sink ?? memory).write(bytes));
         if (!codec) await run.pictures(film, span, page.data.name, zip, program.filmRecord(span, maker));
-        else await (kind === 'pptx' ? write_presentation : write_slides)(run, film, codec, maker, zip);
+        else await (kind === 'pptx' && presentations.write ? presentations.write : write_slides)(run, film, codec, maker, zip);
         if (!sink) blob = new Blob(parts, {type});
       }
       await sink?.close();

@@ -1,5 +1,15 @@
 // Measuring: a recording of ω(t) with its flights, and the scene of the one that is picked.
 
+import {input, part} from './bar.js';
+import {message_of} from './figure.js';
+import {unpacked} from './loader.js';
+import {OmegaChart} from './measure_chart.js';
+import {ProgramError, WasmModule} from './program.js';
+import {Recorder, is_caught, longest_record_s, table_of_rows} from './record.js';
+import {all_words} from './words.js';
+import {base64_of_bytes, files_of_zip, table_among} from './zip_reader.js';
+/** @import {Words} from './words.js' */
+
 /**
  * @typedef {{number: number, begin_s: number, end_s: number, rate_rad_s: number, residual_rad_s?: number, refusal?: string}} TableFlight
  * @typedef {{is_recording: boolean, flights: TableFlight[], best?: number, refusal?: string, rows: ArrayLike<number>}} MeasuredTable
@@ -54,7 +64,7 @@ const first_row_within_ms = 2500;
 const live_s = 10;
 
 /** The fit of the program, in a module of its own. */
-class FitModule extends WasmModule {
+export class FitModule extends WasmModule {
   /** @param {Uint8Array} bytes */
   static async start(bytes) {
     const it = new FitModule();
@@ -85,7 +95,7 @@ class FitModule extends WasmModule {
   }
 }
 
-class Measure {
+export class Measure {
   /** @param {Words} words @param {(name: string, text: string, files: Record<string, string>) => void} open shows a scene with its files */
   constructor(words, open) {
     this.words = words;
@@ -368,13 +378,13 @@ class Measure {
 }
 
 /** Waits until what was changed is painted: a large file takes seconds. */
-async function painted() {
+export async function painted() {
   // A frame's callbacks run before it is painted, and the next task after it.
   await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
 }
 
 /** @param {Blob} blob @param {string} name */
-function save_as(blob, name) {
+export function save_as(blob, name) {
   const link = document.createElement('a');
   link.href = URL.createObjectURL(blob);
   link.download = name;

@@ -13,7 +13,7 @@ function round_step(span, n) {
   return decade * ([1, 2, 5].find((digit) => digit * decade >= raw) ?? 10);
 }
 
-class OmegaChart {
+export class OmegaChart {
   /** @param {HTMLCanvasElement} canvas @param {boolean} has_legend above it */
   constructor(canvas, has_legend) {
     this.canvas = canvas;

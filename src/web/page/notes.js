@@ -1,6 +1,9 @@
 // The lecturer's window: a clock, the note of the stop, the next stop with its picture. Without pop-up windows, a part of the page.
 
-class Notes {
+/** @import {Film, FilmPlan} from './film.js' */
+/** @import {Words} from './words.js' */
+
+export class Notes {
   /** @param {HTMLElement} fallback part of the page for where windows are not allowed @param {() => Words} words @param {(event: KeyboardEvent) => void} keys @param {(film_s: number) => ImageData|null} picture of a second of film */
   constructor(fallback, words, keys, picture) {
     this.fallback = fallback;

@@ -1,6 +1,13 @@
 // The options of a page, in a drawer beside the picture: values, elements, view, colours, files, films, keys.
 
-class Options {
+import {input, part} from './bar.js';
+import {Controls} from './controls.js';
+import {list_keys} from './keys.js';
+import {FilmSection} from './make_film.js';
+/** @import {Page} from './page.js' */
+/** @import {Loaded} from './program.js' */
+
+export class Options {
   /** @param {Page} page */
   constructor(page) {
     this.page = page;

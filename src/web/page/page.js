@@ -1,9 +1,22 @@
 // The page: joins the figure with its controls, tells screen readers, and decides when the figure starts and rests.
 
+import {Address} from './address.js';
+import {Bar, part} from './bar.js';
+import {Figure, message_of} from './figure.js';
+import {Grips} from './grips.js';
+import {action_of, is_for_field} from './keys.js';
+import {scene_data, unpacked} from './loader.js';
+import {Notes} from './notes.js';
+import {Options} from './options.js';
+import {ProgramError} from './program.js';
+import {Views} from './view.js';
+import {Words} from './words.js';
+/** @import {Choices} from './figure.js' */
+
 const idle_after_ms = 2500;
 const settled_after_ms = 400;
 
-class Page {
+export class Page {
   constructor() {
     this.data = scene_data();
     this.words = new Words(this.data.language);

@@ -7,14 +7,14 @@ const crc_table = Uint32Array.from({length: 256}, (_, n) => {
 });
 
 /** CRC-32 of bytes (ISO 3309; PNG and ZIP). @param {Uint8Array} bytes */
-function crc32_of(bytes) {
+export function crc32_of(bytes) {
   let crc = 0xffffffff;
   for (const byte of bytes) crc = /** @type {number} */ (crc_table[(crc ^ byte) & 0xff]) ^ (crc >>> 8);
   return (crc ^ 0xffffffff) >>> 0;
 }
 
 /** Bytes one after the other. @param {Uint8Array[]} parts @returns {Uint8Array<ArrayBuffer>} */
-function joined_bytes(parts) {
+export function joined_bytes(parts) {
   const all = new Uint8Array(parts.reduce((sum, part) => sum + part.length, 0));
   let at = 0;
   for (const part of parts) {
@@ -34,7 +34,7 @@ async function deflated(bytes) {
  * A PNG file of straight R, G, B and alpha from the top row, with a text of its own. Source: PNG specification, third edition.
  * @param {Uint8Array} pixels @param {number} width @param {number} height @param {string} name of the text, in ASCII @param {string} text
  */
-async function png_file(pixels, width, height, name, text) {
+export async function png_file(pixels, width, height, name, text) {
   // Each row less the one above it: drawings repeat from row to row.
   const stride = 4 * width;
   const rows = new Uint8Array(height * (stride + 1));
@@ -67,7 +67,7 @@ async function png_file(pixels, width, height, name, text) {
 }
 
 /** A ZIP archive that is written as it grows; its files are stored as they are. Source: PKWARE's APPNOTE 6.3.3, without ZIP64. */
-class ZipWriter {
+export class ZipWriter {
   /** @param {(bytes: Uint8Array<ArrayBuffer>) => Promise<void>} write */
   constructor(write) {
     this.write = write;

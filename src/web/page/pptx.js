@@ -1,5 +1,15 @@
 // A presentation of a scene's slides, as `poinsot render -o SCENE.pptx` writes it. The module of the workbench holds its texts.
 
+import {utf8} from './film_file.js';
+import {unpacked} from './loader.js';
+import {presentations} from './make_film.js';
+import {FitModule} from './measure.js';
+import {make_slide_films, n_loop_frames, slide_still} from './slides.js';
+/** @import {FilmCodec} from './film_encoder.js' */
+/** @import {FilmDescription, FilmRun} from './make_film.js' */
+/** @import {ZipWriter} from './png_frames.js' */
+/** @import {SlidePlan} from './slides.js' */
+
 /** The texts of a presentation, by their names. @param {string[]} texts as src/web/module/fit_module.cpp reads them @returns {Promise<string[]>} */
 async function presentation_parts(texts) {
   const module = await FitModule.start(unpacked('fit-module'));
@@ -33,3 +43,5 @@ async function write_presentation(run, film, codec, maker, zip) {
   });
   await zip.finish();
 }
+
+presentations.write = write_presentation;

@@ -2,6 +2,10 @@
 // functions with arguments and results of JavaScript. This file knows no page. A test compares the types of its results with the
 // answers of the module.
 
+/** @import {FilmTexts} from './film_file.js' */
+/** @import {Grip} from './grips.js' */
+/** @import {FilmDescription} from './make_film.js' */
+
 /**
  * @typedef {{name: string, kind: string, x: number, y: number, width: number, height: number,
  *   has_view: boolean, azimuth_deg: number, elevation_deg: number, distance: number}} Panel
@@ -26,7 +30,7 @@
  */
 
 /** What the program refuses, with the place in the scene where there is one. */
-class ProgramError extends Error {
+export class ProgramError extends Error {
   /** @param {{kind: string, message: string, file?: string, line?: number, column?: number}} error */
   constructor(error) {
     super(error.message);
@@ -225,7 +229,7 @@ function gl_functions(memory, context) {
 const compiled_modules = new WeakMap();
 
 /** A module of WebAssembly, and how its functions take and give texts, bytes and numbers. */
-class WasmModule {
+export class WasmModule {
   constructor() {
     /** @type {Record<string, any>} */
     this.exports = {};
@@ -321,7 +325,7 @@ class WasmModule {
   }
 }
 
-class Program extends WasmModule {
+export class Program extends WasmModule {
   /**
    * Starts the program on a canvas; without one it computes and does not draw. Rejects with a
    * ProgramError of kind 'no-wasm' or 'no-webgl'.
@@ -633,6 +637,3 @@ class Program extends WasmModule {
     this.#ask_extensions();
   }
 }
-
-// @ts-ignore: Node.js has `module`, browsers have none.
-if (typeof module !== 'undefined' && module.exports) Object.assign(module.exports, {Program, ProgramError});

@@ -1,6 +1,6 @@
 // Records ω from the gyroscope of the phone that shows the workbench.
 
-const longest_record_s = 120;
+export const longest_record_s = 120;
 /** So long the phone is quiet after the catch, or so long after the flight at most, before a recording ends. */
 const quiet_s = 0.7;
 const most_after_flight_s = 3;
@@ -13,7 +13,7 @@ const quiet_rad_s = 1;
  */
 
 /** A recording as a table that `poinsot fit` reads. @param {OmegaRows} rows @returns {string} */
-function table_of_rows(rows) {
+export function table_of_rows(rows) {
   const lines = ['time_s,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s'];
   for (let k = 0; k < rows.length; k += 4)
     lines.push([Number((rows[k] ?? 0).toFixed(6)), ...rows.slice(k + 1, k + 4).map((w) => Number(w.toPrecision(9)))].join(','));
@@ -24,7 +24,7 @@ function table_of_rows(rows) {
  * Whether the phone has flown and come to rest, or so much time has gone since.
  * @param {OmegaRows} rows @param {number[]} flights begin and end of each, s @returns {boolean}
  */
-function is_caught(rows, flights) {
+export function is_caught(rows, flights) {
   const n = rows.length;
   const last_s = rows[n - 4] ?? 0;
   const end_s = flights[1];
@@ -35,7 +35,7 @@ function is_caught(rows, flights) {
   return true;
 }
 
-class Recorder {
+export class Recorder {
   /** Whether a page may ask for a gyroscope here. */
   static get is_possible() {
     return window.isSecureContext && ('DeviceMotionEvent' in window || 'Gyroscope' in window);

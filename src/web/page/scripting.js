@@ -1,5 +1,9 @@
 // What other scripts can do with the page: the object `poinsot`. `time_s` counts seconds of the motion, `film_s` seconds of the film.
 
+import {toml_of} from './controls.js';
+import {Page} from './page.js';
+/** @import {View} from './program.js' */
+
 /** @param {Page} page */
 function scripting(page) {
   const {figure} = page;
@@ -115,6 +119,6 @@ function scripting(page) {
   });
 }
 
-const the_page = new Page();
+export const the_page = new Page();
 /** @type {any} */ (window)['poinsot'] = scripting(the_page);
 the_page.watch_sight();

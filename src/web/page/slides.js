@@ -1,5 +1,13 @@
 // The slides of a scene: a film for each stop, as `poinsot render --slides` makes them.
 
+import {FrameEncoder, key_frame_interval} from './film_encoder.js';
+import {FilmFile, utf8} from './film_file.js';
+import {png_file} from './png_frames.js';
+/** @import {FilmCodec} from './film_encoder.js' */
+/** @import {FilmHashes} from './film_file.js' */
+/** @import {FilmDescription, FilmRun} from './make_film.js' */
+/** @import {ZipWriter} from './png_frames.js' */
+
 /**
  * @typedef {{title: string, note: string, film: string, loop: string|null, captions: string|null, loop_captions: string|null,
  *   png: string, loop_s: number, first_frame: number, last_frame: number}} SlideRow
@@ -10,7 +18,7 @@
  */
 
 /** The frames of a slide's loop. @param {SlideRow} slide @param {FilmDescription} film */
-function n_loop_frames(slide, film) {
+export function n_loop_frames(slide, film) {
   return Math.round((slide.loop_s * film.numerator) / film.denominator);
 }
 
@@ -52,7 +60,7 @@ function steps_of_slides(plan, film) {
  * @param {FilmRun} run @param {FilmDescription} film @param {SlidePlan} plan @param {FilmCodec} codec @param {string} maker
  * @param {(name: string, bytes: Uint8Array<ArrayBuffer>) => Promise<void>} save
  */
-async function make_slide_films(run, film, plan, codec, maker, save) {
+export async function make_slide_films(run, film, plan, codec, maker, save) {
   const steps = steps_of_slides(plan, film);
   /** @type {Map<SlideFilm, FilmFile>} */
   const open = new Map();
@@ -89,12 +97,12 @@ async function make_slide_films(run, film, plan, codec, maker, save) {
 }
 
 /** The picture of a frame. @param {FilmRun} run @param {FilmDescription} film @param {number} frame @param {string} maker */
-function slide_still(run, film, frame, maker) {
+export function slide_still(run, film, frame, maker) {
   return png_file(run.program.filmFrame(frame, 'pixels'), film.width, film.height, 'poinsot', run.program.filmRecord([frame, frame], maker, {}, 2));
 }
 
 /** The files of `poinsot render --slides`, without its PDFs, in an archive. @param {FilmRun} run @param {FilmDescription} film @param {FilmCodec} codec @param {string} maker @param {ZipWriter} zip */
-async function write_slides(run, film, codec, maker, zip) {
+export async function write_slides(run, film, codec, maker, zip) {
   const text = run.program.filmSlides();
   /** @type {SlidePlan} */
   const plan = JSON.parse(text);

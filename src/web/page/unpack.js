@@ -1,7 +1,7 @@
 // Packed blocks of the page: LZMA, written as text in base 94.
 
 /** Bytes from text: eleven characters of ' ' to '~' without '<' are nine bytes. @param {string} text @returns {Uint8Array<ArrayBuffer>} */
-function bytes_of_base94(text) {
+export function bytes_of_base94(text) {
   const n_low = 2 ** 40;
   const bytes = new Uint8Array((9 * text.length) / 11);
   for (let i = 0, at = 0; at < bytes.length; at += 9) {
@@ -26,7 +26,7 @@ function bytes_of_base94(text) {
  * gzip themselves, but with gzip a page is 27 % larger.
  * @param {Uint8Array} packed @returns {Uint8Array<ArrayBuffer>}
  */
-function unpacked_lzma(packed) {
+export function unpacked_lzma(packed) {
   const lc = packed[0] % 9;
   const lp = Math.floor(packed[0] / 9) % 5;
   const pb = Math.floor(packed[0] / 45);

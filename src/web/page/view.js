@@ -1,5 +1,8 @@
 // Turning, moving and zooming the panels that have a view, by mouse, touch, pen and keys.
 
+/** @import {Panel, View} from './program.js' */
+/** @import {Words} from './words.js' */
+
 /**
  * @typedef {{changed: () => void, picked: (x: number, y: number, panel: number) => boolean,
  *   hovered: (x: number, y: number, panel: number) => boolean,
@@ -11,7 +14,7 @@ const degrees_a_height = 240; // of the panel: a drag over all of it turns by th
 const least_zoom = 0.2;
 const most_zoom = 20;
 
-class Views {
+export class Views {
   /** @param {HTMLElement} holder lies over the canvas @param {ViewEvents} events */
   constructor(holder, events) {
     this.holder = holder;

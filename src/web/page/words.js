@@ -1,9 +1,9 @@
 // The words of the page in the program's six languages.
 
-const languages = ['en', 'de', 'fr', 'es', 'it', 'ja'];
+export const languages = ['en', 'de', 'fr', 'es', 'it', 'ja'];
 
 /** Each word in the order of `languages`. @type {Record<string, string[]>} */
-const all_words = {
+export const all_words = {
   play: ['Play', 'Abspielen', 'Lecture', 'Reproducir', 'Riproduci', '再生'],
   pause: ['Pause', 'Anhalten', 'Pause', 'Pausa', 'Pausa', '一時停止'],
   go_on: ['Go on', 'Weiter', 'Continuer', 'Continuar', 'Continua', '続ける'],
@@ -108,7 +108,7 @@ const all_words = {
 };
 
 /** Names of elements and overlays. @type {Record<string, string[]>} */
-const element_words = {
+export const element_words = {
   plane: ['invariable plane', 'invariable Ebene', 'plan invariable', 'plano invariable', 'piano invariabile', '不変平面'],
   tangent: ['tangent plane', 'Tangentialebene', 'plan tangent', 'plano tangente', 'piano tangente', '接平面'],
   ellipsoid: ['inertia ellipsoid', 'Trägheits­ellipsoid', 'ellipsoïde d’inertie', 'elipsoide de inercia', 'ellissoide d’inerzia', '慣性楕円体'],
@@ -149,7 +149,7 @@ const element_words = {
 };
 
 /** Labels of keys of the scene that viewers may change. @type {Record<string, string[]>} */
-const key_words = {
+export const key_words = {
   'start.omega_rad_s': ['Angular velocity ω at t = 0', 'Winkelgeschwindigkeit ω bei t = 0', 'Vitesse angulaire ω à t = 0', 'Velocidad angular ω en t = 0', 'Velocità angolare ω a t = 0', 't = 0 での角速度 ω'],
   'start.energy_J': ['Kinetic energy T', 'Kinetische Energie T', 'Énergie cinétique T', 'Energía cinética T', 'Energia cinetica T', '運動エネルギー T'],
   'start.momentum_kg_m2_s': ['Angular momentum |L|', 'Drehimpuls |L|', 'Moment cinétique |L|', 'Momento angular |L|', 'Momento angolare |L|', '角運動量 |L|'],
@@ -181,7 +181,7 @@ const key_words = {
 };
 
 /** The words in one language. */
-class Words {
+export class Words {
   /** @param {string} code */
   constructor(code) {
     this.code = languages.includes(code) ? code : 'en';

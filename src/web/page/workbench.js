@@ -1,5 +1,23 @@
 // The workbench: examples, text of the scene, files, drafts, and what it saves.
 
+import {input, part} from './bar.js';
+import {Drafts} from './drafts.js';
+import {new_editor} from './editor.js';
+import {message_of} from './figure.js';
+import {block, bytes_of_base64} from './loader.js';
+import {Measure, painted, save_as} from './measure.js';
+import {ZipWriter} from './png_frames.js';
+import './pptx.js';
+import {ProgramError} from './program.js';
+import {the_page} from './scripting.js';
+import {Words, all_words} from './words.js';
+import {base64_of_bytes, files_of_zip, table_among} from './zip_reader.js';
+/** @import {Draft} from './drafts.js' */
+/** @import {Finding} from './editor.js' */
+/** @import {Choices} from './figure.js' */
+/** @import {Page} from './page.js' */
+/** @import {Loaded, Program} from './program.js' */
+
 /**
  * @typedef {{name: string, title: string, text: string, files: Record<string, string>, thumbnail: string}} GalleryScene
  * @typedef {{schema: string, scenes: GalleryScene[], starts: GalleryScene[], template: string, no_script: Record<string, string>}} WorkbenchData
@@ -50,13 +68,6 @@ const workbench_words = {
   start_measured_is: ['A gyroscope’s table beside the exact motion', 'Die Tabelle eines Gyroskops neben der exakten Bewegung', 'Le tableau d’un gyroscope à côté du mouvement exact', 'La tabla de un giroscopio junto al movimiento exacto', 'La tabella di un giroscopio accanto al moto esatto', 'ジャイロスコープの表と厳密な運動'],
 };
 Object.assign(all_words, workbench_words);
-
-/** @param {Uint8Array} bytes @returns {string} */
-function base64_of_bytes(bytes) {
-  let text = '';
-  for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
-  return btoa(text);
-}
 
 /** JSON for a script element: it cannot close the element. @param {unknown} value */
 function script_json(value) {

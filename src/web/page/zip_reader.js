@@ -1,5 +1,7 @@
 // Reads ZIP archives: stored and deflated files. Source: PKWARE's APPNOTE 6.3.3, without encryption and ZIP64.
 
+import {crc32_of, joined_bytes} from './png_frames.js';
+
 const most_unzipped_bytes = 256e6;
 const most_zip_files = 5000;
 
@@ -24,7 +26,7 @@ async function bytes_of_stream(stream, most) {
  * The files of an archive, by the names that it gives them; throws a sentence without the archive's name.
  * @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<{name: string, bytes: Uint8Array<ArrayBuffer>}[]>}
  */
-async function files_of_zip(bytes) {
+export async function files_of_zip(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const damaged = () => new RangeError('the archive is damaged, or is no ZIP archive; make it again');
   const need = (/** @type {boolean} */ holds) => {
@@ -70,7 +72,14 @@ async function files_of_zip(bytes) {
 }
 
 /** The table of a recording in an archive: phyphox's of the gyroscope, or the only one. @param {{name: string, bytes: Uint8Array<ArrayBuffer>}[]} files */
-function table_among(files) {
+export function table_among(files) {
   const tables = files.filter(({name}) => /\.(csv|tsv|txt)$/i.test(name) && !name.startsWith('meta/'));
   return tables.find(({name}) => /gyro/i.test(name)) ?? tables[0];
+}
+
+/** @param {Uint8Array} bytes @returns {string} */
+export function base64_of_bytes(bytes) {
+  let text = '';
+  for (let i = 0; i < bytes.length; i += 32768) text += String.fromCharCode(...bytes.subarray(i, i + 32768));
+  return btoa(text);
 }

@@ -1,18 +1,12 @@
 // The film of a page: playing, stops, loops, steps; its words. No browser is needed.
-'use strict';
-const {execFileSync} = require('node:child_process');
-const test = require('node:test');
-const assert = require('node:assert/strict');
-const fs = require('node:fs');
-const path = require('node:path');
-const vm = require('node:vm');
-
-const pages = path.join(__dirname, '../../src/web/page');
-const context = vm.createContext({URLSearchParams, Intl});
-for (const name of ['words.js', 'film.js', 'link.js', 'controls.js'])
-  vm.runInContext(fs.readFileSync(path.join(pages, name), 'utf8'), context, {filename: name});
-const {Film, Words, all_words, element_words, key_words, languages, fragment_of, state_of, empty_state, toml_of, slider_span, component_of} =
-  vm.runInContext('({Film, Words, all_words, element_words, key_words, languages, fragment_of, state_of, empty_state, toml_of, slider_span, component_of})', context);
+import {execFileSync} from 'node:child_process';
+import test from 'node:test';
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import {component_of, slider_span, toml_of} from '../../src/web/page/controls.js';
+import {Film} from '../../src/web/page/film.js';
+import {empty_state, fragment_of, state_of} from '../../src/web/page/link.js';
+import {Words, all_words, element_words, key_words, languages} from '../../src/web/page/words.js';
 
 const stop = (at_s, loop_s = 0) => ({at_s, title: '', loop_s, note: ''});
 const film_with = (changes = {}) => new Film({length_s: 10, frames_per_s: 30, loops: false, stops: [], chapters: [], ...changes});
@@ -205,7 +199,7 @@ test('the space bar plays, pauses and goes on', () => {
   assert.equal(film.leaving, true);
 });
 
-// `node film_test.js PROGRAM`
+// `node film_test.mjs PROGRAM`
 const listed = (what) => execFileSync(process.argv[2], ['list', what], {encoding: 'utf8'}).trim().split('\n').map((line) => line.split(/\s+/)[0]);
 
 test('every element and overlay of the program has its words', () => {
@@ -213,7 +207,7 @@ test('every element and overlay of the program has its words', () => {
 });
 
 test('the languages are those of the program', () => {
-  const header = fs.readFileSync(path.join(__dirname, '../../src/text/languages.h'), 'utf8');
+  const header = fs.readFileSync(new URL('../../src/text/languages.h', import.meta.url), 'utf8');
   const codes = /language_codes\{(.*)\}/.exec(header)[1];
   assert.deepEqual(JSON.parse(`[${codes}]`), [...languages]);
 });

@@ -1,15 +1,9 @@
 // Unpacks with web/page/unpack.js what xz packs, and compares the bytes. Needs no browser.
-'use strict';
-const test = require('node:test');
-const assert = require('node:assert/strict');
-const fs = require('node:fs');
-const path = require('node:path');
-const vm = require('node:vm');
-const {execFileSync} = require('node:child_process');
-
-const context = vm.createContext({});
-vm.runInContext(fs.readFileSync(path.join(__dirname, '../../src/web/page/unpack.js'), 'utf8'), context);
-const {unpacked_lzma, bytes_of_base94} = vm.runInContext('({unpacked_lzma, bytes_of_base94})', context);
+import test from 'node:test';
+import assert from 'node:assert/strict';
+import fs from 'node:fs';
+import {execFileSync} from 'node:child_process';
+import {bytes_of_base94, unpacked_lzma} from '../../src/web/page/unpack.js';
 
 // A fixed sequence (Numerical Recipes' quick generator).
 let seed = 1;
@@ -25,7 +19,7 @@ const patchwork = Buffer.concat(Array.from({length: 3000}, () => {
 }));
 const samples = {
   'no byte': Buffer.alloc(0), 'one byte': Buffer.from('a'), 'one byte many times': Buffer.alloc(300000, 7), noise, patchwork,
-  'text': fs.readFileSync(__filename), 'numbers': Buffer.from(Float64Array.from({length: 9000}, (_, k) => Math.sin(k)).buffer),
+  'text': fs.readFileSync(new URL(import.meta.url)), 'numbers': Buffer.from(Float64Array.from({length: 9000}, (_, k) => Math.sin(k)).buffer),
 };
 
 for (const [name, bytes] of Object.entries(samples))

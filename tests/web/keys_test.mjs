@@ -1,15 +1,9 @@
 // The table of keys of a page. No browser is needed.
-'use strict';
-const test = require('node:test');
-const assert = require('node:assert/strict');
-const fs = require('node:fs');
-const path = require('node:path');
-const vm = require('node:vm');
+import test from 'node:test';
+import assert from 'node:assert/strict';
+import {action_of, caps_of, key_rows} from '../../src/web/page/keys.js';
+import {all_words} from '../../src/web/page/words.js';
 
-const pages = path.join(__dirname, '../../src/web/page');
-const context = vm.createContext({});
-for (const name of ['words.js', 'keys.js']) vm.runInContext(fs.readFileSync(path.join(pages, name), 'utf8'), context, {filename: name});
-const {key_rows, action_of, caps_of, all_words} = vm.runInContext('({key_rows, action_of, caps_of, all_words})', context);
 const pressed = (key, {shiftKey = false, altKey = false} = {}) => action_of({key, shiftKey, altKey});
 
 test('every row has a word, and every key one meaning', () => {
