@@ -67,7 +67,7 @@ foreach(package mediabunny=film_writer/node_modules/mediabunny codemirror=text_e
     string(REPLACE "=" ";" package ${package})
     list(GET package 0 name)
     list(GET package 1 folder)
-    get_filename_component(licence ${CMAKE_CURRENT_LIST_DIR}/../../page/${folder}/LICENSE ABSOLUTE)
+    get_filename_component(licence ${CMAKE_CURRENT_LIST_DIR}/../web/page/${folder}/LICENSE ABSOLUTE)
     if(EXISTS ${licence})
         file(COPY_FILE ${licence} ${bundle}/share/doc/poinsot/licences/${name})
     endif()

@@ -126,7 +126,7 @@ struct OutputFormat {
     // single process is faster, because only one process encodes.
     int n_cores_a_job = 0;
     double most_fps = 0.0;  // 0: any rate
-    // It holds the scene itself in place of frames; production/pages/ writes it, and `open` is
+    // It holds the scene itself in place of frames; web/pack/ writes it, and `open` is
     // null.
     bool is_page = false;
     // It holds a film for each stop; production/slides/ writes it, and `open` is null.

@@ -1,5 +1,5 @@
 """Writes <glad/gl.h> for a page: the part of OpenGL ES 3.0 that the SOURCEs call, as imports from
-page/program.js, which calls WebGL. It stands in for the loader of the native program.
+src/web/page/program.js, which calls WebGL. It stands in for the loader of the native program.
 
     webgl_header.py REGISTRY.xml HEADER SOURCE…
 

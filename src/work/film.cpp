@@ -6,10 +6,10 @@
 #include "output/frame_sink.h"
 #include "production/films/film_job.h"
 #include "production/films/jobs.h"
-#include "production/pages/page_job.h"
 #include "production/slides/pptx_deck.h"
 #include "production/slides/slide_deck.h"
 #include "text/printable.h"
+#include "web/pack/page_job.h"
 
 namespace poinsot {
 

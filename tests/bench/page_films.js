@@ -6,7 +6,7 @@ const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {launched, opened_file, page_of, ready} = require('../page/browsers.js');
+const {launched, opened_file, page_of, ready} = require('../web/browsers.js');
 
 const [program] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-page-films-'));
@@ -67,7 +67,7 @@ async function measure() {
           encode_s += (performance.now() - began) / 1000;
         };
         const began = performance.now();
-        await the_page.films.make({...the_page.films.settings(), kind, width, height, span: {kind: 'whole', index: 0}});
+        await the_page.options.films.make({...the_page.options.films.settings(), kind, width, height, span: {kind: 'whole', index: 0}});
         Object.assign(Program.prototype, {filmFrame: draw});
         Object.assign(FrameEncoder.prototype, {add});
         return {n_frames, draw_s, encode_s, all_s: (performance.now() - began) / 1000};

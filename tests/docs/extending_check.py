@@ -33,7 +33,7 @@ EXISTING = {
 
 
 def main():
-    texts = {file.relative_to(ROOT): GENERATED.sub("", file.read_text("utf-8")) for folder in ("src", "page") for file in sorted((ROOT / folder).rglob("*"))
+    texts = {file.relative_to(ROOT): GENERATED.sub("", file.read_text("utf-8")) for file in sorted((ROOT / "src").rglob("*"))
              if file.suffix in SUFFIXES and file.is_file() and "node_modules" not in file.parts}
     headings = re.findall(r"^## (.*) \((\d+)(?: to (\d+))? files?\b.*\)$", (ROOT / "docs/extending.md").read_text("utf-8"), re.M)
     wrong = []

@@ -43,16 +43,16 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"production",
      {"error", "colour", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "vector", "image", "output"}},
+    // Pages: their module for browsers, and what writes them.
+    {"web",
+     {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene",
+      "construction", "shapes", "drawing", "render", "vector", "output", "production"}},
     // What several doors ask of production/: the command line, the library.
-    {"work", {"error", "text", "scene", "drawing", "output", "production"}},
+    {"work", {"error", "text", "scene", "drawing", "output", "production", "web"}},
     // The library for programs in C++.
     {"library",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
       "typeset", "shapes", "drawing", "render", "vector", "image", "output", "production", "work"}},
-    // The module of a page in a browser.
-    {"page",
-     {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene",
-      "construction", "shapes", "drawing", "render", "vector", "output", "production"}},
     {"lab",
      {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
       "render", "image", "output", "production"}},
@@ -89,9 +89,6 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"production/stills",
      {"production/session", "production/session/files", "production/records",
       "production/vectors"}},
-    {"production/pages",
-     {"production/session", "production/session/files", "production/records", "production/vectors",
-      "production/stills"}},
     {"production/films",
      {"production/session", "production/records", "production/vectors", "production/stills"}},
     {"production/cluster", {"production/session", "production/films"}},
@@ -112,10 +109,17 @@ const std::map<std::string, std::set<std::string>> allowed_subfolders{
     {"library/construction", {"library/poinsot", "library/mechanics"}},
     {"library/production", {"library/poinsot", "library/mechanics", "library/construction"}},
     {"vector/passes", {}},
+    {"web/host", {}},
+    {"web/module", {"web/host"}},
+    {"web/pack", {}},
     {"render/context", {}},
     {"render/passes", {"render/context"}},
     {"render/cache", {"render/context", "render/passes"}},
 };
+
+// Folder → the only subfolder of it that other folders may include. The module of pages and its
+// host are a program of their own; pack/ is what the native program has of pages.
+const std::map<std::string, std::string> shown_subfolder{{"web", "web/pack"}};
 
 // Subfolders that may include less than their folder: a page in a browser and a Python module need
 // no output.
@@ -125,6 +129,9 @@ const std::map<std::string, std::set<std::string>> allowed_folders{
       "typeset", "shapes", "drawing"}},
     {"production/sampling", {"error", "text", "system", "mechanics", "construction"}},
     {"production/fits", {"error", "text", "mechanics", "measured", "scene"}},
+    // A host defines functions of other layers and knows no scene.
+    {"web/host", {"error", "system", "image", "typeset", "render", "vector", "production"}},
+    {"web/pack", {"error", "text", "system", "image", "typeset", "output", "production"}},
     // Components of the library that need Eigen alone.
     {"library/mechanics", {"error", "mechanics"}},
     {"library/construction", {"error", "mechanics", "construction"}},
@@ -155,7 +162,7 @@ constexpr int most_headers = 20;
 
 // Beginning of a library's header → the folders that may include it.
 const std::map<std::string, std::set<std::string>> library_owners{
-    {"glad/", {"render", "page"}}, {"glm/", {"render"}},
+    {"glad/", {"render", "web"}},  {"glm/", {"render"}},
     {"GL/", {"render"}},           {"EGL/", {"render"}},
     {"libav", {"output"}},         {"libsw", {"output"}},
     {"toml", {"scene"}},           {"CLI/", {"cli"}},
@@ -163,7 +170,7 @@ const std::map<std::string, std::set<std::string>> library_owners{
     {"cairo", {"vector"}},         {"ft2build.h", {"typeset", "vector"}},
     {"hb", {"typeset", "vector"}}, {"boost/", {"text", "numerics", "mechanics"}},
     {"sleef.h", {"libm"}},         {"xxhash.h", {"image"}},
-    {"pybind11/", {"python"}},     {"stb_image.h", {"page"}},
+    {"pybind11/", {"python"}},     {"stb_image.h", {"web"}},
 };
 
 // Test files that no source file gives its name, and why.
@@ -268,10 +275,25 @@ TEST(House, SubfoldersIncludeOnlyAllowedSubfolders) {
     }
 }
 
+TEST(House, OtherFoldersIncludeOnlyTheShownSubfolder) {
+    int n_includes = 0;
+    for (const Include& include : includes_of_sources()) {
+        const auto slash = include.header.find('/');
+        if (!include.quoted || slash == std::string::npos) continue;
+        const std::string folder = include.header.substr(0, slash);
+        const auto shown = shown_subfolder.find(folder);
+        if (shown == shown_subfolder.end() || folder == include.from_folder) continue;
+        ++n_includes;
+        EXPECT_EQ(subfolder_of(include.header), shown->second)
+            << include.from_file << " must not include \"" << include.header << "\"";
+    }
+    EXPECT_GT(n_includes, 0);
+}
+
 // Files directly in a folder may be included by all of its subfolders and may include all of them.
 // Where the subfolders see each other one way, such a file would be a way round.
 TEST(House, FoldersWhoseSubfoldersAreLayersHaveNoFilesOfTheirOwn) {
-    const std::set<std::string> layered{"drawing", "drawing/figures"};
+    const std::set<std::string> layered{"drawing", "drawing/figures", "web"};
     const fs::path src = poinsot::source_folder() / "src";
     for (const std::string& folder : layered) {
         int n_subfolders = 0;

@@ -2,13 +2,13 @@
 // Usage: node report_in_browser.js PAGE WIDTH [PAGE WIDTH]...
 'use strict';
 const assert = require('node:assert/strict');
-const {opened_file, run_checks, until} = require('../page/browsers.js');
+const {browser_checks, opened_file, until} = require('../web/browsers.js');
 
 const files = process.argv.slice(2);
-const checks = [];
+const check = browser_checks();
 for (let i = 0; i < files.length; i += 2) {
   const [file, width] = [files[i], Number(files[i + 1])];
-  checks.push([`${file} in ${width} pixels`, async (browser) => {
+  check(`${file} in ${width} pixels`, async (browser) => {
     const {tab, faults} = await opened_file(browser, file, {size: {width, height: 800}});
     await until(tab, 'document.getElementById("claims").textContent !== ""', 120000);
     const claims = JSON.parse(await tab.$eval('#claims', (element) => element.textContent));
@@ -16,6 +16,5 @@ for (let i = 0; i < files.length; i += 2) {
     assert.ok(claims.length > 0 && claims.every(([, holds]) => holds), 'a claim fails');
     assert.deepEqual(faults, []);
     await tab.close();
-  }]);
+  });
 }
-void run_checks(checks, []);

@@ -11,7 +11,7 @@ namespace poinsot {
 
 // During its lifetime it reports the current work after one second and then every ten seconds.
 // Ctrl-C ends the process at once, because no open file could be lost. A page in a browser, which
-// has one thread, keeps only the time limit (src/page/).
+// has one thread, keeps only the time limit (src/web/host/).
 class SlowWorkNotice {
  public:
     // Throws EnvironmentError if Ctrl-C has come before.

@@ -1,0 +1,31 @@
+// What the page carries: the scene, its files, the module and the fonts, each in a block of its own.
+
+import {bytes_of_base94, unpacked_lzma} from './unpack.js';
+
+/**
+ * @typedef {{name: string, text: string, overrides: string[], files: Record<string, string>, controls: string[],
+ *   language: string, width: number, height: number, poster_at_s: number}} SceneData
+ */
+
+/** @param {string} text @returns {Uint8Array<ArrayBuffer>} */
+export function bytes_of_base64(text) {
+  const binary = atob(text.trim());
+  const bytes = new Uint8Array(binary.length);
+  for (let i = 0; i < binary.length; ++i) bytes[i] = binary.charCodeAt(i);
+  return bytes;
+}
+
+/** The text of a block of data in the page. @param {string} id */
+export function block(id) {
+  return document.getElementById(id)?.textContent ?? '';
+}
+
+/** Unpacks a block of the program. @param {string} id */
+export function unpacked(id) {
+  return unpacked_lzma(bytes_of_base94(block(id)));
+}
+
+/** @returns {SceneData} */
+export function scene_data() {
+  return JSON.parse(block('scene-data'));
+}

@@ -1,0 +1,611 @@
+// The workbench: examples, text of the scene, files, drafts, and what it saves.
+
+import {input, part} from './bar.js';
+import {Drafts} from './drafts.js';
+import {new_editor} from './editor.js';
+import {message_of} from './figure.js';
+import {block, bytes_of_base64} from './loader.js';
+import {Measure, painted, save_as} from './measure.js';
+import {ZipWriter} from './png_frames.js';
+import './pptx.js';
+import {ProgramError} from './program.js';
+import {the_page} from './scripting.js';
+import {Words, all_words} from './words.js';
+import {base64_of_bytes, files_of_zip, table_among} from './zip_reader.js';
+/** @import {Draft} from './drafts.js' */
+/** @import {Finding} from './editor.js' */
+/** @import {Choices} from './figure.js' */
+/** @import {Page} from './page.js' */
+/** @import {Loaded, Program} from './program.js' */
+
+/**
+ * @typedef {{name: string, title: string, text: string, files: Record<string, string>, thumbnail: string}} GalleryScene
+ * @typedef {{schema: string, scenes: GalleryScene[], starts: GalleryScene[], template: string, no_script: Record<string, string>}} WorkbenchData
+ * @typedef {{kind: 'file'|'example'|'new', name: string, text: string}} SceneSource where a scene comes from: the name of its file, and its first text
+ */
+
+const write_after_ms = 250;
+const most_rows = 20000;
+/** As in workbench.css. */
+const small_screen = matchMedia('(max-width: 760px)');
+
+/** @type {Record<string, string[]>} */
+const workbench_words = {
+  new: ['New', 'Neu', 'Nouveau', 'Nuevo', 'Nuovo', '新規'],
+  gallery: ['Examples', 'Beispiele', 'Exemples', 'Ejemplos', 'Esempi', '例'],
+  open: ['Open …', 'Öffnen …', 'Ouvrir…', 'Abrir…', 'Apri…', '開く…'],
+  save_scene: ['Save scene', 'Szene speichern', 'Enregistrer la scène', 'Guardar la escena', 'Salva la scena', 'シーンを保存'],
+  export_page: ['Save page', 'Seite speichern', 'Enregistrer la page', 'Guardar la página', 'Salva la pagina', 'ページを保存'],
+  export_csv: ['Save data (CSV)', 'Daten speichern (CSV)', 'Enregistrer les données (CSV)', 'Guardar los datos (CSV)', 'Salva i dati (CSV)', 'データを保存 (CSV)'],
+  reading: ['Reading', 'Liest', 'Lecture de', 'Leyendo', 'Lettura di', '読み込み中:'],
+  text: ['Text of the scene', 'Text der Szene', 'Texte de la scène', 'Texto de la escena', 'Testo della scena', 'シーンのテキスト'],
+  tab_text: ['Text', 'Text', 'Texte', 'Texto', 'Testo', 'テキスト'],
+  tabs: ['Figure or text', 'Bild oder Text', 'Figure ou texte', 'Figura o texto', 'Figura o testo', '図とテキスト'],
+  search: ['Search', 'Suchen', 'Chercher', 'Buscar', 'Cerca', '検索'],
+  search_none: ['No example has these words.', 'Kein Beispiel enthält diese Wörter.', 'Aucun exemple ne contient ces mots.', 'Ningún ejemplo contiene estas palabras.', 'Nessun esempio contiene queste parole.', 'この語を含む例はありません。'],
+  look_dark: ['Dark desk', 'Dunkle Arbeitsfläche', 'Bureau sombre', 'Escritorio oscuro', 'Scrivania scura', '暗い作業画面'],
+  look_light: ['Light desk', 'Helle Arbeitsfläche', 'Bureau clair', 'Escritorio claro', 'Scrivania chiara', '明るい作業画面'],
+  drafts: ['Kept in this browser', 'In diesem Browser aufbewahrt', 'Conservé dans ce navigateur', 'Guardado en este navegador', 'Conservato in questo browser', 'このブラウザーに保存されたシーン'],
+  draft_offer: ['This browser has kept your scene “{name}” of {time}.', 'Dieser Browser hat Ihre Szene „{name}“ von {time} aufbewahrt.', 'Ce navigateur a conservé votre scène « {name} » de {time}.', 'Este navegador ha guardado su escena «{name}» de {time}.', 'Questo browser ha conservato la Sua scena «{name}» delle {time}.', 'このブラウザーに {time} のシーン「{name}」が残っています。'],
+  draft_take: ['Go on with it', 'Daran weiterarbeiten', 'Continuer', 'Continuar', 'Continua', '続ける'],
+  draft_leave: ['Start anew', 'Neu beginnen', 'Recommencer', 'Empezar de nuevo', 'Ricomincia', '新しく始める'],
+  draft_remove: ['Remove', 'Entfernen', 'Supprimer', 'Eliminar', 'Elimina', '削除'],
+  file_here: ['{file} is at hand, but the scene does not name it.', '{file} liegt bereit, aber die Szene nennt die Datei nicht.', '{file} est là, mais la scène ne le nomme pas.', '{file} está disponible, pero la escena no lo nombra.', '{file} è disponibile, ma la scena non lo nomina.', '{file} を読み込みましたが、シーンには名前がありません。'],
+  file_begin: ['Begin a scene with it', 'Eine Szene damit beginnen', 'Commencer une scène avec ce fichier', 'Empezar una escena con él', 'Inizia una scena con esso', 'これでシーンを始める'],
+  turns_over: ['The body turns over every {s} s.', 'Der Körper schlägt alle {s} s um.', 'Le corps se retourne toutes les {s} s.', 'El cuerpo se da la vuelta cada {s} s.', 'Il corpo si capovolge ogni {s} s.', '物体は {s} 秒ごとに反転します。'],
+  turns_over_once: ['The body turns over once, at {s} s.', 'Der Körper schlägt einmal um, bei {s} s.', 'Le corps se retourne une seule fois, à {s} s.', 'El cuerpo se da la vuelta una sola vez, a los {s} s.', 'Il corpo si capovolge una sola volta, a {s} s.', '物体は {s} 秒に一度だけ反転します。'],
+  wobbles_smallest: ['The body wobbles about the axis of its smallest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines kleinsten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus petit moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento menor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento minore e non si capovolge.', '物体は最小の慣性モーメントの軸のまわりで揺れ、反転しません。'],
+  wobbles_largest: ['The body wobbles about the axis of its largest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines größten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus grand moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento mayor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento maggiore e non si capovolge.', '物体は最大の慣性モーメントの軸のまわりで揺れ、反転しません。'],
+  start_moments: ['Moments of inertia', 'Trägheitsmomente', 'Moments d’inertie', 'Momentos de inercia', 'Momenti d’inerzia', '慣性モーメント'],
+  start_moments_is: ['A body by its three principal moments', 'Ein Körper durch seine drei Hauptträgheitsmomente', 'Un corps par ses trois moments principaux', 'Un cuerpo por sus tres momentos principales', 'Un corpo dai suoi tre momenti principali', '三つの主慣性モーメントで決まる物体'],
+  start_shape: ['Shape', 'Form', 'Forme', 'Forma', 'Forma', '形'],
+  start_shape_is: ['A box, ellipsoid, cylinder …: here a book that is thrown', 'Quader, Ellipsoid, Zylinder …: hier ein geworfenes Buch', 'Un pavé, un ellipsoïde, un cylindre… : ici un livre lancé', 'Un prisma, un elipsoide, un cilindro…: aquí un libro lanzado', 'Un parallelepipedo, un ellissoide, un cilindro…: qui un libro lanciato', '直方体、楕円体、円柱など。ここでは投げた本'],
+  start_mesh: ['Mesh', 'Netz', 'Maillage', 'Malla', 'Mesh', 'メッシュ'],
+  start_mesh_is: ['A body of any shape, from a file (.obj, .stl)', 'Ein Körper beliebiger Form, aus einer Datei (.obj, .stl)', 'Un corps de forme quelconque, d’un fichier (.obj, .stl)', 'Un cuerpo de cualquier forma, de un archivo (.obj, .stl)', 'Un corpo di forma qualsiasi, da un file (.obj, .stl)', 'ファイル (.obj, .stl) による任意の形の物体'],
+  start_top: ['Heavy top', 'Schwerer Kreisel', 'Toupie pesante', 'Peonza pesada', 'Trottola pesante', '重いこま'],
+  start_top_is: ['A symmetric top that its weight turns', 'Ein symmetrischer Kreisel unter seinem Gewicht', 'Une toupie symétrique soumise à son poids', 'Una peonza simétrica bajo su peso', 'Una trottola simmetrica soggetta al suo peso', '重さで回る対称こま'],
+  start_measured: ['Measured', 'Gemessen', 'Mesuré', 'Medido', 'Misurato', '測定値'],
+  start_measured_is: ['A gyroscope’s table beside the exact motion', 'Die Tabelle eines Gyroskops neben der exakten Bewegung', 'Le tableau d’un gyroscope à côté du mouvement exact', 'La tabla de un giroscopio junto al movimiento exacto', 'La tabella di un giroscopio accanto al moto esatto', 'ジャイロスコープの表と厳密な運動'],
+};
+Object.assign(all_words, workbench_words);
+
+/** JSON for a script element: it cannot close the element. @param {unknown} value */
+function script_json(value) {
+  return JSON.stringify(value).replace(/[<>&\u2028\u2029]/g, (c) => `\\u${c.charCodeAt(0).toString(16).padStart(4, '0')}`);
+}
+
+/** @param {string} text */
+function escaped(text) {
+  return text.replace(/[&<>"']/g, (c) => `&#${c.charCodeAt(0)};`);
+}
+
+/** The title of a scene, as it stands in its text. @param {string} text */
+function title_in(text) {
+  const before_tables = text.split(/^\s*\[/m)[0] ?? '';
+  return /^\s*title\s*=\s*(?:"((?:[^"\\]|\\.)*)"|'([^']*)')/m.exec(before_tables)?.slice(1).find((title) => title !== undefined) ?? '';
+}
+
+/** A title as the name of a file, without its suffix. @param {string} title */
+function file_name_of(title) {
+  return title.replace(/\$[^$]*\$/g, ' ').normalize('NFKD').replace(/[\u0300-\u036f]/g, '').normalize('NFC').toLowerCase()
+    .replace(/[^\p{L}\p{N}]+/gu, '_').slice(0, 60).replace(/^_+|_+$/g, '');
+}
+
+class Workbench {
+  /** @param {Page} page */
+  constructor(page) {
+    this.page = page;
+    /** @type {WorkbenchData} */
+    this.data = JSON.parse(block('workbench-data'));
+    this.words = new Words(navigator.language.slice(0, 2));
+    this.timer = 0;
+    /** Choices that the next accepted text gets. @type {Partial<Choices>} */
+    this.changes = {};
+    /** Files dropped or of the gallery, as base64. @type {Record<string, string>} */
+    this.files = {...page.data.files};
+    /** The files that a program has. @type {WeakMap<Program, Map<string, string>>} */
+    this.given = new WeakMap();
+    this.drafts = new Drafts();
+    /** @type {SceneSource} */
+    this.source = {kind: 'example', name: page.data.name, text: page.data.text};
+    /** Whether the text is the viewer's work, and whether the browser keeps it. */
+    this.is_edited = false;
+    this.is_kept = true;
+    this.editor = new_editor(JSON.parse(this.data.schema), () => this.#soon(), this.words);
+    this.editor.text = page.data.text;
+    this.#name();
+    this.#wire();
+    this.#show_cards();
+    this.#show_tab('figure');
+    page.on_loaded = () => this.#find();
+    this.measure = new Measure(this.words, (name, text, files) => this.open({kind: 'file', name, text}, files, true));
+    this.#offer_draft();
+    this.#open_named();
+  }
+
+  /** The name of what is saved, without its suffix: that of the scene's file or, for a new scene, its title. */
+  get name() {
+    const {kind, name, text} = this.source;
+    const title = title_in(this.editor.text);
+    if (kind === 'file' || (kind === 'example' && title === title_in(text))) return name;
+    return file_name_of(title) || 'scene';
+  }
+
+  /** The files that the text names. */
+  get named_files() {
+    const {text} = this.editor;
+    return Object.fromEntries(Object.entries(this.files).filter(([name]) => text.includes(name)));
+  }
+
+  /** A link may name a scene of the gallery: poinsot.html#scene=tennis_racket. */
+  #open_named() {
+    const name = new URLSearchParams(location.hash.slice(1)).get('scene');
+    const scene = this.data.scenes.find((scene) => scene.name === name);
+    if (scene) this.open({kind: 'example', name: scene.name, text: scene.text}, scene.files);
+  }
+
+  #name() {
+    const {words} = this;
+    for (const [id, word] of [['new-open', 'new'], ['gallery-open', 'gallery'], ['file-open', 'open'], ['file-save', 'save_scene'], ['export-page', 'export_page'],
+      ['export-csv', 'export_csv'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
+      ['drafts-head', 'drafts'], ['gallery-none', 'search_none']]) part(/** @type {string} */ (id)).textContent = words.of(/** @type {string} */ (word));
+    for (const [id, word] of [['writing', 'text'], ['tabs', 'tabs'], ['gallery-search', 'search'], ['new', 'new'], ['gallery', 'gallery']])
+      part(/** @type {string} */ (id)).setAttribute('aria-label', words.of(/** @type {string} */ (word)));
+    input('gallery-search').placeholder = words.of('search');
+    for (const [id, word] of [['new', 'new'], ['gallery', 'gallery']]) {
+      const heading = part(/** @type {string} */ (id)).querySelector('h2');
+      if (heading) heading.textContent = words.of(/** @type {string} */ (word));
+    }
+    for (const button of document.querySelectorAll('.dialog-close')) button.setAttribute('aria-label', words.of('close'));
+    // What the motion is, in words, under the figure.
+    const motion = document.createElement('p');
+    motion.id = 'motion-words';
+    part('bar').after(motion);
+    this.#name_look();
+  }
+
+  #wire() {
+    for (const id of ['new', 'gallery']) {
+      const dialog = /** @type {HTMLDialogElement} */ (part(id));
+      part(`${id}-open`).addEventListener('click', () => {
+        this.#keep();
+        this.#show_drafts();
+        dialog.showModal();
+      });
+      // The keys of the figure are not for here.
+      dialog.addEventListener('keydown', (event) => event.stopPropagation());
+    }
+    part('file-open').addEventListener('click', () => input('file').click());
+    input('file').addEventListener('change', () => {
+      void this.#take([...(input('file').files ?? [])]);
+      input('file').value = '';
+    });
+    part('file-save').addEventListener('click', () => void this.#save_scene());
+    part('export-csv').addEventListener('click', () => save_as(new Blob([this.csv()], {type: 'text/csv'}), `${this.name}.csv`));
+    part('export-page').addEventListener('click', () => void this.page_of_scene().then(
+      (text) => save_as(new Blob([text], {type: 'text/html'}), `${this.name}.html`), (error) => this.#find(error)));
+    input('gallery-search').addEventListener('input', () => this.#search(input('gallery-search').value));
+    part('look').addEventListener('click', () => this.#set_look(this.#is_dark ? 'light' : 'dark'));
+    matchMedia('(prefers-color-scheme: dark)').addEventListener('change', () => this.#name_look());
+    small_screen.addEventListener('change', () => this.#name_landmark());
+    for (const tab of ['text', 'figure']) {
+      part(`tab-${tab}`).addEventListener('click', () => this.#show_tab(tab));
+      part(`tab-${tab}`).addEventListener('keydown', (event) => {
+        event.stopPropagation();
+        if (event.key !== 'ArrowLeft' && event.key !== 'ArrowRight') return;
+        const other = tab === 'text' ? 'figure' : 'text';
+        this.#show_tab(other);
+        part(`tab-${other}`).focus();
+      });
+    }
+    // Before the editor, which keeps its keys for itself.
+    document.addEventListener('keydown', (event) => {
+      if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey || event.key.toLowerCase() !== 's') return;
+      event.preventDefault();
+      void this.#save_scene();
+    }, {capture: true});
+    document.addEventListener('dragover', (event) => {
+      event.preventDefault();
+      document.body.classList.add('dropping');
+    });
+    document.addEventListener('dragleave', () => document.body.classList.remove('dropping'));
+    document.addEventListener('drop', (event) => {
+      event.preventDefault();
+      document.body.classList.remove('dropping');
+      void this.#take([...(event.dataTransfer?.files ?? [])]);
+    });
+    document.addEventListener('visibilitychange', () => this.#keep());
+    window.addEventListener('pagehide', () => this.#keep());
+    window.addEventListener('beforeunload', (event) => {
+      if (!this.#keep()) event.preventDefault();
+    });
+  }
+
+  // ── Light and dark, tabs ────────────────────────────────────────────────────────────────
+
+  get #is_dark() {
+    return document.documentElement.dataset['desk'] === 'dark';
+  }
+
+  /** Takes the colours that were chosen, or those of the system. */
+  #name_look() {
+    const system = matchMedia('(prefers-color-scheme: dark)').matches ? 'dark' : 'light';
+    let chosen = null;
+    try {
+      chosen = window.localStorage.getItem('poinsot-look');
+    } catch {
+      // The browser keeps nothing.
+    }
+    this.#show_look(chosen === 'dark' || chosen === 'light' ? chosen : system);
+  }
+
+  /** @param {string} look */
+  #show_look(look) {
+    document.documentElement.dataset['desk'] = look;
+    const word = this.words.of(look === 'dark' ? 'look_light' : 'look_dark');
+    part('look').setAttribute('aria-label', word);
+    part('look').title = word;
+  }
+
+  /** @param {string} look */
+  #set_look(look) {
+    try {
+      window.localStorage.setItem('poinsot-look', look);
+    } catch {
+      // It lasts until the page is left.
+    }
+    this.#show_look(look);
+  }
+
+  /** On a small screen, one of both is seen. @param {string} shown */
+  #show_tab(shown) {
+    document.body.classList.toggle('shows-text', shown === 'text');
+    for (const tab of ['text', 'figure']) {
+      part(`tab-${tab}`).setAttribute('aria-selected', String(tab === shown));
+      part(`tab-${tab}`).tabIndex = tab === shown ? 0 : -1;
+    }
+    this.#name_landmark();
+  }
+
+  /** On a small screen the text is the main part of the page while the figure is hidden. */
+  #name_landmark() {
+    const is_main = small_screen.matches && document.body.classList.contains('shows-text');
+    part('writing').setAttribute('role', is_main ? 'main' : 'region');
+  }
+
+  // ── Examples, starting points ───────────────────────────────────────────────────────────
+
+  #show_cards() {
+    const card = (/** @type {GalleryScene} */ scene, /** @type {'example'|'new'} */ kind, /** @type {string} */ name, /** @type {string} */ meaning) => {
+      const button = document.createElement('button');
+      const picture = document.createElement('img');
+      const title = document.createElement('span');
+      button.type = 'button';
+      button.dataset['words'] = `${scene.name} ${scene.title} ${scene.text}`.toLowerCase();
+      picture.src = scene.thumbnail;
+      picture.alt = '';
+      picture.loading = 'lazy';
+      title.textContent = name;
+      button.append(picture, title);
+      if (meaning) {
+        const small = document.createElement('small');
+        small.textContent = meaning;
+        button.append(small);
+      }
+      button.addEventListener('click', () => {
+        button.closest('dialog')?.close();
+        this.open({kind, name: scene.name, text: scene.text}, scene.files);
+      });
+      return button;
+    };
+    part('scenes').replaceChildren(...this.data.scenes.map((scene) => card(scene, 'example', scene.title, '')));
+    const order = ['moments', 'shape', 'mesh', 'top', 'measured'];
+    const starts = [...this.data.starts].sort((a, b) => order.indexOf(a.name) - order.indexOf(b.name));
+    part('starts').replaceChildren(...starts.map((scene) =>
+      card(scene, 'new', this.words.of(`start_${scene.name}`), this.words.of(`start_${scene.name}_is`))));
+    this.#search('');
+  }
+
+  /** Shows the examples in whose name, title or text all these words are. @param {string} query */
+  #search(query) {
+    const wanted = query.toLowerCase().split(/\s+/);
+    let n = 0;
+    for (const button of /** @type {NodeListOf<HTMLElement>} */ (part('scenes').querySelectorAll('button'))) {
+      button.hidden = !wanted.every((word) => button.dataset['words']?.includes(word));
+      if (!button.hidden) ++n;
+    }
+    part('gallery-none').hidden = n > 0;
+  }
+
+  // ── Drafts ──────────────────────────────────────────────────────────────────────────────
+
+  /** Keeps the scene in the browser if it is the viewer's work; false: the browser refused. */
+  #keep() {
+    if (this.is_edited) this.is_kept = this.drafts.keep({name: this.name, source: this.source, kept: this.editor.kept, files: this.named_files});
+    return this.is_kept;
+  }
+
+  /** A time of day, with its date if it was not today. @param {number} at_ms */
+  #time(at_ms) {
+    const at = new Date(at_ms);
+    const time = at.toLocaleTimeString(this.words.code, {hour: '2-digit', minute: '2-digit'});
+    return at.toDateString() === new Date().toDateString() ? time : `${at.toLocaleDateString(this.words.code, {day: 'numeric', month: 'short'})}, ${time}`;
+  }
+
+  /** Offers the latest draft. */
+  #offer_draft() {
+    const draft = this.drafts.list()[0];
+    if (!draft) return;
+    part('offer-text').textContent = this.words.of('draft_offer').replace('{name}', () => title_in(draft.kept.text) || draft.name)
+      .replace('{time}', this.#time(draft.at_ms));
+    part('offer').hidden = false;
+    document.body.classList.add('offers');
+    part('offer-take').addEventListener('click', () => this.open(draft.source, draft.files, true, draft));
+    part('offer-leave').addEventListener('click', () => this.#close_offer());
+  }
+
+  #close_offer() {
+    part('offer').hidden = true;
+    document.body.classList.remove('offers');
+  }
+
+  #show_drafts() {
+    const drafts = this.drafts.list();
+    part('drafts-head').hidden = drafts.length === 0;
+    part('drafts').replaceChildren(...drafts.map((draft) => {
+      const row = document.createElement('li');
+      const [take, remove] = [document.createElement('button'), document.createElement('button')];
+      const title = title_in(draft.kept.text) || draft.name;
+      const time = document.createElement('small');
+      time.textContent = this.#time(draft.at_ms);
+      take.type = remove.type = 'button';
+      take.append(title, ' ', time);
+      take.addEventListener('click', () => {
+        /** @type {HTMLDialogElement} */ (part('new')).close();
+        this.open(draft.source, draft.files, true, draft);
+      });
+      remove.textContent = this.words.of('draft_remove');
+      remove.setAttribute('aria-label', `${this.words.of('draft_remove')}: ${title}, ${time.textContent}`);
+      remove.className = 'plain';
+      remove.addEventListener('click', () => {
+        this.drafts.remove(draft.id);
+        this.#show_drafts();
+      });
+      row.append(take, remove);
+      return row;
+    }));
+  }
+
+  // ── Scenes and files ────────────────────────────────────────────────────────────────────
+
+  /**
+   * Opens a scene; the one before stays a draft.
+   * @param {SceneSource} source @param {Record<string, string>} files @param {boolean} [is_edited] whether it is worth keeping
+   * @param {Draft|null} [draft] that goes on
+   */
+  open(source, files, is_edited = false, draft = null) {
+    window.clearTimeout(this.timer);
+    this.#keep();
+    if (draft) this.drafts.go_on(draft);
+    else this.drafts.begin();
+    this.#close_offer();
+    this.source = source;
+    this.is_edited = is_edited;
+    this.is_kept = true;
+    if (draft) this.editor.kept = draft.kept;
+    else this.editor.text = source.text;
+    this.files = {...this.files, ...files};
+    this.page.views.reset();
+    this.page.figure.film.seek(0);
+    this.page.figure.film.pause();
+    this.page.figure.film.untouched = true;
+    this.#show_tab('figure');
+    this.#write({values: new Map(), shown: null});
+    this.#keep();
+  }
+
+  /** Opens scenes, keeps the files that scenes name, and measures tables that the scene does not name. @param {File[]} dropped */
+  async #take(dropped) {
+    if (dropped.length === 0) return;
+    try {
+      /** @type {{name: string, bytes: Uint8Array<ArrayBuffer>}[]} */
+      const files = [];
+      await this.#show_reading(dropped);
+      for (const file of dropped) {
+        const bytes = new Uint8Array(await file.arrayBuffer());
+        if (/\.zip$/i.test(file.name)) files.push(...await files_of_zip(bytes).catch((error) => { throw new Error(`${file.name}: ${message_of(error)}`); }));
+        else files.push({name: file.name, bytes});
+      }
+      const scene = files.find(({name}) => name.toLowerCase().endsWith('.toml'));
+      const table = table_among(files);
+      if (table && !scene && (this.measure.is_open || !this.editor.text.includes(table.name))) {
+        this.#find();
+        await this.measure.take(table.name, table.bytes);
+        return;
+      }
+      /** @type {Record<string, string>} */
+      const taken = {};
+      for (const file of files) if (file !== scene) taken[file.name] = base64_of_bytes(file.bytes);
+      if (scene) this.open({kind: 'file', name: scene.name.replace(/^.*\//, '').replace(/\.toml$/i, ''), text: new TextDecoder().decode(scene.bytes)}, taken);
+      else {
+        this.files = {...this.files, ...taken};
+        this.#write();
+        this.#keep();
+        this.#show_unnamed(Object.keys(taken).filter((name) => !this.editor.text.includes(name)));
+      }
+    } catch (error) {
+      this.#find(error);
+    }
+  }
+
+  /** Says which files the program reads, and waits until that is painted: a large mesh takes seconds. @param {File[]} files */
+  async #show_reading(files) {
+    const row = document.createElement('p');
+    row.textContent = `${this.words.of('reading')} ${files.map((file) => file.name).join(', ')} …`;
+    part('findings').replaceChildren(row);
+    await painted();
+  }
+
+  /** Says of files that the scene does not name them; a mesh may begin a scene. @param {string[]} names */
+  #show_unnamed(names) {
+    const start = this.data.starts.find(({name}) => name === 'mesh');
+    for (const name of names) {
+      const row = document.createElement('p');
+      row.className = 'unnamed';
+      row.textContent = this.words.of('file_here').replace('{file}', () => name);
+      if (start && /\.(obj|stl)$/i.test(name)) {
+        const button = document.createElement('button');
+        button.type = 'button';
+        button.className = 'plain';
+        button.textContent = this.words.of('file_begin');
+        const text = start.text.replace('"bracket.obj"', () => JSON.stringify(name)).replace('"My mesh"', () => JSON.stringify(name.replace(/\.[a-z]+$/i, '')));
+        button.addEventListener('click', () => this.open({kind: 'new', name, text}, {}, true));
+        row.append(' ', button);
+      }
+      part('findings').append(row);
+    }
+  }
+
+  /** Saves the text; with the files that it names, as an archive. */
+  async #save_scene() {
+    const text = new TextEncoder().encode(this.editor.text);
+    const files = Object.entries(this.named_files);
+    if (files.length === 0) {
+      save_as(new Blob([text], {type: 'application/toml'}), `${this.name}.toml`);
+      return;
+    }
+    /** @type {Uint8Array<ArrayBuffer>[]} */
+    const parts = [];
+    const archive = new ZipWriter(async (bytes) => { parts.push(bytes); });
+    await archive.add(`${this.name}.toml`, text);
+    for (const [name, bytes] of files) await archive.add(name, bytes_of_base64(bytes));
+    await archive.finish();
+    save_as(new Blob(parts, {type: 'application/zip'}), `${this.name}.zip`);
+  }
+
+  /** After a change by the viewer. */
+  #soon() {
+    this.is_edited = true;
+    window.clearTimeout(this.timer);
+    this.timer = window.setTimeout(() => {
+      this.#write();
+      this.#keep();
+    }, write_after_ms);
+  }
+
+  /** Gives the text to the program. @param {Partial<Choices>} [changes] kept until the program accepts a text */
+  #write(changes = {}) {
+    const {page} = this;
+    this.changes = {...this.changes, ...changes};
+    const data = {...page.data, name: this.name, text: this.editor.text, files: this.files};
+    try {
+      const {program} = page.figure;
+      if (!program) {
+        // The next start shows this text.
+        page.figure.choices = {...page.figure.choices, ...this.changes};
+        page.data = data;
+        return;
+      }
+      const given = this.given.get(program) ?? new Map();
+      this.given.set(program, given);
+      for (const [file, bytes] of Object.entries(this.files)) {
+        if (given.get(file) === bytes) continue;
+        program.addFile(file, bytes_of_base64(bytes));
+        given.set(file, bytes);
+      }
+      page.figure.reload(this.changes, data);
+      this.changes = {};
+      page.data = data;
+    } catch (error) {
+      page.data = {...page.data, name: data.name};
+      this.#find(error);
+    }
+  }
+
+  /** What a body that moves freely does, in words that need no theory; '' of any other motion. @param {Loaded} loaded */
+  #motion_said({flips, regime}) {
+    const seconds = (/** @type {number} */ s) => s.toLocaleString(this.words.code, {maximumSignificantDigits: 3});
+    if (flips) return flips.interval_s === null ? this.words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
+      : this.words.of('turns_over').replace('{s}', seconds(flips.interval_s));
+    const axis = /^polhode about e\d, the axis of the (smallest|largest) moment/.exec(regime)?.[1];
+    return axis ? this.words.of(`wobbles_${axis}`) : '';
+  }
+
+  /** Shows what the program found in the text. @param {unknown} [error] */
+  #find(error) {
+    /** @type {Finding[]} */
+    const findings = [];
+    const rows = [];
+    if (error) {
+      const {file, line, column} = error instanceof ProgramError ? error : {file: '', line: 0, column: 0};
+      // The program names a scene without its suffix.
+      const place = line > 0 ? `${file && file !== this.name ? file : `${this.name}.toml`}:${line}:${column}: ` : '';
+      const finding = {message: message_of(error), line, column};
+      findings.push(finding);
+      const button = document.createElement('button');
+      button.type = 'button';
+      button.textContent = place + finding.message;
+      button.addEventListener('click', () => this.editor.go(Math.max(1, finding.line), finding.column));
+      rows.push(button);
+    } else {
+      const {loaded} = this.page.figure;
+      for (const text of loaded ? loaded.notes : []) {
+        const row = document.createElement('p');
+        row.textContent = text;
+        rows.push(row);
+      }
+      if (loaded) {
+        const strong = document.createElement('strong');
+        strong.textContent = this.#motion_said(loaded);
+        // In the words of `poinsot check`; a small screen leaves them out.
+        const exact = document.createElement(strong.textContent ? 'span' : 'em');
+        exact.textContent = loaded.regime;
+        part('motion-words').replaceChildren(strong, ' ', exact);
+      }
+    }
+    part('findings').replaceChildren(...rows);
+    part('tab-text').classList.toggle('has-refusal', findings.length > 0);
+    this.editor.mark(findings);
+  }
+
+  /** The motion at the film's frames, with the columns of `poinsot sample`. */
+  csv() {
+    const {figure} = this.page;
+    const {program} = figure;
+    if (!program) return '';
+    const {length_s, frames_per_s} = figure.film.plan;
+    const n = Math.min(most_rows, Math.max(1, Math.round(length_s * frames_per_s)));
+    const states = Array.from({length: n}, (_, k) => program.at(figure.time_of(k / frames_per_s)));
+    const rows = states.map((state) =>
+      [state.time_s, ...state.omega_body, ...state.space_from_body, ...state.herpolhode, ...(state.angles ?? [])].join(','));
+    const names = ['time_s', 'omega_body_1', 'omega_body_2', 'omega_body_3', 'q_w', 'q_x', 'q_y', 'q_z',
+      'herpolhode_x', 'herpolhode_y', 'herpolhode_z', ...(states[0]?.angles ? ['theta_rad', 'phi_rad', 'psi_rad'] : [])];
+    return `${names.join(',')}\n${rows.join('\n')}\n`;
+  }
+
+  /** A page of this scene, as `poinsot render -o PAGE.html` writes it. */
+  async page_of_scene() {
+    const {page} = this;
+    const {figure} = page;
+    const {loaded} = figure;
+    const width = 1280;
+    const height = Math.round((width * (loaded?.height ?? page.data.height)) / (loaded?.width ?? page.data.width));
+    const language = loaded?.language ?? 'en';
+    const poster = await figure.png(width, height, 'image/jpeg');
+    // The text that the program accepted last, and its files.
+    const {text} = page.data;
+    const files = Object.fromEntries(Object.entries(page.data.files).filter(([name]) => text.includes(name)));
+    const scene = {...page.data, files, controls: loaded?.controls.map((c) => c.key) ?? [],
+      overrides: [...figure.choices.values].map(([key, value]) => `${key}=${value}`), language, width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
+      poster_at_s: figure.film.at_s};
+    /** @type {Record<string, string>} */
+    const values = {
+      language: escaped(language), 'no-script': escaped(this.data.no_script[language] ?? ''), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),
+      poster: `data:${poster.type};base64,${base64_of_bytes(new Uint8Array(await poster.arrayBuffer()))}`,
+      scene: script_json(scene), fonts: block('program-fonts'), 'page-scripts': block('page-scripts'), 'film-writer': block('film-writer'), module: block('program-module'),
+    };
+    return this.data.template.replace(/\{\{([a-z-]+)\}\}/g, (place, name) => values[name] ?? place);
+  }
+}
+
+const the_workbench = new Workbench(the_page);
