@@ -11,7 +11,7 @@
 #include "production/sampling/sample_table.h"
 #include "production/session/files/open_session.h"
 #include "production/session/scene_summary.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "system/interrupt.h"
 #include "text/json_text.h"
 #include "text/printable.h"
@@ -42,9 +42,9 @@ Session quiet_session(const SceneRequest& request, const Watch& watch) {
 }
 
 // Notes and the journal's report, on the caller's thread.
-void tell(const StillJob& job, const Watch& watch) {
-    if (watch.say) job.tell({.say = watch.say});
-    if (const std::string lines = watch.report ? job.report() : ""; !lines.empty())
+void tell(const PreparedStill& still, const Watch& watch) {
+    if (watch.say) tell_notes(still, {.say = watch.say});
+    if (const std::string lines = watch.report ? journal_report(still) : ""; !lines.empty())
         watch.report(lines);
 }
 
@@ -218,12 +218,12 @@ Still Scene::still(const StillOptions& options, const Watch& watch) const {
     const bool is_for_paper = print_size_of(order.still.print, width_px(), height_px()).has_value();
     Session session = is_for_paper ? quiet_session(order.scene, watch)
                                    : impl_->session_at(order.scene.times_s, watch);
-    StillJob job(std::move(session), std::move(order.still));
-    tell(job, watch);
+    const PreparedStill still = prepare_still(std::move(session), std::move(order.still));
+    tell(still, watch);
     auto made = std::make_shared<Still::Impl>();
     draw(choice_of(options.context), watch,
-         [&job, &made](LazyRenderer& renderer, const ProgressSink&) {
-             made->still = job.pixels(renderer);
+         [&still, &made](LazyRenderer& renderer, const ProgressSink&) {
+             made->still = still_in_memory(still, renderer);
          });
     return Still(std::move(made));
 }
@@ -244,17 +244,18 @@ std::string Scene::figure(const FigureOptions& options, const Watch& watch) cons
                      .when = options.clearest ? StillTime::clearest : StillTime::of_scene},
                     false, {});
     check_vector_choices(order.still.vectors);
-    StillJob job(quiet_session(order.scene, watch), std::move(order.still));
-    tell(job, watch);
+    const PreparedStill still =
+        prepare_still(quiet_session(order.scene, watch), std::move(order.still));
+    tell(still, watch);
     VectorStill drawn;
-    if (job.opens_context()) {
+    if (opens_context(still)) {
         draw(choice_of(options.context), watch,
-             [&job, &drawn](LazyRenderer& renderer, const ProgressSink&) {
-                 drawn = job.vectors(renderer);
+             [&still, &drawn](LazyRenderer& renderer, const ProgressSink&) {
+                 drawn = vectors_of(still, renderer);
              });
     } else {
         LazyRenderer unused;
-        drawn = job.vectors(unused);
+        drawn = vectors_of(still, unused);
     }
     if (watch.say) watch.say(fmt::format("paths within {:.2g} um of what they show", drawn.off_um));
     return std::move(drawn.bytes);

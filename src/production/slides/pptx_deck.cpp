@@ -14,7 +14,7 @@
 #include "production/slides/slide_files.h"
 #include "production/slides/slide_plan.h"
 #include "production/slides/stored_zip.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "production/vectors/vector_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
@@ -91,7 +91,7 @@ void draw_posters(const Session& session, const PosterFrames& posters, const Sli
         still.output = aside.file(name).string();
         still.frame = frame;
         still.names_fade = true;
-        StillJob(Session(session), std::move(still)).draw(renderer, writer, {});
+        draw_still(prepare_still(Session(session), std::move(still)), renderer, writer, {});
     }
     writer.finish();
 }
