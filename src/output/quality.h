@@ -1,5 +1,5 @@
-// What the names of --quality mean for encoders, and the measured results of the whole;
-// drawing/style/picture_quality.h has what they mean for drawings.
+// The settings of encoders for each --quality, and the measured results of the whole; those of
+// drawings are in drawing/style/picture_quality.h.
 #pragma once
 
 #include <span>
