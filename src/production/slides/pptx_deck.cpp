@@ -110,7 +110,7 @@ void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer
     AtomicFile output(request.output);
     SlidesAside aside(request.output, request.output, ".slides",
                       slide_plan_text(session, film, slides, {renderer.is_portable()}));
-    make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
+    make_slide_films(session, slides, aside, request.n_jobs, renderer, progress);
     draw_posters(session, posters, aside, renderer);
 
     StoredZip zip(output);

@@ -162,7 +162,7 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     SlidesAside aside(named, folder, ".part",
                       slide_plan_text(session, film, slides, {renderer.is_portable()}));
 
-    make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
+    make_slide_films(session, slides, aside, request.n_jobs, renderer, progress);
 
     // The stills are frames of the film.
     StillWriter writer;
