@@ -210,9 +210,10 @@ void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
     } else {
         // Of a recovered film: the recovered frames of the interrupted run.
         const auto [first, last] = *record.frames;
-        FilmRequest film{request.output.string(), record.run ? record.run : record.frames};
-        if (record.run) film.n_shown = last - first + 1;
-        film.is_slide = record.film_frames.has_value();
+        const FilmRequest film{.output = request.output.string(),
+                               .frames = record.run ? record.run : record.frames,
+                               .n_shown = record.run ? last - first + 1 : 0,
+                               .is_slide = record.film_frames.has_value()};
         FilmJob(session, film).make(renderer, progress);
     }
     for (const std::string& note : differences(record, read_record(request.output)))

@@ -112,8 +112,9 @@ void make_slide_films(const Session& session, const std::vector<Slide>& slides, 
     };
     progress.begin(session.scene.name, n_frames);
     const auto make_film = [&](const std::string& name, std::int64_t first, std::int64_t last) {
-        FilmRequest one{aside.file(name).string(), std::pair(first, last)};
-        one.is_slide = true;
+        const FilmRequest one{.output = aside.file(name).string(),
+                              .frames = std::pair(first, last),
+                              .is_slide = true};
         if (aside.has_finished(name)) {
             // Perhaps without its captions.
             FilmJob(session, one).write_sidecars(one.output, films);

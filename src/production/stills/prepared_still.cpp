@@ -232,7 +232,10 @@ PreparedStill prepare_still(Session&& session, StillRequest request) {
     const FilmTime moment = moment_for(*kept, request);
     PreparedPicture picture(*kept, span_of(*kept, request, moment.time_s),
                             setting_for(kept->scene, request));
-    return {std::move(kept), std::move(request), moment, std::move(picture)};
+    return {.session = std::move(kept),
+            .request = std::move(request),
+            .moment = moment,
+            .picture = std::move(picture)};
 }
 
 std::int64_t n_pixels(const PreparedStill& still) {
