@@ -23,7 +23,7 @@
 #include "production/slides/slide_plan.h"
 #include "production/stills/contact_sheet.h"
 #include "production/stills/output_place.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "system/files/atomic_file.h"
 #include "text/label_text.h"
 #include "text/printable.h"
@@ -110,10 +110,10 @@ StillOrder order_of(const SceneJob& job, const StillChoices& choices,
                        job.output, progress);
 }
 
-std::unique_ptr<StillJob> still_of(const SceneJob& job, const StillChoices& choices,
-                                   const ProgressSink& progress) {
+PreparedStill still_of(const SceneJob& job, const StillChoices& choices,
+                       const ProgressSink& progress) {
     StillOrder order = order_of(job, choices, progress);
-    return std::make_unique<StillJob>(open_session(order.scene, progress), std::move(order.still));
+    return prepare_still(open_session(order.scene, progress), std::move(order.still));
 }
 
 // Draws a picture at each stop of a scene, numbered from 1.
@@ -144,8 +144,8 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
         // A picture of the film's size is the film's frame; one for paper is a figure.
         still.names_fade =
             !is_vector_name(still.output) && !still.print.width_mm && !still.print.height_mm;
-        StillJob(Session(session), std::move(still))
-            .draw(renderer, writer, i == 0 ? progress : without_notes);
+        draw_still(prepare_still(Session(session), std::move(still)), renderer, writer,
+                   i == 0 ? progress : without_notes);
     }
     writer.finish();
     return 0;
@@ -177,13 +177,13 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Laz
     if (std::any_of(jobs.begin(), jobs.end(), opens_context)) renderer.context();
     int worst = 0;
     Refusals refusals;
-    std::future<std::unique_ptr<StillJob>> next = begin(0);
+    std::future<PreparedStill> next = begin(0);
     for (std::size_t k = 0; k < jobs.size(); ++k) {
-        std::future<std::unique_ptr<StillJob>> still = std::exchange(next, {});
+        std::future<PreparedStill> still = std::exchange(next, {});
         still.wait();
         if (k + 1 < jobs.size()) next = begin(k + 1);
         worst = std::max(worst, refusals.code_of(jobs[k], [&] {
-            still.get()->draw(renderer, writer, progress);
+            draw_still(still.get(), renderer, writer, progress);
             return 0;
         }));
     }
@@ -194,9 +194,9 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Laz
 void draw_alone(const SceneJob& job, const StillChoices& choices, LazyRenderer& renderer,
                 StillWriter& writer, const ProgressSink& progress) {
     constexpr std::int64_t small_px = 1 << 24;
-    const std::unique_ptr<StillJob> still = still_of(job, choices, progress);
-    if (still->opens_context() && still->n_pixels() <= small_px) renderer.compile_quickly();
-    still->draw(renderer, writer, progress);
+    const PreparedStill still = still_of(job, choices, progress);
+    if (opens_context(still) && n_pixels(still) <= small_px) renderer.compile_quickly();
+    draw_still(still, renderer, writer, progress);
 }
 
 int run(const StillChoices& choices) {

@@ -116,11 +116,11 @@ constexpr OutputFormat format_table[] = {
     {.name = "html",
      .suffix = ".html",
      .summary = "page to turn, play and change in any browser; one file, without a network",
-     .is_page = true},
+     .kind = FormatKind::page},
     {.name = "pptx",
      .suffix = ".pptx",
      .summary = "presentation with a film on each slide, for the stops or chapters of the scene",
-     .is_slides = true},
+     .kind = FormatKind::slides},
     {.name = "md5",
      .suffix = ".md5",
      .summary = "the MD5 hash of every frame, one per line",
@@ -188,13 +188,12 @@ std::string nearest_way(std::string_view suffix) {
     return meant.empty() ? "" : meant.substr(2);
 }
 
-// Whether a row with the name's suffix fulfils the condition.
-template <class Condition>
-bool has_row(const std::filesystem::path& path, const Condition& condition) {
+// Whether the name has the suffix of a format of this kind.
+bool is_name_of(FormatKind kind, const std::filesystem::path& path) {
     const std::string suffix = suffix_of(path);
     return std::any_of(
         std::begin(format_table), std::end(format_table),
-        [&](const OutputFormat& format) { return format.suffix == suffix && condition(format); });
+        [&](const OutputFormat& format) { return format.suffix == suffix && format.kind == kind; });
 }
 
 }  // namespace
@@ -242,12 +241,10 @@ const OutputFormat& format_for(const std::filesystem::path& path) {
         way.empty() ? "" : way + "; ", known_suffixes()));
 }
 
-bool is_page_name(const std::filesystem::path& path) {
-    return has_row(path, [](const OutputFormat& format) { return format.is_page; });
-}
+bool is_page_name(const std::filesystem::path& path) { return is_name_of(FormatKind::page, path); }
 
 bool is_slides_name(const std::filesystem::path& path) {
-    return has_row(path, [](const OutputFormat& format) { return format.is_slides; });
+    return is_name_of(FormatKind::slides, path);
 }
 
 std::int64_t recover_film(const std::filesystem::path& path, const SealMetadata& seal) {

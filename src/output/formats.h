@@ -31,7 +31,7 @@ std::int64_t first_number(const OutputPlan& plan);
 // Whether a film has an alpha plane: never, if its first frame is not opaque, or always.
 enum class FilmAlpha { never, of_first_frame, always };
 
-// The differences between films of packets in MP4, WebM and QuickTime containers; see
+// The differences between films of packets in a container, MP4, WebM and QuickTime; see
 // packet_film.cpp.
 struct PacketFilm {
     const char* container;

@@ -9,6 +9,7 @@
 #include <cerrno>
 #include <limits>
 #include <string_view>
+#include <utility>
 
 #include "error/error.h"
 #include "output/film_texts.h"
@@ -126,7 +127,11 @@ AtomicFile open_frame_log(const fs::path& film, bool keep_contents) {
 }
 
 FrameLog::FrameLog(const OutputPlan& plan, const std::string& settings, std::int64_t n_chunk_frames)
-    : plan_(plan), settings_(settings), file_(open_frame_log(plan.path, plan.resume)) {
+    : FrameLog(open_frame_log(plan.path, plan.resume), plan, settings, n_chunk_frames) {}
+
+FrameLog::FrameLog(AtomicFile&& file, const OutputPlan& plan, const std::string& settings,
+                   std::int64_t n_chunk_frames)
+    : plan_(plan), settings_(settings), file_(std::move(file)) {
     // The film itself is opened when all of its frames are there.
     check_aside(plan.path);
     const std::string head = film_head(plan, settings);

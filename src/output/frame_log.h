@@ -53,6 +53,9 @@ class FrameLog : public FrameEntries {
     // With plan.resume, the entries of an earlier log of the same plan and settings are kept: all
     // complete chunks of n_chunk_frames. Throws EnvironmentError.
     FrameLog(const OutputPlan& plan, const std::string& settings, std::int64_t n_chunk_frames);
+    // The same in a file of open_frame_log, which is locked already.
+    FrameLog(AtomicFile&& file, const OutputPlan& plan, const std::string& settings,
+             std::int64_t n_chunk_frames);
 
     // Returns the complete entries that a killed run has left of a film; plan().n_frames is their
     // number. Throws: InputError if there are none; EnvironmentError.

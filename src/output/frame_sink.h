@@ -105,11 +105,16 @@ class FrameSink {
 
 class FrameEntries;  // see output/frame_log.h
 
+// The contents of a format: frames, which a sink of this folder writes; the scene itself; or a film
+// for each stop. `OutputFormat::open` is null unless it holds frames.
+enum class FormatKind { frames, page, slides };
+
 // A row of the table of formats.
 struct OutputFormat {
-    std::string_view name;            // "mp4"
-    std::string_view suffix;          // ".mp4"; empty for those chosen by name only
-    std::string_view summary;         // for `poinsot list formats`
+    std::string_view name;     // "mp4"
+    std::string_view suffix;   // ".mp4"; empty for those chosen by name only
+    std::string_view summary;  // for `poinsot list formats`
+    FormatKind kind = FormatKind::frames;
     bool film = false;                // several frames in one file
     bool alpha = false;               // keeps transparency
     std::int64_t n_chunk_frames = 1;  // frames of a film that are encoded independently of others
@@ -126,11 +131,6 @@ struct OutputFormat {
     // single process is faster, because only one process encodes.
     int n_cores_a_job = 0;
     double most_fps = 0.0;  // 0: any rate
-    // It holds the scene itself in place of frames; web/pack/ writes it, and `open` is
-    // null.
-    bool is_page = false;
-    // It holds a film for each stop; production/slides/ writes it, and `open` is null.
-    bool is_slides = false;
 };
 
 // Throws InputError for more frames per second than the format can show.

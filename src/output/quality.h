@@ -1,5 +1,5 @@
-// The meaning of the names of --quality for encoders, and the measured results of the whole; that
-// for drawings is in drawing/style/picture_quality.h.
+// The settings of encoders for each --quality, and the measured results of the whole; those of
+// drawings are in drawing/style/picture_quality.h.
 #pragma once
 
 #include <span>

@@ -5,7 +5,7 @@
 
 #include "production/session/files/open_session.h"
 #include "production/session/progress_sink.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "work/options.h"
 
 namespace poinsot {

@@ -63,6 +63,21 @@ TEST_F(JobParts, AreRenderedByOneRunAtATime) {
     }
 }
 
+// Otherwise the parts would be taken from the processes that draw them.
+TEST_F(JobParts, AreNotRecoveredWhileTheyAreDrawn) {
+    const ProgramRun done = run_shell(
+        folder_, "\"$1\" render a.toml -q --jobs 2" + large_size +
+                     "-o a.mp4 & first=$!; for i in $(seq 3000); do [ -e "
+                     ".a.mp4.parts/.2-of-2.mp4.part.frames ] && break; sleep 0.02; done; "
+                     "kill -STOP $first; \"$1\" recover a.mp4; echo $? >code; kill -CONT $first; "
+                     "wait $first");
+    EXPECT_EQ(bytes("code"), "3\n") << done.err;
+    EXPECT_NE(done.err.find("cannot write a.mp4: another run is writing it"), std::string::npos)
+        << done.err;
+    make("explain --verify a.mp4");
+    for (const std::string& name : names()) EXPECT_NE(name.front(), '.') << name;
+}
+
 // Renders in two jobs, runs the commands `how`, which stop some of the processes, and waits.
 std::string kill_one_of(const ScratchFolder& folder, const std::string& how) {
     return "(\"$1\" render a.toml -o k.mp4 --jobs 2" + large_size +

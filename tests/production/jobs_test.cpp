@@ -10,12 +10,14 @@
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
+#include "image/png.h"
 #include "production/films/film_job.h"
 #include "production/films/redraw.h"
 #include "production/records/record.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "scene/files/load_scene.h"
 #include "system/faults.h"
+#include "system/files/file_contents.h"
 #include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
@@ -83,14 +85,15 @@ TEST(FilmJob, RejectsFramesOutsideTheFilmBeforeOpeningAnything) {
     EXPECT_THROW(FilmJob(session, {"", {{0, 10}}}), InputError);
 }
 
-TEST(StillJob, ReportsThePictureWhenItIsComplete) {
+TEST(Still, ReportsThePictureWhenItIsComplete) {
     const TemporaryFolder folder;
     LazyRenderer renderer;
     StillWriter writer;
     Heard heard;
-    StillJob job(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5});
-    EXPECT_EQ(job.n_pixels(), 96 * 54);
-    job.draw(renderer, writer, heard.progress());
+    const PreparedStill still =
+        prepare_still(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5});
+    EXPECT_EQ(n_pixels(still), 96 * 54);
+    draw_still(still, renderer, writer, heard.progress());
     EXPECT_TRUE(heard.words.empty());
     writer.finish();
     ASSERT_EQ(heard.words.size(), 1u);
@@ -98,9 +101,28 @@ TEST(StillJob, ReportsThePictureWhenItIsComplete) {
     EXPECT_EQ(read_record(folder / "a.png").time_s, 0.5);
 }
 
-TEST(StillJob, RejectsNamesAndDepthsThatNoPngHas) {
-    EXPECT_THROW(StillJob(small_session(), {.output = "a.mp4"}), InputError);
-    EXPECT_THROW(StillJob(small_session(), {.bit_depth = 12}), InputError);
+// A prepared still is not used up by drawing it.
+TEST(Still, IsTheSamePictureEachTime) {
+    const TemporaryFolder folder;
+    LazyRenderer renderer;
+    StillWriter writer;
+    const std::filesystem::path file = folder / "a.png";
+    const PreparedStill still =
+        prepare_still(small_session(), {.output = file.string(), .time_s = 0.5});
+    const PixelStill first = still_in_memory(still, renderer);
+    draw_still(still, renderer, writer, {});
+    writer.finish();
+    Image drawn;
+    draw_into(still, renderer, drawn);
+    const PixelStill last = still_in_memory(still, renderer);
+    EXPECT_EQ(encode_png(first.image, first.png), encode_png(last.image, last.png));
+    EXPECT_EQ(read_bytes(file), encode_png(first.image, first.png));
+    EXPECT_EQ(pixels_sha256(drawn), pixels_sha256(first.image));
+}
+
+TEST(Still, RejectsNamesAndDepthsThatNoPngHas) {
+    EXPECT_THROW(prepare_still(small_session(), {.output = "a.mp4"}), InputError);
+    EXPECT_THROW(prepare_still(small_session(), {.bit_depth = 12}), InputError);
 }
 
 TEST(Redraw, MakesTheSameFile) {
@@ -108,8 +130,9 @@ TEST(Redraw, MakesTheSameFile) {
     {
         LazyRenderer renderer;
         StillWriter writer;
-        StillJob(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5})
-            .draw(renderer, writer, {});
+        draw_still(
+            prepare_still(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5}),
+            renderer, writer, {});
         writer.finish();
     }
     Heard heard;

@@ -26,7 +26,7 @@
 #include "places.h"
 #include "production/session/session.h"
 #include "production/stills/picture.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "scene/files/load_scene.h"
 #include "typeset/files/installed_fonts.h"
 
@@ -94,7 +94,8 @@ class Surfaces {
              std::string_view panel)
         : renderer_(renderer),
           panel_(panel),
-          job_(session_of(scene_of(theme, scene), SessionRequest{installed_fonts()}), {}) {}
+          still_(prepare_still(
+              session_of(scene_of(theme, scene), SessionRequest{installed_fonts()}), {})) {}
 
     static Scene scene_of(const Theme& theme, const std::string& scene) {
         const std::vector<Override> settings{{"film.size", "[640, 360]"},
@@ -104,7 +105,7 @@ class Surfaces {
 
     // The picture of the panel's surfaces after a change of its view.
     Image drawn(const Change& change) {
-        Drawing drawing = job_.drawing();
+        Drawing drawing = drawing_of(still_);
         std::erase_if(drawing.views, [&](const View& view) { return view.name != panel_; });
         EXPECT_EQ(drawing.views.size(), 1u) << panel_;
         for (View& view : drawing.views) {
@@ -141,7 +142,7 @@ class Surfaces {
  private:
     LazyRenderer& renderer_;
     std::string panel_;
-    StillJob job_;
+    PreparedStill still_;
 };
 
 void nothing(View& view) {
@@ -365,9 +366,10 @@ TEST(Palette, HerpolhodeLiesOnAPaleEdge) {
         const Theme& theme = theme_named(name);
         Scene scene = Surfaces::scene_of(theme, "loop_generic");
         scene.crossings = "through";  // whole curves
-        const StillJob job(session_of(scene, SessionRequest{installed_fonts()}), {});
+        const PreparedStill still =
+            prepare_still(session_of(scene, SessionRequest{installed_fonts()}), {});
         int n_found = 0;
-        const Drawing drawing = job.drawing();
+        const Drawing drawing = drawing_of(still);
         for (const View& view : drawing.views)
             for (std::size_t k = 1; k < view.curves.size(); ++k) {
                 const Curve &edge = view.curves[k - 1], &curve = view.curves[k];

@@ -16,7 +16,7 @@
 #include "image/image.h"
 #include "production/session/session.h"
 #include "production/stills/picture.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "scene/files/load_scene.h"
 #include "typeset/files/installed_fonts.h"
 
@@ -69,10 +69,10 @@ inline Image seen_alone(LazyRenderer& renderer, const std::string& scene,
     settings.push_back("names=false");  // they would cover what is measured
     SessionRequest request{installed_fonts()};
     request.times_s = {time_s};
-    StillJob job(session_of(parse_scene(scene, "scene.toml", overrides_of(settings)), request),
-                 {.time_s = time_s});
     Image image;
-    job.draw_into(renderer, image);
+    draw_into(prepare_still(session_of(parse_scene(scene, "scene.toml", overrides_of(settings)), request),
+                            {.time_s = time_s}),
+              renderer, image);
     return image;
 }
 

@@ -23,14 +23,19 @@ class Unfinished : public ::testing::Test {
         std::ofstream(folder_ / "victim/deep/file") << "mine";
     }
 
-    UnfinishedFolder open() const { return {folder_ / "a.mp4", aside_, marker_}; }
-    void make() const { write_whole(open().marker_path(), "ours, of a.mp4"); }
+    UnfinishedFolder open(const std::string& work = "ours, of a.mp4") const {
+        return {AtomicFile::lock(place_.output, folder_ / ".a.mp4.held"), place_, work};
+    }
+    // As a killed run leaves it.
+    void make() const {
+        fs::create_directory(aside_);
+        std::ofstream(aside_ / "marker") << "ours, of a.mp4";
+    }
 
     void expect_refusal() const {
         for (const auto& attempt :
-             {std::function<void()>([this] { open(); }), std::function<void()>([this] {
-                  UnfinishedFolder::left(folder_ / "a.mp4", aside_, marker_);
-              })}) {
+             {std::function<void()>([this] { open(); }),
+              std::function<void()>([this] { UnfinishedFolder::left(place_); })}) {
             std::string message;
             try {
                 attempt();
@@ -48,31 +53,65 @@ class Unfinished : public ::testing::Test {
 
     TemporaryFolder folder_;
     const fs::path aside_ = folder_ / ".a.mp4.parts";
-    const FolderMarker marker_{"marker", "ours"};
+    const UnfinishedPlace place_{folder_ / "a.mp4", aside_, "marker", "ours"};
 };
 
 TEST_F(Unfinished, FoldersAreMadeAndFoundAgain) {
-    EXPECT_FALSE(UnfinishedFolder::left(folder_ / "a.mp4", aside_, marker_).has_value());
+    EXPECT_FALSE(UnfinishedFolder::left(place_).has_value());
     EXPECT_FALSE(fs::exists(aside_));
-    EXPECT_FALSE(open().has_marker());
-    // A run that was killed before or while it wrote the marker.
-    EXPECT_FALSE(open().has_marker());
-    std::ofstream(aside_ / ".marker.part") << "ou";
-    EXPECT_FALSE(open().has_marker());
-    fs::remove(aside_ / ".marker.part");
+    {
+        const UnfinishedFolder made = open();
+        EXPECT_TRUE(made.names().empty());
+        std::ofstream(made.file("b")) << "b";
+        fs::create_directory(made.file("c"));
+    }
+    {
+        const UnfinishedFolder again = open();
+        EXPECT_EQ(again.names(), (std::vector<std::string>{"b", "c"}));
+        again.remove("b");
+        EXPECT_EQ(UnfinishedFolder::left(place_)->names(), std::vector<std::string>{"c"});
+        again.keep_only([](const std::string& name) { return name != "c"; });
+        EXPECT_TRUE(fs::exists(aside_ / "marker"));
+    }
+    // Nothing is left for another run.
+    EXPECT_EQ(folder_.contents(), std::vector<std::string>{"victim"});
+}
 
+// A run that was killed before, while or after it wrote the marker.
+TEST_F(Unfinished, FoldersOfKilledRunsAreTakenOver) {
+    fs::create_directory(aside_);
+    EXPECT_TRUE(open().names().empty());
+    fs::create_directory(aside_);
+    std::ofstream(aside_ / ".marker.part") << "ou";
+    fs::permissions(aside_ / ".marker.part", fs::perms::sticky_bit, fs::perm_options::add);
+    EXPECT_TRUE(open().names().empty());
     make();
-    std::ofstream(aside_ / "b") << "b";
-    fs::create_directory(aside_ / "c");
-    const UnfinishedFolder again = open();
-    EXPECT_TRUE(again.has_marker());
-    EXPECT_EQ(again.names(), (std::vector<std::string>{"b", "c"}));
-    again.remove("b");
-    again.remove_if_empty();
-    EXPECT_EQ(again.names(), std::vector<std::string>{"c"});
-    again.remove("c");
-    again.remove_if_empty();
+    EXPECT_TRUE(open().names().empty());
+    EXPECT_EQ(folder_.contents(), std::vector<std::string>{"victim"});
+}
+
+// Files are continued only by the work that has left them.
+TEST_F(Unfinished, FilesOfOtherWorkAreRemoved) {
+    for (const std::string other : {"ours, of a.mp3", "ours, of a.mp", "ours, of a.mp4."}) {
+        make();
+        std::ofstream(aside_ / "b") << "b";
+        EXPECT_EQ(open().names(), std::vector<std::string>{"b"});
+        const UnfinishedFolder folder = open(other);
+        EXPECT_TRUE(folder.names().empty()) << other;
+        std::string marker;
+        std::getline(std::ifstream(aside_ / "marker"), marker);
+        EXPECT_EQ(marker, other);
+    }
+}
+
+TEST_F(Unfinished, FoldersAreHeldByOneRun) {
+    UnfinishedFolder first = open();
+    std::ofstream(first.file("b")) << "b";
+    EXPECT_THROW(open(), EnvironmentError);
+    EXPECT_EQ(first.names(), std::vector<std::string>{"b"});
+    first.remove_all();
     EXPECT_FALSE(fs::exists(aside_));
+    EXPECT_TRUE(open().names().empty());
 }
 
 TEST_F(Unfinished, FoldersOfOthersStay) {
@@ -110,7 +149,7 @@ TEST_F(Unfinished, FoldersAreEmptiedWithoutFollowingLinks) {
     fs::create_directories(aside_ / "deep/deeper");
     fs::create_symlink(folder_ / "victim", aside_ / "deep/deeper/link");
     std::ofstream(aside_ / "deep/file") << "ours";
-    const UnfinishedFolder folder = open();
+    UnfinishedFolder folder = open();
     // What is no file and no folder goes first: a name in the folder must not lead elsewhere.
     EXPECT_EQ(folder.names(), std::vector<std::string>{"deep"});
     folder.remove_all();

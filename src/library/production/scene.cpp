@@ -12,7 +12,7 @@
 #include "production/sampling/sample_table.h"
 #include "production/session/files/open_session.h"
 #include "production/session/scene_summary.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "system/interrupt.h"
 #include "text/json_text.h"
 #include "text/printable.h"
@@ -40,9 +40,9 @@ Session quiet_session(const SceneRequest& request, const Watch& watch) {
 }
 
 // Notes and the journal's report, on the caller's thread.
-void tell(const StillJob& job, const Watch& watch) {
-    if (watch.say) job.tell({.say = watch.say});
-    if (const std::string lines = watch.report ? job.report() : ""; !lines.empty())
+void tell(const PreparedStill& still, const Watch& watch) {
+    if (watch.say) tell_notes(still, {.say = watch.say});
+    if (const std::string lines = watch.report ? journal_report(still) : ""; !lines.empty())
         watch.report(lines);
 }
 
@@ -216,12 +216,12 @@ Still SceneAccess::still(const Scene& scene, const GivenOptions& given, const Wa
         print_size_of(order.still.print, scene.width_px(), scene.height_px()).has_value();
     Session session = is_for_paper ? quiet_session(order.scene, watch)
                                    : of.session_at(order.scene.times_s, watch);
-    StillJob job(std::move(session), std::move(order.still));
-    tell(job, watch);
+    const PreparedStill still = prepare_still(std::move(session), std::move(order.still));
+    tell(still, watch);
     auto made = std::make_shared<Still::Impl>();
     draw(context_choice_of(given), watch,
-         [&job, &made](LazyRenderer& renderer, const ProgressSink&) {
-             made->still = job.pixels(renderer);
+         [&still, &made](LazyRenderer& renderer, const ProgressSink&) {
+             made->still = still_in_memory(still, renderer);
          });
     return Still(std::move(made));
 }
@@ -239,17 +239,18 @@ std::string SceneAccess::figure(const Scene& scene, const GivenOptions& given,
                              given.overrides.end());
     StillOrder order = still_order(std::move(request), given, "figure." + format, {});
     check_vector_choices(order.still.vectors);
-    StillJob job(quiet_session(order.scene, watch), std::move(order.still));
-    tell(job, watch);
+    const PreparedStill still =
+        prepare_still(quiet_session(order.scene, watch), std::move(order.still));
+    tell(still, watch);
     VectorStill drawn;
-    if (job.opens_context()) {
+    if (opens_context(still)) {
         draw(context_choice_of(given), watch,
-             [&job, &drawn](LazyRenderer& renderer, const ProgressSink&) {
-                 drawn = job.vectors(renderer);
+             [&still, &drawn](LazyRenderer& renderer, const ProgressSink&) {
+                 drawn = vectors_of(still, renderer);
              });
     } else {
         LazyRenderer unused;
-        drawn = job.vectors(unused);
+        drawn = vectors_of(still, unused);
     }
     if (watch.say) watch.say(fmt::format("paths within {:.2g} um of what they show", drawn.off_um));
     return std::move(drawn.bytes);

@@ -36,16 +36,13 @@ namespace {
 
 namespace fs = std::filesystem;
 
-fs::path parts_folder(const fs::path& film) { return aside_path_of(film, ".parts"); }
-
-// Its first line says whose parts they are.
-FolderMarker parts_marker(const fs::path& film) {
-    return {"unfinished",
-            fmt::format("poinsot: unfinished parts of {}\n", film.filename().string())};
-}
-
-std::optional<UnfinishedFolder> parts_folder_left_of(const fs::path& film) {
-    return UnfinishedFolder::left(film, parts_folder(film), parts_marker(film));
+// The hidden folder of a film's parts. The first line of the marker says whose parts they are.
+UnfinishedPlace parts_place(const fs::path& film) {
+    return {
+        .output = film,
+        .folder = aside_path_of(film, ".parts"),
+        .marker = "unfinished",
+        .beginning = fmt::format("poinsot: unfinished parts of {}\n", film.filename().string())};
 }
 
 // A part in such a folder: "2-of-8.mp4", and while it is drawn ".2-of-8.mp4.part.frames".
@@ -55,11 +52,11 @@ struct LeftPart {
 };
 std::vector<LeftPart> parts_left_of(const fs::path& film) {
     std::vector<LeftPart> parts;
-    const std::optional<UnfinishedFolder> folder = parts_folder_left_of(film);
+    const auto folder = UnfinishedFolder::left(parts_place(film));
     if (!folder) return parts;
     for (const std::string& name : folder->names()) {
         LeftPart part;
-        part.path = folder->path() / name;
+        part.path = folder->file(name);
         const char* const begin = name.c_str() + (name.starts_with('.') ? 1 : 0);
         if (std::sscanf(begin, "%" SCNd64 "-of-%" SCNd64, &part.number, &part.n_parts) == 2)
             parts.push_back(std::move(part));
@@ -90,53 +87,26 @@ bool is_whole_part(const fs::path& path) {
     return part && part->is_whole();
 }
 
-constexpr const char* held_name = "held";  // the lock of a folder of parts
+// The end of the names of a film's parts, as "-of-8.mp4".
+std::string part_suffix(std::int64_t n_parts, const fs::path& film) {
+    return fmt::format("-of-{}{}", n_parts, film.extension().string());
+}
 
-// The folder of a film's parts: a hidden folder beside the film, removed with the last part. The
-// lock of a single process comes first, so one run at a time writes the marker. The object holds
-// the lock of this folder and that of a single-process run, so that only one run at a time works on
+// Opens the folder of a film's parts, with the whole and the unfinished ones that an interrupted
+// run has left. The lock is the log of a single process, so that only one run at a time works on
 // the film.
-class PartsAside {
- public:
-    PartsAside(const fs::path& film, std::int64_t n_parts)
-        : suffix_(fmt::format("-of-{}{}", n_parts, film.extension().string())),
-          of_one_process_(open_frame_log(film, true)),
-          folder_(film, parts_folder(film), parts_marker(film)) {
-        // The film itself is opened when all of its parts are there.
-        check_aside(film);
-        if (!folder_.has_marker()) write_whole(folder_.marker_path(), parts_marker(film).beginning);
-        lock_.emplace(film, folder_.path() / held_name);
-        // Parts of a run with another number of jobs cannot be continued; damaged ones are drawn
-        // again.
-        for (const std::string& name : folder_.names())
-            if (name != held_name &&
-                (name.find(suffix_) == std::string::npos ||
-                 (name.front() != '.' && !is_whole_part(folder_.path() / name))))
-                folder_.remove(name);
-    }
-    ~PartsAside() {
-        lock_.reset();
-        folder_.remove_if_empty();
-    }
-    PartsAside(const PartsAside&) = delete;
-    PartsAside& operator=(const PartsAside&) = delete;
-
-    std::string part(std::int64_t number) const {
-        return (folder_.path() / fmt::format("{}{}", number, suffix_)).string();
-    }
-
-    void clear() {
-        lock_.reset();
-        folder_.remove_all();
-        of_one_process_.discard();
-    }
-
- private:
-    std::string suffix_;
-    AtomicFile of_one_process_;
-    UnfinishedFolder folder_;
-    std::optional<AtomicFile> lock_;
-};
+UnfinishedFolder open_parts(const fs::path& film, const std::string& suffix) {
+    // The film itself is opened when all of its parts are there.
+    check_aside(film);
+    const UnfinishedPlace place = parts_place(film);
+    UnfinishedFolder folder(open_frame_log(film, true), place, place.beginning);
+    // Parts of a run with another number of jobs cannot be continued; damaged ones are drawn again.
+    folder.keep_only([&](const std::string& name) {
+        return name.find(suffix) != std::string::npos &&
+               (name.front() == '.' || is_whole_part(folder.file(name)));
+    });
+    return folder;
+}
 
 // Jobs share the processor: with as many threads as cores in each job, they would only wait for
 // each other.
@@ -187,7 +157,7 @@ void make_in_this_process(const FilmJob& film, const fs::path& path, LazyRendere
                           const ProgressSink& progress) {
     film.make(renderer, progress);
     // Parts of several processes are obsolete now.
-    if (const auto folder = parts_folder_left_of(path)) folder->remove_all();
+    if (auto folder = UnfinishedFolder::left(parts_place(path))) folder->remove_all();
 }
 
 }  // namespace
@@ -199,7 +169,7 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
     const fs::path& path = place.path();
     const OutputFormat& format = format_for(path);
     // Before anything is drawn: a folder of somebody else is refused.
-    if (format.join != nullptr) parts_folder_left_of(path);
+    if (format.join != nullptr) UnfinishedFolder::left(parts_place(path));
     const int n_jobs = n_asked ? *n_asked : n_jobs_for(session, film.n_frames(), path, renderer);
     if (n_jobs == 1) return make_in_this_process(film, path, renderer, progress);
     if (!format.has_parts)
@@ -221,14 +191,15 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
         draw_parts(session, request, n_parts, renderer.choice(), outputs, progress);
         film.write_sidecars(path, progress);
     } else {
-        PartsAside aside(path, n_parts);
+        const std::string suffix = part_suffix(n_parts, path);
+        UnfinishedFolder aside = open_parts(path, suffix);
         std::vector<std::string> parts;
         parts.reserve(static_cast<std::size_t>(n_parts));
         for (std::int64_t number = 1; number <= n_parts; ++number)
-            parts.push_back(aside.part(number));
+            parts.push_back(aside.file(fmt::format("{}{}", number, suffix)).string());
         draw_parts(session, request, n_parts, renderer.choice(), parts, progress);
         join(parts, path.string(), {});
-        aside.clear();
+        aside.remove_all();
     }
     progress.finish(with_film_length(printable(path.string()), film.n_frames(), film.film().rate));
 }
@@ -237,7 +208,7 @@ std::int64_t gather_parts_aside(const fs::path& film) {
     const std::vector<LeftPart> left = parts_left_of(film);
     if (left.empty() || has_bytes(frame_log_path(film))) return 0;
     // Fails if another run is still drawing.
-    const AtomicFile lock(film, parts_folder(film) / held_name);
+    AtomicFile file = open_frame_log(film, true);
     std::optional<FrameLog> log;
     std::vector<std::string> gathered;
     std::int64_t n_before = 0;  // frames gathered
@@ -247,26 +218,26 @@ std::int64_t gather_parts_aside(const fs::path& film) {
         if (part.n_parts != left.front().n_parts) continue;
         const std::optional<PartFile> readable = part_if_readable(part.path);
         if (!readable) continue;
-        const PartFile& file = *readable;
-        if (has_gap || file.part().n_before != n_before || file.n_there() == 0) {
-            n_left += file.n_there();
+        const PartFile& part_file = *readable;
+        if (has_gap || part_file.part().n_before != n_before || part_file.n_there() == 0) {
+            n_left += part_file.n_there();
             continue;
         }
         if (!log) {
-            OutputPlan plan = file.plan();
+            OutputPlan plan = part_file.plan();
             plan.path = film;
             plan.part.reset();
             plan.resume = true;
-            log.emplace(plan, file.settings(), 1);
+            log.emplace(std::move(file), plan, part_file.settings(), 1);
         }
-        append_all(file, *log);
-        n_before += file.n_there();
+        append_all(part_file, *log);
+        n_before += part_file.n_there();
         gathered.push_back(part.path.filename().string());
-        has_gap = !file.is_whole();
+        has_gap = !part_file.is_whole();
     }
     if (!log) return 0;
     log.reset();
-    const std::optional<UnfinishedFolder> folder = parts_folder_left_of(film);
+    auto folder = UnfinishedFolder::left(parts_place(film));
     if (folder && n_left == 0)
         folder->remove_all();
     else if (folder)

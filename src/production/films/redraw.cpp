@@ -14,7 +14,7 @@
 #include "production/films/film_job.h"
 #include "production/records/record.h"
 #include "production/stills/output_place.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "production/vectors/journal.h"
 #include "system/files/file_kind.h"
 #include "text/printable.h"
@@ -106,7 +106,7 @@ Session session_of_record(const RedrawRequest& request, const Record& record,
     SessionRequest needs{.fonts = installed_fonts()};
     if (record.time_s) needs.times_s.push_back(*record.time_s);
     Session session = session_of(scene, needs, progress);
-    // What was chosen then has been in the scene since.
+    // The record's scene has the values that were chosen then.
     session.as_read = record.as_read;
     return session;
 }
@@ -142,7 +142,7 @@ Record record_to_come(const RedrawRequest& request, const Record& record,
     still.output = request.file.string();
     Record now;
     if (record.time_s) {
-        now = StillJob(std::move(session), still).record();
+        now = record_of(prepare_still(std::move(session), still));
     } else {
         if (suffix_of(request.file) == ".png") frame_of_picture(request.file, record);
         const FilmJob film(session, {.frames = record.run ? record.run : record.frames});
@@ -202,17 +202,18 @@ void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
     LazyRenderer renderer(context_for(request, record));
     if (record.time_s) {
         StillWriter writer;
-        StillJob(std::move(session), still_request_of(request, record))
-            .draw(renderer, writer, progress);
+        draw_still(prepare_still(std::move(session), still_request_of(request, record)), renderer,
+                   writer, progress);
         writer.finish();
     } else if (is_picture) {
         redraw_frame(request, record, session, renderer);
     } else {
         // Of a recovered film: the recovered frames of the interrupted run.
         const auto [first, last] = *record.frames;
-        FilmRequest film{request.output.string(), record.run ? record.run : record.frames};
-        if (record.run) film.n_shown = last - first + 1;
-        film.is_slide = record.film_frames.has_value();
+        const FilmRequest film{.output = request.output.string(),
+                               .frames = record.run ? record.run : record.frames,
+                               .n_shown = record.run ? last - first + 1 : 0,
+                               .is_slide = record.film_frames.has_value()};
         FilmJob(session, film).make(renderer, progress);
     }
     for (const std::string& note : differences(record, read_record(request.output)))

@@ -28,7 +28,7 @@ struct FitTable {
     std::vector<TableFlight> flights;
 };
 
-// What is known beforehand.
+// Values known beforehand.
 struct FitKnown {
     std::optional<Eigen::Vector3d> moments_kg_m2;
     std::optional<DragModel> drag;

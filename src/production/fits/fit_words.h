@@ -1,4 +1,4 @@
-// What `poinsot fit` says of fitted motions: words for people, members for JSON.
+// Fitted motions as `poinsot fit` reports them: in words, and as members of JSON.
 #pragma once
 
 #include <span>
@@ -22,7 +22,7 @@ void add_fit(JsonObject& answer, const FittedMotion& fit);
 template <typename Fit>
 std::vector<std::string> body_lines(const Fit& fit, std::string_view before = "");
 
-// What was found, a line each: for the console, and as comments of the scene.
+// The results, a line each: for the console, and as comments of the scene.
 std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured);
 
 }  // namespace poinsot

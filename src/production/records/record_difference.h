@@ -1,4 +1,4 @@
-// What differs between the records of two pictures, in words.
+// The differences between the records of two pictures, in words.
 #pragma once
 
 #include <string>

@@ -21,38 +21,44 @@ using Span = std::pair<std::int64_t, std::int64_t>;
 
 template <std::string Record::*member>
 constexpr RecordField required_field(std::string_view key) {
-    return {key, true, Form::text,
-            [](const Record& record) { return std::optional(record.*member); },
-            [](std::string_view text, Record& record) {
-                record.*member = text;
-                return true;
-            }};
+    return {.key = key,
+            .is_required = true,
+            .text_of = [](const Record& record) { return std::optional(record.*member); },
+            .read =
+                [](std::string_view text, Record& record) {
+                    record.*member = text;
+                    return true;
+                }};
 }
 
 template <std::string Record::*member>
 constexpr RecordField text_field(std::string_view key) {
-    return {key, false, Form::text,
-            [](const Record& record) {
-                return (record.*member).empty() ? std::nullopt : std::optional(record.*member);
-            },
-            [](std::string_view text, Record& record) {
-                record.*member = text;
-                return true;
-            }};
+    return {.key = key,
+            .text_of =
+                [](const Record& record) {
+                    return (record.*member).empty() ? std::nullopt : std::optional(record.*member);
+                },
+            .read =
+                [](std::string_view text, Record& record) {
+                    record.*member = text;
+                    return true;
+                }};
 }
 
 template <auto member>
 constexpr RecordField number_field(std::string_view key) {
-    return {key, false, Form::number,
-            [](const Record& record) -> std::optional<std::string> {
+    return {.key = key,
+            .form = Form::number,
+            .text_of = [](const Record& record) -> std::optional<std::string> {
                 if (!(record.*member)) return std::nullopt;
                 return fmt::format("{}", *(record.*member));
             },
-            [](std::string_view text, Record& record) {
-                auto& value = record.*member;
-                value = number_of<std::remove_cvref_t<decltype(*value)>>(text);
-                return value.has_value();
-            }};
+            .read =
+                [](std::string_view text, Record& record) {
+                    auto& value = record.*member;
+                    value = number_of<std::remove_cvref_t<decltype(*value)>>(text);
+                    return value.has_value();
+                }};
 }
 
 // "640x360", "0-299".
@@ -68,16 +74,18 @@ std::optional<std::pair<Number, Number>> two_numbers(std::string_view text, char
 
 template <std::optional<Span> Record::*member>
 constexpr RecordField frames_field(std::string_view key) {
-    return {key, false, Form::two_numbers,
-            [](const Record& record) -> std::optional<std::string> {
+    return {.key = key,
+            .form = Form::two_numbers,
+            .text_of = [](const Record& record) -> std::optional<std::string> {
                 const std::optional<Span>& span = record.*member;
                 if (!span) return std::nullopt;
                 return fmt::format("{}-{}", span->first, span->second);
             },
-            [](std::string_view text, Record& record) {
-                record.*member = two_numbers<std::int64_t>(text, '-');
-                return (record.*member).has_value();
-            }};
+            .read =
+                [](std::string_view text, Record& record) {
+                    record.*member = two_numbers<std::int64_t>(text, '-');
+                    return (record.*member).has_value();
+                }};
 }
 
 std::optional<std::string> profile_of(const Record& record) {
@@ -113,17 +121,21 @@ constexpr RecordField field_table[] = {
     text_field<&Record::mesh_hash>("mesh-sha256"),
     required_field<&Record::method>("method"),
     required_field<&Record::bounds>("bounds"),
-    {"profile", true, Form::text, profile_of, read_profile},
+    {.key = "profile", .is_required = true, .text_of = profile_of, .read = read_profile},
     text_field<&Record::processor>("processor"),
     required_field<&Record::renderer>("renderer"),
     required_field<&Record::mesa>("mesa"),
     text_field<&Record::maker>("maker"),
     text_field<&Record::fonts>("fonts"),
-    {"size", true, Form::two_numbers, size_of, read_size},
+    {.key = "size",
+     .is_required = true,
+     .form = Form::two_numbers,
+     .text_of = size_of,
+     .read = read_size},
     number_field<&Record::time_s>("time_s"),
     number_field<&Record::dpi>("dpi"),
     number_field<&Record::type_pt>("type-pt"),
-    {"depth", false, Form::number, depth_of, read_depth},
+    {.key = "depth", .form = Form::number, .text_of = depth_of, .read = read_depth},
     text_field<&Record::shading>("shading"),
     text_field<&Record::journal>("journal"),
     text_field<&Record::lettering>("type-as"),

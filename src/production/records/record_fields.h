@@ -15,9 +15,9 @@ struct RecordField {
     // "0-299".
     enum class Form { text, number, two_numbers };
 
-    std::string_view key;  // "scene-sha256"; in JSON with underscores: "scene_sha256"
-    bool is_required;      // when a record is read
-    Form form;
+    std::string_view key;      // "scene-sha256"; in JSON with underscores: "scene_sha256"
+    bool is_required = false;  // when a record is read
+    Form form = Form::text;
     // Empty if the record does not have the field.
     std::optional<std::string> (*text_of)(const Record&);
     // False for an invalid text.

@@ -1,4 +1,5 @@
-// What of a record needs files, FFmpeg or the processor: a page in a browser does without.
+// The functions of records that need files, FFmpeg or the processor, which a page in a browser does
+// not have.
 #include <fmt/format.h>
 
 #include <algorithm>

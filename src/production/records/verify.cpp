@@ -27,8 +27,8 @@ std::string bytes_behind(std::uintmax_t n_bytes) {
                        n_bytes == 1 ? "s" : "");
 }
 
-// What a film has besides its pictures' packets: times, order, rotation, shape, colours, index and
-// captions. A GIF has its own in its packets.
+// Whether a film is unchanged besides its pictures' packets: times, order, rotation, shape,
+// colours, index and captions. A GIF has its own in its packets.
 enum class Rest { unchanged, changed, unknown };
 
 Rest rest_of(const std::filesystem::path& film, const Record& record) {
@@ -36,7 +36,7 @@ Rest rest_of(const std::filesystem::path& film, const Record& record) {
     return file_hash_of(film, record.text) == record.file ? Rest::unchanged : Rest::changed;
 }
 
-// What a player is known to show otherwise than was recorded, in words.
+// The known difference between what a player shows and what was recorded, in words.
 std::string shown_otherwise(const std::filesystem::path& film, const Record& record) {
     try {
         const VideoInfo info = VideoReader(film).info();

@@ -1,4 +1,4 @@
-// What a scene's measured motion says about the scene's: residuals, drift, gaps and saturation.
+// A scene's motion compared with its measured one: residuals, drift, gaps and saturation.
 #pragma once
 
 #include <vector>

@@ -1,4 +1,4 @@
-// What `check` says about a torque-free motion beyond its constants: whether and when the body
+// Notes of `check` on a torque-free motion, beyond its constants: whether and when the body
 // flips, and which loops are near.
 #pragma once
 

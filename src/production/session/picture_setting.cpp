@@ -23,7 +23,7 @@ PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {
     const PictureQuality& quality = *at_scene_key(
         scene, "film.quality", [&scene] { return &picture_quality_named(scene.film.quality); });
     const auto paper = print_size_of(print, scene.film.width_px, scene.film.height_px);
-    PictureSetting setting{quality.curve_tolerance, quality.samples};
+    PictureSetting setting{.curve_tolerance = quality.curve_tolerance, .samples = quality.samples};
     if (paper) setting.put_on(*paper);
     return setting;
 }

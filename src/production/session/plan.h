@@ -1,4 +1,4 @@
-// What will be computed for a scene, and why: the output of `check --plan`.
+// The computations for a scene, with their reasons: the output of `check --plan`.
 #pragma once
 
 #include <string>

@@ -1,5 +1,5 @@
-// What the program chooses for a scene: its size on paper, the start of a loop, the film's length,
-// the accuracy of the motion and its step. The scene that was read does not change.
+// Values that the program chooses for a scene: its size on paper, the start of a loop, the film's
+// length, the accuracy of the motion and its step. The scene that was read does not change.
 #pragma once
 
 #include <functional>
@@ -21,7 +21,7 @@
 
 namespace poinsot {
 
-// What a session needs besides its scene.
+// The needs of a session besides its scene.
 struct SessionRequest {
     FontSource fonts{};             // of its pictures
     PrintChoices print{};           // a size on paper

@@ -14,7 +14,7 @@
 #include "production/slides/slide_files.h"
 #include "production/slides/slide_plan.h"
 #include "production/slides/stored_zip.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "production/vectors/vector_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
@@ -91,7 +91,7 @@ void draw_posters(const Session& session, const PosterFrames& posters, const Sli
         still.output = aside.file(name).string();
         still.frame = frame;
         still.names_fade = true;
-        StillJob(Session(session), std::move(still)).draw(renderer, writer, {});
+        draw_still(prepare_still(Session(session), std::move(still)), renderer, writer, {});
     }
     writer.finish();
 }
@@ -110,7 +110,7 @@ void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer
     AtomicFile output(request.output);
     SlidesAside aside(request.output, request.output, ".slides",
                       slide_plan_text(session, film, slides, {renderer.is_portable()}));
-    make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
+    make_slide_films(session, slides, aside, request.n_jobs, renderer, progress);
     draw_posters(session, posters, aside, renderer);
 
     StoredZip zip(output);

@@ -61,13 +61,13 @@ constexpr std::string_view theme_xml =
 <a:solidFill><a:schemeClr val="phClr"/></a:solidFill></a:bgFillStyleLst></a:fmtScheme></a:themeElements></a:theme>
 )";
 
-// {0}: namespaces, {1}: start of the tree, {2}: colour map.
+// {0}: namespaces, {1}: start of the tree, {2}: colour map, {3}: relationship of the layout.
 constexpr std::string_view slide_master_xml =
     R"(<p:sldMaster {0}><p:cSld><p:bg><p:bgRef idx="1001"><a:schemeClr val="bg1"/></p:bgRef></p:bg><p:spTree>{1}
 <p:sp><p:nvSpPr><p:cNvPr id="2" name="Title"/><p:cNvSpPr><a:spLocks noGrp="1"/></p:cNvSpPr><p:nvPr><p:ph type="title"/></p:nvPr></p:nvSpPr>
 <p:spPr><a:xfrm><a:off x="838200" y="365125"/><a:ext cx="10515600" cy="1325563"/></a:xfrm><a:prstGeom prst="rect"><a:avLst/></a:prstGeom></p:spPr>
 <p:txBody><a:bodyPr anchor="ctr"><a:normAutofit/></a:bodyPr><a:lstStyle/><a:p><a:endParaRPr/></a:p></p:txBody></p:sp>
-</p:spTree></p:cSld>{2}<p:sldLayoutIdLst><p:sldLayoutId id="2147483649" r:id="rId1"/></p:sldLayoutIdLst>
+</p:spTree></p:cSld>{2}<p:sldLayoutIdLst><p:sldLayoutId id="2147483649" r:id="{3}"/></p:sldLayoutIdLst>
 <p:txStyles><p:titleStyle><a:lvl1pPr algn="l"><a:defRPr sz="4400"><a:solidFill><a:schemeClr val="tx1"/></a:solidFill><a:latin typeface="+mj-lt"/></a:defRPr></a:lvl1pPr></p:titleStyle>
 <p:bodyStyle><a:lvl1pPr><a:defRPr sz="2800"/></a:lvl1pPr></p:bodyStyle><p:otherStyle><a:lvl1pPr><a:defRPr sz="1800"/></a:lvl1pPr></p:otherStyle></p:txStyles></p:sldMaster>
 )";
@@ -93,18 +93,18 @@ constexpr std::string_view notes_master_xml =
 )";
 
 // A film that fills the slide. {0}: number of the shape, {1}: its name, {2}: title, {3} to {5}:
-// numbers of the relationships of the film, of its bytes and of its picture, {6}: the box.
+// relationships of the film, of its bytes and of its picture, {6}: the box.
 constexpr std::string_view film_xml =
     R"xml(<p:pic><p:nvPicPr><p:cNvPr id="{0}" name="{1}" descr="{2}"><a:hlinkClick r:id="" action="ppaction://media"/></p:cNvPr><p:cNvPicPr><a:picLocks noChangeAspect="1"/></p:cNvPicPr>
-<p:nvPr><a:videoFile r:link="rId{3}"/><p:extLst><p:ext uri="{{DAA4B4D4-6D71-4841-9C94-3DE7FCFB9230}}"><p14:media xmlns:p14="http://schemas.microsoft.com/office/powerpoint/2010/main" r:embed="rId{4}"/></p:ext></p:extLst></p:nvPr></p:nvPicPr>
-<p:blipFill><a:blip r:embed="rId{5}"/><a:stretch><a:fillRect/></a:stretch></p:blipFill>
+<p:nvPr><a:videoFile r:link="{3}"/><p:extLst><p:ext uri="{{DAA4B4D4-6D71-4841-9C94-3DE7FCFB9230}}"><p14:media xmlns:p14="http://schemas.microsoft.com/office/powerpoint/2010/main" r:embed="{4}"/></p:ext></p:extLst></p:nvPr></p:nvPicPr>
+<p:blipFill><a:blip r:embed="{5}"/><a:stretch><a:fillRect/></a:stretch></p:blipFill>
 <p:spPr><a:xfrm>{6}</a:xfrm><a:prstGeom prst="rect"><a:avLst/></a:prstGeom></p:spPr></p:pic>
 )xml";
 
-// {0}: title, {1}: number of the relationship, {2}: the box.
+// {0}: title, {1}: relationship, {2}: the box.
 constexpr std::string_view still_xml =
     R"(<p:pic><p:nvPicPr><p:cNvPr id="4" name="Still" descr="{0}"/><p:cNvPicPr><a:picLocks noChangeAspect="1"/></p:cNvPicPr><p:nvPr/></p:nvPicPr>
-<p:blipFill><a:blip r:embed="rId{1}"/><a:stretch><a:fillRect/></a:stretch></p:blipFill>
+<p:blipFill><a:blip r:embed="{1}"/><a:stretch><a:fillRect/></a:stretch></p:blipFill>
 <p:spPr><a:xfrm>{2}</a:xfrm><a:prstGeom prst="rect"><a:avLst/></a:prstGeom></p:spPr></p:pic>
 )";
 
@@ -169,24 +169,30 @@ constexpr std::string_view notes_slide_xml =
 </p:spTree></p:cSld>{3}</p:notes>
 )";
 
-struct Relationship {
-    std::string_view type;  // a whole address, or the end of that of office documents
-    std::string target;
-};
-
-// Relationship k of the list is "rId<k + 1>".
-std::string relationships_xml(const std::vector<Relationship>& relationships) {
-    std::string xml =
-        R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)";
-    for (std::size_t k = 0; k < relationships.size(); ++k) {
-        const auto& [type, target] = relationships[k];
+// The references of a part, or of the package, to other parts.
+class Relationships {
+ public:
+    // Returns the id by which the part's XML names it. `type`: a whole address, or the end of that
+    // of office documents.
+    std::string add(std::string_view type, std::string_view target) {
         constexpr std::string_view office =
             "http://schemas.openxmlformats.org/officeDocument/2006/relationships/";
-        xml += fmt::format(R"(<Relationship Id="rId{}" Type="{}{}" Target="{}"/>)", k + 1,
-                           type.starts_with("http") ? "" : office, type, target);
+        std::string id = fmt::format("rId{}", ++n_);
+        entries_ += fmt::format(R"(<Relationship Id="{}" Type="{}{}" Target="{}"/>)", id,
+                                type.starts_with("http") ? "" : office, type, target);
+        return id;
     }
-    return xml + "</Relationships>\n";
-}
+    bool empty() const { return n_ == 0; }
+    std::string xml() const {
+        constexpr std::string_view start =
+            R"(<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships">)";
+        return fmt::format("{}{}</Relationships>\n", start, entries_);
+    }
+
+ private:
+    int n_ = 0;
+    std::string entries_;
+};
 
 // Centred, as large as fits on the slide.
 std::string film_box(int width_px, int height_px) {
@@ -216,17 +222,16 @@ std::string paragraphs(std::string_view text, const std::string& language) {
 class PartList {
  public:
     void add(const std::string& name, std::string_view type, std::string xml,
-             const std::vector<Relationship>& relationships = {}) {
+             const Relationships& relationships = {}) {
         parts_.push_back({name, std::string(declaration) + std::move(xml)});
         types_ += fmt::format(R"(<Override PartName="/{}" ContentType="{}"/>)", name, type);
         if (!relationships.empty()) add_relationships(name, relationships);
     }
-    void add_relationships(const std::string& name,
-                           const std::vector<Relationship>& relationships) {
+    void add_relationships(const std::string& name, const Relationships& relationships) {
         const std::size_t folder = name.rfind('/') + 1;  // 0 for the whole package
         parts_.push_back(
             {fmt::format("{}_rels/{}.rels", name.substr(0, folder), name.substr(folder)),
-             std::string(declaration) + relationships_xml(relationships)});
+             std::string(declaration) + relationships.xml()});
     }
 
     // The types come first.
@@ -251,47 +256,67 @@ void add_slide(PartList& parts, const PptxText& text, std::size_t index) {
     const std::string notes = fmt::format("notesSlide{}.xml", index + 1);
     const std::string title = escaped_markup(slide.title);
     const std::string box = film_box(text.width_px, text.height_px);
-    std::vector<Relationship> relationships{{"slideLayout", "../slideLayouts/slideLayout1.xml"}};
-    // Returns the number of the first one.
-    const auto add_film = [&relationships](const std::string& film, const std::string& picture) {
+    Relationships relationships;
+    relationships.add("slideLayout", "../slideLayouts/slideLayout1.xml");
+    const auto picture_of_film = [&](int shape, std::string_view shape_name,
+                                     const std::string& film, const std::string& poster) {
         const std::string file = "../media/" + film;
-        relationships.push_back({"video", file});
-        relationships.push_back(
-            {"http://schemas.microsoft.com/office/2007/relationships/media", file});
-        relationships.push_back({"image", "../media/" + picture});
-        return relationships.size() - 2;
+        const std::string link = relationships.add("video", file);
+        const std::string bytes =
+            relationships.add("http://schemas.microsoft.com/office/2007/relationships/media", file);
+        const std::string image = relationships.add("image", "../media/" + poster);
+        return fmt::format(film_xml, shape, shape_name, title, link, bytes, image, box);
     };
-    const std::size_t film = add_film(slide.film, slide.poster);
-    std::string pictures = fmt::format(film_xml, 3, "Film", title, film, film + 1, film + 2, box);
+    std::string pictures = picture_of_film(3, "Film", slide.film, slide.poster);
     std::string steps =
         fmt::format(step_xml, 3, R"(<p:cond evt="onBegin" delay="0"><p:tn val="2"/></p:cond>)",
                     fmt::format(play_xml, 5, 6, "afterEffect", slide.duration_ms, 3), 4);
     std::string after = fmt::format(video_xml, 7, "", 3);
     if (slide.loop.empty()) {
-        relationships.push_back({"image", "../media/" + slide.still});
-        pictures += fmt::format(still_xml, title, relationships.size(), box);
+        const std::string image = relationships.add("image", "../media/" + slide.still);
+        pictures += fmt::format(still_xml, title, image, box);
         after += fmt::format(still_sequence_xml,
                              fmt::format(step_xml, 9, "", fmt::format(appear_xml, 11, 12), 10));
     } else {
-        const std::size_t loop = add_film(slide.loop, slide.still);
-        pictures += fmt::format(film_xml, 4, "Loop", title, loop, loop + 1, loop + 2, box);
+        pictures += picture_of_film(4, "Loop", slide.loop, slide.still);
         steps += fmt::format(step_xml, 8, "",
                              fmt::format(appear_xml, 10, 11) +
                                  fmt::format(play_xml, 12, 13, "withEffect", slide.loop_ms, 4),
                              9);
         after += fmt::format(video_xml, 14, R"( repeatCount="indefinite")", 4);
     }
-    if (!slide.note.empty()) relationships.push_back({"notesSlide", "../notesSlides/" + notes});
+    if (!slide.note.empty()) relationships.add("notesSlide", "../notesSlides/" + notes);
     parts.add("ppt/slides/" + name, type_of("slide"),
               fmt::format(slide_xml, namespaces, tree_start, language, title, pictures,
                           masters_colours, steps, after),
               relationships);
-    if (!slide.note.empty())
-        parts.add(
-            "ppt/notesSlides/" + notes, type_of("notesSlide"),
-            fmt::format(notes_slide_xml, namespaces, tree_start, paragraphs(slide.note, language),
-                        masters_colours),
-            {{"notesMaster", "../notesMasters/notesMaster1.xml"}, {"slide", "../slides/" + name}});
+    if (slide.note.empty()) return;
+    Relationships of_notes;
+    of_notes.add("notesMaster", "../notesMasters/notesMaster1.xml");
+    of_notes.add("slide", "../slides/" + name);
+    parts.add("ppt/notesSlides/" + notes, type_of("notesSlide"),
+              fmt::format(notes_slide_xml, namespaces, tree_start, paragraphs(slide.note, language),
+                          masters_colours),
+              of_notes);
+}
+
+// The masters, the layout and their themes.
+void add_masters(PartList& parts) {
+    constexpr std::string_view theme_type =
+        "application/vnd.openxmlformats-officedocument.theme+xml";
+    parts.add("ppt/theme/theme1.xml", theme_type, std::string(theme_xml));
+    parts.add("ppt/theme/theme2.xml", theme_type, std::string(theme_xml));
+    Relationships of_master, of_layout, of_notes_master;
+    const std::string layout = of_master.add("slideLayout", "../slideLayouts/slideLayout1.xml");
+    of_master.add("theme", "../theme/theme1.xml");
+    parts.add("ppt/slideMasters/slideMaster1.xml", type_of("slideMaster"),
+              fmt::format(slide_master_xml, namespaces, tree_start, colour_map, layout), of_master);
+    of_layout.add("slideMaster", "../slideMasters/slideMaster1.xml");
+    parts.add("ppt/slideLayouts/slideLayout1.xml", type_of("slideLayout"),
+              fmt::format(slide_layout_xml, namespaces, tree_start, masters_colours), of_layout);
+    of_notes_master.add("theme", "../theme/theme2.xml");
+    parts.add("ppt/notesMasters/notesMaster1.xml", type_of("notesMaster"),
+              fmt::format(notes_master_xml, namespaces, tree_start, colour_map), of_notes_master);
 }
 
 }  // namespace
@@ -312,11 +337,12 @@ bool describes_slides_of(std::string_view scene_name, std::string_view origin_xm
 
 std::vector<PptxPart> pptx_parts(const PptxText& text) {
     PartList parts;
-    parts.add_relationships(
-        "", {{"officeDocument", "ppt/presentation.xml"},
-             {"http://schemas.openxmlformats.org/package/2006/relationships/metadata/"
-              "core-properties",
-              std::string(pptx_origin_name)}});
+    Relationships of_package;
+    of_package.add("officeDocument", "ppt/presentation.xml");
+    of_package.add(
+        "http://schemas.openxmlformats.org/package/2006/relationships/metadata/core-properties",
+        pptx_origin_name);
+    parts.add_relationships("", of_package);
     parts.add(
         std::string(pptx_origin_name), "application/vnd.openxmlformats-package.core-properties+xml",
         fmt::format(
@@ -327,40 +353,30 @@ std::vector<PptxPart> pptx_parts(const PptxText& text) {
             escaped_markup(text.title), escaped_markup(text.description),
             escaped_markup(text.language)));
 
-    std::vector<Relationship> relationships{{"slideMaster", "slideMasters/slideMaster1.xml"},
-                                            {"notesMaster", "notesMasters/notesMaster1.xml"},
-                                            {"theme", "theme/theme1.xml"}};
+    Relationships relationships;
+    const std::string slide_master =
+        relationships.add("slideMaster", "slideMasters/slideMaster1.xml");
+    const std::string notes_master =
+        relationships.add("notesMaster", "notesMasters/notesMaster1.xml");
+    relationships.add("theme", "theme/theme1.xml");
     std::string slide_ids;
     for (std::size_t i = 0; i < text.slides.size(); ++i) {
-        relationships.push_back({"slide", fmt::format("slides/slide{}.xml", i + 1)});
+        const std::string slide =
+            relationships.add("slide", fmt::format("slides/slide{}.xml", i + 1));
         constexpr std::size_t first_id = 256;  // the least that is allowed
-        slide_ids +=
-            fmt::format(R"(<p:sldId id="{}" r:id="rId{}"/>)", first_id + i, relationships.size());
+        slide_ids += fmt::format(R"(<p:sldId id="{}" r:id="{}"/>)", first_id + i, slide);
     }
     parts.add(
         "ppt/presentation.xml", type_of("presentation.main"),
         fmt::format(
-            R"(<p:presentation {}><p:sldMasterIdLst><p:sldMasterId id="2147483648" r:id="rId1"/></p:sldMasterIdLst>)"
-            R"(<p:notesMasterIdLst><p:notesMasterId r:id="rId2"/></p:notesMasterIdLst><p:sldIdLst>{}</p:sldIdLst>)"
+            R"(<p:presentation {}><p:sldMasterIdLst><p:sldMasterId id="2147483648" r:id="{}"/></p:sldMasterIdLst>)"
+            R"(<p:notesMasterIdLst><p:notesMasterId r:id="{}"/></p:notesMasterIdLst><p:sldIdLst>{}</p:sldIdLst>)"
             R"(<p:sldSz cx="{}" cy="{}"/><p:notesSz cx="6858000" cy="9144000"/></p:presentation>)"
             "\n",
-            namespaces, slide_ids, slide_width_emu, slide_height_emu),
+            namespaces, slide_master, notes_master, slide_ids, slide_width_emu, slide_height_emu),
         relationships);
 
-    constexpr std::string_view theme_type =
-        "application/vnd.openxmlformats-officedocument.theme+xml";
-    parts.add("ppt/theme/theme1.xml", theme_type, std::string(theme_xml));
-    parts.add("ppt/theme/theme2.xml", theme_type, std::string(theme_xml));
-    parts.add(
-        "ppt/slideMasters/slideMaster1.xml", type_of("slideMaster"),
-        fmt::format(slide_master_xml, namespaces, tree_start, colour_map),
-        {{"slideLayout", "../slideLayouts/slideLayout1.xml"}, {"theme", "../theme/theme1.xml"}});
-    parts.add("ppt/slideLayouts/slideLayout1.xml", type_of("slideLayout"),
-              fmt::format(slide_layout_xml, namespaces, tree_start, masters_colours),
-              {{"slideMaster", "../slideMasters/slideMaster1.xml"}});
-    parts.add("ppt/notesMasters/notesMaster1.xml", type_of("notesMaster"),
-              fmt::format(notes_master_xml, namespaces, tree_start, colour_map),
-              {{"theme", "../theme/theme2.xml"}});
+    add_masters(parts);
     for (std::size_t i = 0; i < text.slides.size(); ++i) add_slide(parts, text, i);
     return parts.take();
 }

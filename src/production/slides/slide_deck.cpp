@@ -12,7 +12,7 @@
 #include "error/error.h"
 #include "production/slides/slide_files.h"
 #include "production/slides/slide_plan.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "production/vectors/vector_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
@@ -162,23 +162,23 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     SlidesAside aside(named, folder, ".part",
                       slide_plan_text(session, film, slides, {renderer.is_portable()}));
 
-    make_slide_films(session, film, slides, aside, request.n_jobs, renderer, progress);
+    make_slide_films(session, slides, aside, request.n_jobs, renderer, progress);
 
     // The stills are frames of the film.
     StillWriter writer;
-    const auto draw_still = [&](const Session& of, const PrintChoices& print, std::size_t i,
-                                std::string_view suffix) {
+    const auto draw = [&](const Session& of, const PrintChoices& print, std::size_t i,
+                          std::string_view suffix) {
         stop_if_interrupted();
         StillRequest still;
         still.output = aside.file(slide_file(i, suffix)).string();
         still.frame = slides[i].last_frame;
         still.names_fade = !is_vector_name(still.output);
         still.print = print;
-        StillJob(Session(of), std::move(still)).draw(renderer, writer, {});
+        draw_still(prepare_still(Session(of), std::move(still)), renderer, writer, {});
     };
     for (std::size_t i = 0; i < slides.size(); ++i) {
-        draw_still(session, request.scene.print, i, ".png");
-        draw_still(paper, on_paper.print, i, ".pdf");
+        draw(session, request.scene.print, i, ".png");
+        draw(paper, on_paper.print, i, ".pdf");
     }
     writer.finish();
     write_whole(aside.file(slide_index_name), slide_index(session, film, slides));

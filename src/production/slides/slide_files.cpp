@@ -8,6 +8,7 @@
 
 #include "production/films/film_job.h"
 #include "production/films/jobs.h"
+#include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/sha256.h"
@@ -19,8 +20,9 @@ namespace {
 namespace fs = std::filesystem;
 
 // Reports loops that jump where they begin again, as far as arrows show it.
-void note_jumps(const Session& session, const FilmPlan& film, const std::vector<Slide>& slides,
+void note_jumps(const Session& session, const std::vector<Slide>& slides,
                 const ProgressSink& progress) {
+    const FilmPlan film = film_plan(session);
     std::optional<Stage> stage;
     for (std::size_t i = 0; i < slides.size(); ++i) {
         const Slide& slide = slides[i];
@@ -60,27 +62,22 @@ std::string hash_of_file(const fs::path& file) {
 
 }  // namespace
 
-// The lock is first: the run that holds it may rename the folder.
+// The lock is beside the folder: the run that holds it may rename the folder.
 SlidesAside::SlidesAside(const fs::path& output, const fs::path& place, std::string_view suffix,
                          const std::string& plan)
-    : lock_(AtomicFile::lock(output, aside_path_of(place, ".held"))),
-      folder_(output, aside_path_of(place, suffix), {slide_plan_name, any_slide_plan_head}) {
-    if (folder_.has_marker() && read_text(folder_.marker_path()) == plan) {
-        if (kind_of_file(finished_path()) == FileKind::regular)
-            finished_ = finished_in(read_text(finished_path()));
-        // All but films and their frames is quickly made again.
-        for (const std::string& name : folder_.names())
-            if (name.front() != '.' && name != finished_name && !finished_.contains(name))
-                folder_.remove(name);
-        return;
-    }
-    folder_.clear();
-    write_whole(folder_.marker_path(), plan);
+    : folder_(AtomicFile::lock(output, aside_path_of(place, ".held")),
+              {.output = output,
+               .folder = aside_path_of(place, suffix),
+               .marker = slide_plan_name,
+               .beginning = any_slide_plan_head},
+              plan) {
+    if (const fs::path list = file(finished_name); kind_of_file(list) == FileKind::regular)
+        finished_ = finished_in(read_text(list));
+    // All but films and their frames is quickly made again.
+    folder_.keep_only([this](const std::string& name) {
+        return name.front() == '.' || name == finished_name || finished_.contains(name);
+    });
 }
-
-SlidesAside::~SlidesAside() { folder_.remove_if_empty(); }
-
-fs::path SlidesAside::finished_path() const { return file(finished_name); }
 
 bool SlidesAside::has_finished(const std::string& name) const {
     const auto then = finished_.find(name);
@@ -92,16 +89,14 @@ void SlidesAside::set_finished(const std::string& name) {
     finished_[name] = hash_of_file(file(name));
     std::string text;
     for (const auto& [each, hash] : finished_) text += fmt::format("{} {}\n", hash, each);
-    write_whole(finished_path(), text);
+    write_whole(file(finished_name), text);
 }
 
 void SlidesAside::keep_only(const std::set<std::string>& files) const {
-    for (const std::string& name : folder_.names())
-        if (!files.contains(name)) folder_.remove(name);
+    folder_.keep_only([&files](const std::string& name) { return files.contains(name); });
 }
 
-void make_slide_films(const Session& session, const FilmPlan& film,
-                      const std::vector<Slide>& slides, SlidesAside& aside,
+void make_slide_films(const Session& session, const std::vector<Slide>& slides, SlidesAside& aside,
                       std::optional<int> n_jobs, LazyRenderer& renderer,
                       const ProgressSink& progress) {
     std::int64_t n_frames = 0, n_before = 0;
@@ -117,8 +112,9 @@ void make_slide_films(const Session& session, const FilmPlan& film,
     };
     progress.begin(session.scene.name, n_frames);
     const auto make_film = [&](const std::string& name, std::int64_t first, std::int64_t last) {
-        FilmRequest one{aside.file(name).string(), std::pair(first, last)};
-        one.is_slide = true;
+        const FilmRequest one{.output = aside.file(name).string(),
+                              .frames = std::pair(first, last),
+                              .is_slide = true};
         if (aside.has_finished(name)) {
             // Perhaps without its captions.
             FilmJob(session, one).write_sidecars(one.output, films);
@@ -136,7 +132,7 @@ void make_slide_films(const Session& session, const FilmPlan& film,
         if (slide.n_loop_frames > 0)
             make_film(slide_file(i, "-loop.mp4"), slide.first_loop_frame(), slide.last_frame);
     }
-    note_jumps(session, film, slides, progress);
+    note_jumps(session, slides, progress);
 }
 
 }  // namespace poinsot

@@ -14,7 +14,6 @@
 #include "production/session/session.h"
 #include "production/slides/slide_list.h"
 #include "production/stills/picture.h"
-#include "system/files/atomic_file.h"
 #include "system/files/unfinished_folder.h"
 
 namespace poinsot {
@@ -29,12 +28,9 @@ class SlidesAside {
     // for a folder that is not such a one.
     SlidesAside(const std::filesystem::path& output, const std::filesystem::path& place,
                 std::string_view suffix, const std::string& plan);
-    ~SlidesAside();
-    SlidesAside(const SlidesAside&) = delete;
-    SlidesAside& operator=(const SlidesAside&) = delete;
 
     const std::filesystem::path& path() const { return folder_.path(); }
-    std::filesystem::path file(const std::string& name) const { return folder_.path() / name; }
+    std::filesystem::path file(const std::string& name) const { return folder_.file(name); }
 
     // Whether a run has finished this film, and it still has the bytes of then.
     bool has_finished(const std::string& name) const;
@@ -44,20 +40,16 @@ class SlidesAside {
 
     // Removes all files but the plan and these.
     void keep_only(const std::set<std::string>& files) const;
-    void remove() const { folder_.remove_all(); }
+    void remove() { folder_.remove_all(); }
 
  private:
-    std::filesystem::path finished_path() const;
-
-    AtomicFile lock_;
     UnfinishedFolder folder_;
     std::map<std::string, std::string> finished_;  // SHA-256 of the files, by name
 };
 
 // Makes 01.mp4, 01-loop.mp4, … that are not there yet, with their captions. They report as one
 // film, which the caller finishes. Throws as make_in_jobs does.
-void make_slide_films(const Session& session, const FilmPlan& film,
-                      const std::vector<Slide>& slides, SlidesAside& aside,
+void make_slide_films(const Session& session, const std::vector<Slide>& slides, SlidesAside& aside,
                       std::optional<int> n_jobs, LazyRenderer& renderer,
                       const ProgressSink& progress);
 

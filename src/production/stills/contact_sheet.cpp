@@ -7,7 +7,6 @@
 #include <cstdint>
 #include <deque>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,7 +19,7 @@
 #include "image/pixels_xxh64.h"
 #include "output/film_metadata.h"
 #include "production/records/record.h"
-#include "production/stills/still_job.h"
+#include "production/stills/prepared_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
 #include "system/interrupt.h"
@@ -116,7 +115,7 @@ class ContactSheet {
     Typesetter typesetter_{installed_fonts()};
 };
 
-// The drawings of all cells in one, each with its caption. Refers to the jobs.
+// The drawings of all cells in one, each with its caption. Refers to the stills.
 class VectorSheet {
  public:
     VectorSheet(const SheetRequest& request, const Drawing& first, double dpi)
@@ -205,12 +204,12 @@ class VectorSheet {
     TextCache text_{installed_fonts()};
 };
 
-std::unique_ptr<StillJob> job_of(const SheetCell& cell, const StillRequest& still,
-                                 const ProgressSink& progress) {
+PreparedStill prepare_cell(const SheetCell& cell, const StillRequest& still,
+                           const ProgressSink& progress) {
     stop_if_interrupted();
     SceneRequest scene = cell.scene;
     scene.print = still.print;
-    return std::make_unique<StillJob>(open_session(scene, progress), still);
+    return prepare_still(open_session(scene, progress), still);
 }
 
 // For each panel the camera that sees in every cell what that cell's own camera sees: only then can
@@ -224,8 +223,8 @@ std::vector<std::optional<Camera>> common_views(const SheetRequest& request,
     std::vector<std::vector<Camera>> cameras;
     std::vector<bool> moves;
     for (const SheetCell& cell : request.cells) {
-        const auto job = job_of(cell, still, progress);
-        const std::deque<Panel>& panels = job->panels();
+        const PreparedStill of_cell = prepare_cell(cell, still, progress);
+        const std::deque<Panel>& panels = of_cell.picture.stage.panels();
         if (cameras.empty()) {
             cameras.resize(panels.size());
             moves.resize(panels.size());
@@ -255,21 +254,24 @@ void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress
         throw InputError("--sheet: --shading picture is for single figures; leave it out");
     if (request.vectors.text == "latex")
         throw InputError("--sheet: --text latex is for single figures; take font or paths");
-    StillRequest still{request.output,  request.time_s, request.print, 8,
-                       request.vectors, request.when};
+    StillRequest still{.output = request.output,
+                       .time_s = request.time_s,
+                       .print = request.print,
+                       .vectors = request.vectors,
+                       .when = request.when};
     // A cell has its share of the sheet's width.
     if (still.print.width_mm) *still.print.width_mm /= request.n_columns;
     const OutputPlace place(request.output, Scene{}, ".pdf");
     progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
     still.views = common_views(request, still, progress);
-    std::vector<std::unique_ptr<StillJob>> jobs;  // to which the drawings refer
+    std::vector<PreparedStill> stills;  // to which the drawings refer
     std::optional<VectorSheet> sheet;
     Record record;
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
-        jobs.push_back(job_of(request.cells[k], still, progress));
-        Drawing drawing = jobs[k]->drawing();
+        stills.push_back(prepare_cell(request.cells[k], still, progress));
+        Drawing drawing = drawing_of(stills[k]);
         if (!sheet) {
-            record = jobs[k]->vector_record();
+            record = vector_record_of(stills[k]);
             sheet.emplace(request, drawing, record.dpi.value_or(default_dpi));
             record.sheet = fmt::format("{}x{}: ", request.n_columns, request.n_rows);
         }
@@ -281,8 +283,8 @@ void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress
     const Drawing drawing = sheet->take();
     record.width_px = drawing.width_px;
     record.height_px = drawing.height_px;
-    const VectorStill page = vector_still(place.path(), jobs.front()->title(), drawing,
-                                          request.vectors, std::move(record), {});
+    const VectorStill page = vector_still(place.path(), title_of(stills.front().session->scene),
+                                          drawing, request.vectors, std::move(record), {});
     write_whole(place.path(), page.bytes);
     progress.finish(printable(request.output));
 }
@@ -317,7 +319,7 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
     Image picture;
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
         const SheetCell& cell = request.cells[k];
-        const Record of_cell = job_of(cell, still, progress)->draw_into(renderer, picture);
+        const Record of_cell = draw_into(prepare_cell(cell, still, progress), renderer, picture);
         if (!sheet) {
             sheet.emplace(request, picture);
             record = of_cell;

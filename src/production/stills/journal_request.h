@@ -1,4 +1,4 @@
-// What a journal's figure changes in a scene.
+// The changes that a journal's figure makes in a scene.
 #pragma once
 
 #include "production/session/files/open_session.h"

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <utility>
+
 #include "error/error.h"
 #include "image/downsample.h"
 #include "text/printable.h"
@@ -61,44 +63,48 @@ LazyRenderer& with_memory_for(const Stage& stage, LazyRenderer& renderer) {
 
 }  // namespace
 
-PictureMaker::PictureMaker(PreparedPicture staging, LazyRenderer& renderer)
-    : staging_(std::move(staging)),
-      context_(&with_memory_for(staging_.stage, renderer).context()),
+PictureMaker::PictureMaker(const PreparedPicture& picture, LazyRenderer& renderer)
+    : picture_(&picture),
+      context_(&with_memory_for(picture.stage, renderer).context()),
       renderer_(&renderer.renderer()) {}
 
 PictureMaker::PictureMaker(const Session& session, LazyRenderer& renderer, const PictureSpan& span)
-    : PictureMaker(PreparedPicture(session, span, setting_of(session.scene)), renderer) {}
+    : own_(std::in_place, session, span, setting_of(session.scene)),
+      picture_(&*own_),
+      context_(&with_memory_for(picture_->stage, renderer).context()),
+      renderer_(&renderer.renderer()) {}
 
 PictureMaker::PictureMaker(const Session& session, const OffscreenContext& context,
                            const PictureSpan& span, const PictureSetting& setting)
-    : staging_(session, span, setting),
+    : own_(std::in_place, session, span, setting),
+      picture_(&*own_),
       context_(&context),
       created_renderer_(context),
       renderer_(&*created_renderer_) {}
 
 void PictureMaker::draw(const FilmTime& moment, Image& image) {
-    if (staging_.samples == 1) {
+    if (picture_->samples == 1) {
         renderer_->render_into(stage().at(moment), image);
         return;
     }
     renderer_->render_into(stage().at(moment), large_);
-    downsample_into(large_, staging_.samples, image);
+    downsample_into(large_, picture_->samples, image);
 }
 
 void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, Image& image) {
-    const PixelArea drawn{staging_.samples * area.x_px, staging_.samples * area.y_px,
-                          staging_.samples * area.width_px, staging_.samples * area.height_px};
-    if (staging_.samples == 1) return renderer_->render_into(cropped(whole, drawn), image);
+    const PixelArea drawn{picture_->samples * area.x_px, picture_->samples * area.y_px,
+                          picture_->samples * area.width_px, picture_->samples * area.height_px};
+    if (picture_->samples == 1) return renderer_->render_into(cropped(whole, drawn), image);
     renderer_->render_into(cropped(whole, drawn), large_);
-    image = downsampled(large_, staging_.samples);
+    image = downsampled(large_, picture_->samples);
 }
 
 void PictureMaker::draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image) {
-    if (staging_.samples == 1) return renderer_->render_into(cropped(whole, area), image);
-    const PixelArea drawn{staging_.samples * area.x_px, staging_.samples * area.y_px,
-                          staging_.samples * area.width_px, staging_.samples * area.height_px};
+    if (picture_->samples == 1) return renderer_->render_into(cropped(whole, area), image);
+    const PixelArea drawn{picture_->samples * area.x_px, picture_->samples * area.y_px,
+                          picture_->samples * area.width_px, picture_->samples * area.height_px};
     renderer_->render_into(cropped(whole, drawn), deep_large_);
-    downsample_into(deep_large_, staging_.samples, image);
+    downsample_into(deep_large_, picture_->samples, image);
 }
 
 Record record_of(const Session& session, const PictureMaker& pictures, bool portable) {

@@ -53,9 +53,11 @@ class LazyRenderer {
 
 class PictureMaker {
  public:
-    // Throws for a scene without a picture before it opens a context.
-    PictureMaker(PreparedPicture staging, LazyRenderer& renderer);
-    // With the settings of the scene's quality.
+    // Refers to the picture.
+    PictureMaker(const PreparedPicture& picture, LazyRenderer& renderer);
+    PictureMaker(PreparedPicture&& picture, LazyRenderer& renderer) = delete;
+    // With the settings of the scene's quality. Throws for a scene without a picture before it
+    // opens a context.
     PictureMaker(const Session& session, LazyRenderer& renderer, const PictureSpan& span);
     // Uses a context, which must outlive it.
     PictureMaker(const Session& session, const OffscreenContext& context, const PictureSpan& span,
@@ -70,16 +72,17 @@ class PictureMaker {
     void draw_part(const Drawing& whole, const PixelArea& area, Image& image);
     void draw_part(const Drawing& whole, const PixelArea& area, DeepImage& image);
 
-    int width_px() const { return stage().context().options.width_px / staging_.samples; }
-    int height_px() const { return stage().context().options.height_px / staging_.samples; }
-    int samples_a_pixel() const { return staging_.samples * staging_.samples; }
+    int width_px() const { return stage().context().options.width_px / picture_->samples; }
+    int height_px() const { return stage().context().options.height_px / picture_->samples; }
+    int samples_a_pixel() const { return picture_->samples * picture_->samples; }
 
     const ContextInfo& context_info() const { return context_->info(); }
-    const Stage& stage() const { return staging_.stage; }
-    const PictureBound& bound() const { return staging_.bound; }
+    const Stage& stage() const { return picture_->stage; }
+    const PictureBound& bound() const { return picture_->bound; }
 
  private:
-    PreparedPicture staging_;
+    std::optional<PreparedPicture> own_;
+    const PreparedPicture* picture_;
     const OffscreenContext* context_;
     std::optional<Renderer> created_renderer_;
     Renderer* renderer_;

@@ -1,4 +1,4 @@
-// What a figure for a journal contains, for comparison with the journal's requirements.
+// The contents of a journal's figure, for comparison with the journal's requirements.
 #pragma once
 
 #include <string>

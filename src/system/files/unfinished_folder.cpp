@@ -64,82 +64,90 @@ bool is_plain(int folder, const std::string& name) {
 }
 
 // −1 if there is nothing of this name.
-int open_folder(const fs::path& output, const fs::path& folder) {
-    const int opened = ::open(folder.c_str(), folder_flags);
+int open_folder(const UnfinishedPlace& place) {
+    const int opened = ::open(place.folder.c_str(), folder_flags);
     if (opened >= 0 || errno == ENOENT) return opened;
-    if (errno == ENOTDIR || errno == ELOOP) refuse_aside(output, folder, "folder");
-    throw_write_error(output, errno);
+    if (errno == ENOTDIR || errno == ELOOP) refuse_aside(place.output, place.folder, "folder");
+    throw_write_error(place.output, errno);
+}
+
+int make_folder(const UnfinishedPlace& place) {
+    if (::mkdir(place.folder.c_str(), 0777) != 0 && errno != EEXIST)
+        throw_write_error(place.output, errno);
+    const int opened = open_folder(place);
+    if (opened < 0) throw_write_error(place.output, ENOENT);
+    return opened;
 }
 
 }  // namespace
 
-UnfinishedFolder::UnfinishedFolder(fs::path output, fs::path folder, FolderMarker marker,
-                                   int descriptor)
-    : output_(std::move(output)),
-      folder_(std::move(folder)),
-      marker_(std::move(marker)),
-      descriptor_(descriptor) {
+UnfinishedFolder::UnfinishedFolder(UnfinishedPlace&& place, int descriptor)
+    : place_(std::move(place)), descriptor_(descriptor) {}
+
+// After the constructor to which this one delegates, the destructor runs even if this one throws;
+// without a lock it removes nothing.
+UnfinishedFolder::UnfinishedFolder(AtomicFile&& lock, UnfinishedPlace place,
+                                   const std::string& work)
+    : UnfinishedFolder(std::move(place), make_folder(place)) {
     check();
+    lock_ = std::move(lock);
+    // One byte more, so that a longer text is another one.
+    if (beginning_at(descriptor_, place_.marker, work.size() + 1) == work) return;
+    keep_only([](const std::string&) { return false; });
+    write_whole(file(place_.marker), work);
 }
 
-UnfinishedFolder::UnfinishedFolder(const fs::path& output, fs::path folder, FolderMarker marker)
-    : output_(output), folder_(std::move(folder)), marker_(std::move(marker)) {
-    if (::mkdir(folder_.c_str(), 0777) != 0 && errno != EEXIST) throw_write_error(output, errno);
-    descriptor_ = open_folder(output_, folder_);
-    if (descriptor_ < 0) throw_write_error(output_, ENOENT);
-    check();
-}
-
-std::optional<UnfinishedFolder> UnfinishedFolder::left(const fs::path& output,
-                                                       const fs::path& folder,
-                                                       const FolderMarker& marker) {
-    const int opened = open_folder(output, folder);
+std::optional<UnfinishedFolder> UnfinishedFolder::left(UnfinishedPlace place) {
+    const int opened = open_folder(place);
     if (opened < 0) return std::nullopt;
-    return UnfinishedFolder(output, folder, marker, opened);
+    UnfinishedFolder folder(std::move(place), opened);
+    folder.check();
+    return folder;
 }
 
 UnfinishedFolder::~UnfinishedFolder() {
-    if (descriptor_ >= 0) ::close(descriptor_);
+    if (descriptor_ < 0) return;
+    if (lock_) remove_if_empty();
+    ::close(descriptor_);
 }
 
-bool UnfinishedFolder::has_marker() const {
-    return beginning_at(descriptor_, marker_.name, marker_.beginning.size()) == marker_.beginning;
-}
-
-// Called by constructors, whose destructor does not run where it throws.
 void UnfinishedFolder::check() const {
     std::vector<std::string> there = names_in(descriptor_);
     // A run that was killed while it wrote the marker leaves its temporary file.
-    std::erase(there, aside_path_of(marker_.name).string());
-    if (!there.empty() && !has_marker()) {
-        ::close(descriptor_);
-        refuse_aside(output_, folder_, "folder");
-    }
+    std::erase(there, aside_path_of(place_.marker).string());
+    const std::string& beginning = place_.beginning;
+    if (!there.empty() && beginning_at(descriptor_, place_.marker, beginning.size()) != beginning)
+        refuse_aside(place_.output, place_.folder, "folder");
     for (const std::string& name : there)
         if (!is_plain(descriptor_, name)) ::unlinkat(descriptor_, name.c_str(), 0);
 }
 
 std::vector<std::string> UnfinishedFolder::names() const {
     std::vector<std::string> all = names_in(descriptor_);
-    std::erase(all, marker_.name);
+    std::erase(all, place_.marker);
     return all;
 }
 
 void UnfinishedFolder::remove(const std::string& name) const { remove_at(descriptor_, name); }
 
-void UnfinishedFolder::clear() const {
-    for (const std::string& name : names()) remove_at(descriptor_, name);
+void UnfinishedFolder::keep_only(
+    const std::function<bool(const std::string& name)>& is_kept) const {
+    for (const std::string& name : names())
+        if (!is_kept(name)) remove_at(descriptor_, name);
 }
 
-void UnfinishedFolder::remove_all() const {
-    clear();
+void UnfinishedFolder::remove_all() {
+    keep_only([](const std::string&) { return false; });
     remove_if_empty();
+    if (!lock_) return;
+    lock_->discard();
+    lock_.reset();
 }
 
 void UnfinishedFolder::remove_if_empty() const {
     if (!names().empty()) return;
-    ::unlinkat(descriptor_, marker_.name.c_str(), 0);
-    ::rmdir(folder_.c_str());
+    ::unlinkat(descriptor_, place_.marker.c_str(), 0);
+    ::rmdir(place_.folder.c_str());
 }
 
 }  // namespace poinsot
