@@ -45,12 +45,11 @@ void print_words(const SceneSummary& summary) {
 }
 
 // The summary for the scene with the values of one point of its sweeps.
-SceneSummary summary_of(const CheckChoices& choices, const SweepPoint& point,
-                        const ProgressSink& progress) {
-    const Session session = open_session(
-        scene_request(choices.scenes.at(0), choices.given, overrides_of(point)), progress);
-    tell_notes(session, progress);
-    SceneSummary summary = summarise(session, choices.plan, progress);
+SceneSummary summary_of(const CheckChoices& choices, const SweepPoint& point, const Task& task) {
+    const Session session =
+        open_session(scene_request(choices.scenes.at(0), choices.given, overrides_of(point)), task);
+    tell_notes(session, task);
+    SceneSummary summary = summarise(session, choices.plan, task);
     if (choices.plan) {
         const std::vector<PlanLine> of_parts = plan_of_parts(session, film_plan(session));
         summary.plan.insert(summary.plan.end() - 1, of_parts.begin(), of_parts.end());
@@ -62,8 +61,8 @@ int code_of(const SceneSummary& summary) {
     return !summary.certificate || summary.certificate->holds() ? 0 : 1;
 }
 
-int check_alone(const CheckChoices& choices, const ProgressSink& progress) {
-    const SceneSummary summary = summary_of(choices, {}, progress);
+int check_alone(const CheckChoices& choices, const Task& task) {
+    const SceneSummary summary = summary_of(choices, {}, task);
     if (choices.json) {
         JsonObject answer;
         for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
@@ -76,7 +75,7 @@ int check_alone(const CheckChoices& choices, const ProgressSink& progress) {
 
 // Checks every value, also after an error; in JSON the failed one has an "error". The array is
 // printed when it is complete.
-int check_sweep(const CheckChoices& choices, const ProgressSink& progress) {
+int check_sweep(const CheckChoices& choices, const Task& task) {
     std::vector<std::string> answers;
     std::string_view between;
     int worst = 0;
@@ -85,7 +84,7 @@ int check_sweep(const CheckChoices& choices, const ProgressSink& progress) {
         JsonObject answer;
         for (const auto& [key, value] : point) answer.add(key, value);
         const auto check = [&] {
-            const SceneSummary summary = summary_of(choices, point, progress);
+            const SceneSummary summary = summary_of(choices, point, task);
             for (const SummaryLine& line : summary.lines) answer.json(line.key, line.json);
             if (!choices.json) {
                 fmt::print("{}{}:\n", between, printable(in_words(point), any_length));
@@ -112,17 +111,17 @@ int check_sweep(const CheckChoices& choices, const ProgressSink& progress) {
 
 int run(const CheckChoices& choices) {
     ProgressBar bar(choices.quiet);
-    const ProgressSink progress = bar.sink();
+    const Task task = bar.task();
     if (!choices.against.file.empty()) {
         if (!choices.sweeps.empty() || choices.plan)
             throw InputError("--against compares one motion; leave out --sweep and --plan");
         AgainstChoices against = choices.against;
         against.json = choices.json;
-        return check_against(scene_request(choices.scenes.at(0), choices.given), against, progress);
+        return check_against(scene_request(choices.scenes.at(0), choices.given), against, task);
     }
     if (!choices.against.tolerance.empty() || !choices.against.chart.empty())
         throw InputError("--tolerance and --chart belong to --against FILE.csv");
-    return choices.sweeps.empty() ? check_alone(choices, progress) : check_sweep(choices, progress);
+    return choices.sweeps.empty() ? check_alone(choices, task) : check_sweep(choices, task);
 }
 
 CommandLine check_line() {

@@ -153,15 +153,14 @@ Chart chart_of(const std::string& file, const Session& session, const Departure&
 
 }  // namespace
 
-int check_against(const SceneRequest& request, const AgainstChoices& choices,
-                  const ProgressSink& progress) {
+int check_against(const SceneRequest& request, const AgainstChoices& choices, const Task& task) {
     if (!choices.chart.empty() && suffix_of(choices.chart) != ".png")
         throw InputError(fmt::format("--chart {}: the chart is a PNG; end its name in .png",
                                      printable(choices.chart)));
     SceneRequest covering = request;
     covering.times_s = span_of(choices.file);
-    const Session session = open_session(covering, progress);
-    tell_notes(session, progress);
+    const Session session = open_session(covering, task);
+    tell_notes(session, task);
     const double allowed_rad = tolerance_rad(choices.tolerance, session.accuracy);
 
     Departure departure(session.motion);

@@ -19,7 +19,6 @@ struct AgainstChoices {
 
 // Prints what differs, and returns 0 within the tolerance and 1 past it. Throws InputError,
 // EnvironmentError.
-int check_against(const SceneRequest& request, const AgainstChoices& choices,
-                  const ProgressSink& progress);
+int check_against(const SceneRequest& request, const AgainstChoices& choices, const Task& task);
 
 }  // namespace poinsot

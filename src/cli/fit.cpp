@@ -328,7 +328,7 @@ int run(const FitChoices& choices) {
     std::vector<FitTable> tables;
     ProgressBar bar(false);
     for (const std::string& file : choices.files) {
-        const SlowWorkNotice notice(fmt::format("{}: fitting", printable(file, 40)), bar.sink());
+        const SlowWorkNotice notice(fmt::format("{}: fitting", printable(file, 40)), bar.task());
         tables.push_back(fitted_table(load_measured(file), file, known));
     }
     return is_joint ? fit_all(choices, tables, known) : fit_one(choices, tables.front(), known);

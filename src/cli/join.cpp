@@ -20,8 +20,8 @@ int run(const JoinChoices& choices) {
     if (choices.output.empty())
         throw InputError("poinsot join: no output; name the film with -o FILE");
     ProgressBar bar(choices.quiet);
-    const ProgressSink progress = bar.sink();
-    progress.say(join(choices.parts, choices.output, progress));
+    const Task task = bar.task();
+    task.say(join(choices.parts, choices.output, task));
     return 0;
 }
 

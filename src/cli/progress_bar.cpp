@@ -16,7 +16,7 @@ ProgressBar::~ProgressBar() {
     if (bar_open_) say(" ");
 }
 
-ProgressSink ProgressBar::sink() {
+Task ProgressBar::task() {
     if (quiet_) return {};
     return {.say = [](const std::string& line) { say(line); },
             .begin = [this](const std::string& what, std::int64_t total) { begin(what, total); },

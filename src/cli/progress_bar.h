@@ -5,7 +5,7 @@
 #include <cstdint>
 #include <string>
 
-#include "production/session/progress_sink.h"
+#include "production/session/task.h"
 
 namespace poinsot {
 
@@ -17,7 +17,7 @@ class ProgressBar {
     ProgressBar& operator=(const ProgressBar&) = delete;
 
     // Callbacks that use this object, which must outlive them; they print nothing if quiet.
-    ProgressSink sink();
+    Task task();
 
  private:
     using Clock = std::chrono::steady_clock;

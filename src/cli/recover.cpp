@@ -19,9 +19,9 @@ struct RecoverChoices {
 int run(const RecoverChoices& choices) {
     const std::string& film = choices.films.at(0);
     ProgressBar bar(choices.quiet);
-    const ProgressSink progress = bar.sink();
-    const std::int64_t n_frames = recover(film, progress);
-    progress.say(fmt::format("{}: the first {} frames", printable(film), n_frames));
+    const Task task = bar.task();
+    const std::int64_t n_frames = recover(film, task);
+    task.say(fmt::format("{}: the first {} frames", printable(film), n_frames));
     return 0;
 }
 

@@ -31,29 +31,27 @@ struct RenderChoices {
 };
 
 // Prints how accurately the film fulfils the claims of its method; returns whether it does.
-bool certified(const Session& session, const FilmPlan& film, const ProgressSink& progress) {
+bool certified(const Session& session, const FilmPlan& film, const Task& task) {
     if (!can_certify(session)) {
         throw InputError("--certify needs a torque-free body that rotates; leave --certify out");
     }
-    const Certificate certificate = certify_film(session, film, progress);
+    const Certificate certificate = certify_film(session, film, task);
     fmt::print("{}", text_of(certificate));
     return certificate.holds();
 }
 
 int render(const SceneJob& job, const RenderChoices& choices, LazyRenderer& renderer) {
     ProgressBar bar(choices.quiet);
-    const ProgressSink progress = bar.sink();
+    const Task task = bar.task();
     const SceneRequest scene = scene_request(job.scene, choices.given, job.overrides);
     FilmOrder film = choices.film;
     (film.slides.empty() ? film.output : film.slides) = job.output;
     std::optional<Session> session;
     const FilmCaller caller{
-        .session = [&]() -> const Session& {
-            return session.emplace(open_session(scene, progress));
-        },
+        .session = [&]() -> const Session& { return session.emplace(open_session(scene, task)); },
         .accepts = [&](const Session& opened,
-                       const FilmPlan& plan) { return certified(opened, plan, progress); }};
-    return make_output(scene, film, caller, renderer, progress) ? 0 : 1;
+                       const FilmPlan& plan) { return certified(opened, plan, task); }};
+    return make_output(scene, film, caller, renderer, task) ? 0 : 1;
 }
 
 // Parts with the same name would replace each other: the first #### of a film's name is the part's

@@ -24,7 +24,7 @@ int run(const RerenderChoices& choices) {
             .output = choices.output,
             .backend = context_choice_of(choices.given).backend,
             .outside = outside_files(choices.given.allow_outside)},
-           bar.sink());
+           bar.task());
     return 0;
 }
 

@@ -59,12 +59,12 @@ std::vector<double> instants_of(const SampleChoices& choices) {
 // The table of a scene with overridden keys.
 SampleTable table_of(const SampleChoices& choices, const std::string& scene,
                      const std::vector<Override>& overrides, const std::vector<double>& times_s,
-                     const ProgressSink& progress) {
+                     const Task& task) {
     SceneRequest request = scene_request(scene, choices.given, overrides);
     request.times_s = times_s;
     request.draws = false;
-    const Session session = open_session(request, progress);
-    tell_notes(session, progress);
+    const Session session = open_session(request, task);
+    tell_notes(session, task);
     const std::vector<ChosenColumn> columns = choices.columns.empty()
                                                   ? default_columns(session.motion)
                                                   : columns_named(session.motion, choices.columns);
@@ -84,7 +84,7 @@ double swept_number(const std::string& key, const std::string& value) {
 
 // One table of all runs: each row begins with its values of the sweep.
 SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<SweepPoint>& points,
-                           const std::vector<double>& times_s, const ProgressSink& progress) {
+                           const std::vector<double>& times_s, const Task& task) {
     SampleTable all;
     for (const SweepPoint& point : points) {
         std::vector<std::string> headings;
@@ -96,7 +96,7 @@ SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<Sweep
             values.push_back(swept_number(key, value));
         }
         const SampleTable table =
-            table_of(choices, choices.scenes.at(0), overrides_of(point), times_s, progress);
+            table_of(choices, choices.scenes.at(0), overrides_of(point), times_s, task);
         headings.insert(headings.end(), table.headings.begin(), table.headings.end());
         if (all.headings.empty()) all.headings = headings;
         if (all.headings != headings)
@@ -132,19 +132,19 @@ int run(const SampleChoices& choices) {
     const TableFormat& format = output.empty() ? table_formats().front() : table_format_for(output);
     const std::vector<SweepPoint> points = points_of(choices.sweeps);
     ProgressBar bar(choices.quiet);
-    const ProgressSink progress = bar.sink();
+    const Task task = bar.task();
     if (!choices.sweeps.empty() && names_each(choices.output))
         return for_each_scene(
             jobs_of(choices.scenes, choices.output, OutputKind::picture, choices.sweeps),
             [&](const SceneJob& job) {
-                write_table(table_of(choices, job.scene, job.overrides, times_s, progress), format,
+                write_table(table_of(choices, job.scene, job.overrides, times_s, task), format,
                             job.output);
                 return 0;
             });
     // Written when the table is complete, so that an instant with an error leaves no partial table.
     const SampleTable table = choices.sweeps.empty()
-                                  ? table_of(choices, choices.scenes.at(0), {}, times_s, progress)
-                                  : table_of_sweep(choices, points, times_s, progress);
+                                  ? table_of(choices, choices.scenes.at(0), {}, times_s, task)
+                                  : table_of_sweep(choices, points, times_s, task);
     if (choices.output.empty()) {
         format.write(table, print_bytes);
     } else {

@@ -100,25 +100,23 @@ int draw_sheet_of(const StillChoices& choices) {
     }
     ProgressBar bar(choices.quiet);
     LazyRenderer renderer(context_choice_of(choices.given));
-    draw_sheet(sheet, renderer, bar.sink());
+    draw_sheet(sheet, renderer, bar.task());
     return 0;
 }
 
-StillOrder order_of(const SceneJob& job, const StillChoices& choices,
-                    const ProgressSink& progress) {
+StillOrder order_of(const SceneJob& job, const StillChoices& choices, const Task& task) {
     return still_order(scene_request(job.scene, choices.given, job.overrides), choices.given,
-                       job.output, progress);
+                       job.output, task);
 }
 
-PreparedStill still_of(const SceneJob& job, const StillChoices& choices,
-                       const ProgressSink& progress) {
-    StillOrder order = order_of(job, choices, progress);
-    return prepare_still(open_session(order.scene, progress), std::move(order.still));
+PreparedStill still_of(const SceneJob& job, const StillChoices& choices, const Task& task) {
+    StillOrder order = order_of(job, choices, task);
+    return prepare_still(open_session(order.scene, task), std::move(order.still));
 }
 
 // Draws a picture at each stop of a scene, numbered from 1.
 int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer& renderer,
-                  StillWriter& writer, const ProgressSink& progress) {
+                  StillWriter& writer, const Task& task) {
     if (!job.output.empty() && !has_frame_number(job.output))
         throw InputError(fmt::format(
             "{}: --chapters writes several pictures; put #### into the name for their number{}",
@@ -126,15 +124,15 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
             choices.scenes.size() > 1 || !choices.sweeps.empty()
                 ? ", and {scene} or {KEY} for the scene or the swept value"
                 : ""));
-    const StillOrder order = order_of(job, choices, progress);
-    const Session session = open_session(order.scene, progress);
+    const StillOrder order = order_of(job, choices, task);
+    const Session session = open_session(order.scene, task);
     const std::vector<Slide> stops = stops_of(session.scene, film_plan(session), "--chapters");
     const OutputPlace place(job.output, session.scene, "_####.png");
     for (std::size_t i = 0; i < stops.size(); ++i)
         check_aside(frame_name(place.path(), static_cast<std::int64_t>(i) + 1));
     // The notes are the same for all pictures.
-    ProgressSink without_notes = progress;
-    without_notes.say = [say = progress.say](const std::string& line) {
+    Task without_notes = task;
+    without_notes.say = [say = task.say](const std::string& line) {
         if (!line.starts_with("note: ")) say(line);
     };
     for (std::size_t i = 0; i < stops.size(); ++i) {
@@ -145,7 +143,7 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
         still.names_fade =
             !is_vector_name(still.output) && !still.print.width_mm && !still.print.height_mm;
         draw_still(prepare_still(Session(session), std::move(still)), renderer, writer,
-                   i == 0 ? progress : without_notes);
+                   i == 0 ? task : without_notes);
     }
     writer.finish();
     return 0;
@@ -163,11 +161,11 @@ void check_chapters(const StillChoices& choices) {
 
 // Each scene is read and prepared while the previous one is drawn.
 int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, LazyRenderer& renderer,
-             StillWriter& writer, const ProgressSink& progress) {
+             StillWriter& writer, const Task& task) {
     // If no thread can be started, the scene is prepared when it is needed.
     const auto begin = [&](std::size_t k) {
         return std::async(
-            [&job = jobs[k], &choices, &progress] { return still_of(job, choices, progress); });
+            [&job = jobs[k], &choices, &task] { return still_of(job, choices, task); });
     };
     // Opened before another thread starts, because it changes environment variables that libraries
     // read.
@@ -183,7 +181,7 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Laz
         still.wait();
         if (k + 1 < jobs.size()) next = begin(k + 1);
         worst = std::max(worst, refusals.code_of(jobs[k], [&] {
-            draw_still(still.get(), renderer, writer, progress);
+            draw_still(still.get(), renderer, writer, task);
             return 0;
         }));
     }
@@ -192,11 +190,11 @@ int draw_all(const std::vector<SceneJob>& jobs, const StillChoices& choices, Laz
 }
 
 void draw_alone(const SceneJob& job, const StillChoices& choices, LazyRenderer& renderer,
-                StillWriter& writer, const ProgressSink& progress) {
+                StillWriter& writer, const Task& task) {
     constexpr std::int64_t small_px = 1 << 24;
-    const PreparedStill still = still_of(job, choices, progress);
+    const PreparedStill still = still_of(job, choices, task);
     if (opens_context(still) && n_pixels(still) <= small_px) renderer.compile_quickly();
-    draw_still(still, renderer, writer, progress);
+    draw_still(still, renderer, writer, task);
 }
 
 int run(const StillChoices& choices) {
@@ -206,18 +204,18 @@ int run(const StillChoices& choices) {
         jobs_of(choices.scenes, choices.output,
                 choices.chapters ? OutputKind::pictures : OutputKind::picture, choices.sweeps);
     ProgressBar bar(choices.quiet);
-    const ProgressSink progress = bar.sink();
+    const Task task = bar.task();
     StillWriter writer;
     std::optional<LazyRenderer> renderer(context_choice_of(choices.given));
     int code = 0;
     if (choices.chapters)
         code = for_each_scene(jobs, [&](const SceneJob& job) {
-            return draw_chapters(job, choices, *renderer, writer, progress);
+            return draw_chapters(job, choices, *renderer, writer, task);
         });
     else if (jobs.size() == 1)
-        draw_alone(jobs.front(), choices, *renderer, writer, progress);
+        draw_alone(jobs.front(), choices, *renderer, writer, task);
     else
-        code = draw_all(jobs, choices, *renderer, writer, progress);
+        code = draw_all(jobs, choices, *renderer, writer, task);
     renderer.reset();  // takes as long as compressing half a picture
     writer.finish();
     return code;

@@ -74,12 +74,12 @@ std::vector<std::string> render_options(const SubmitChoices& choices) {
 }
 
 // Reads each scene here, so that errors are found before any task is submitted.
-std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const ProgressSink& progress) {
+std::vector<FilmToSubmit> films_of(const SubmitChoices& choices, const Task& task) {
     std::vector<FilmToSubmit> films;
     for (const SceneJob& job :
          jobs_of(choices.scenes, choices.output, OutputKind::film, choices.sweeps)) {
         const Session session =
-            open_session(scene_request(job.scene, choices.given, job.overrides), progress);
+            open_session(scene_request(job.scene, choices.given, job.overrides), task);
         FilmToSubmit& film = films.emplace_back();
         film.scene = scene_file(job.scene);
         film.scene_hash = scene_hash_of(session.scene);
@@ -105,8 +105,8 @@ void print(const Submission& submission, const SlurmIds& ids) {
 int run(const SubmitChoices& choices) {
     check(choices);
     ProgressBar bar(choices.quiet);
-    const ProgressSink progress = bar.sink();
-    const std::vector<FilmToSubmit> films = films_of(choices, progress);
+    const Task task = bar.task();
+    const std::vector<FilmToSubmit> films = films_of(choices, task);
     const Submission submission = write_submission(submission_folder(choices.output), films,
                                                    render_options(choices), choices.n_parts);
     std::vector<std::string> options = site_options();
@@ -116,17 +116,17 @@ int run(const SubmitChoices& choices) {
         slurm_calls(submission, options, choices.dry_run ? 1001 : largest_array());
     const std::string folder = printable(submission.folder.string(), any_length);
     if (calls.empty()) {
-        progress.say(
+        task.say(
             fmt::format("note: nothing to submit: all parts are done according to {}", folder));
         return 0;
     }
     if (choices.dry_run) {
         fmt::print("{}", in_shell(calls));
-        progress.say(fmt::format("wrote {}; submitted nothing", folder));
+        task.say(fmt::format("wrote {}; submitted nothing", folder));
         return 0;
     }
     print(submission, submit(calls));
-    progress.say(fmt::format("watch with: poinsot status {}", shell_word(folder)));
+    task.say(fmt::format("watch with: poinsot status {}", shell_word(folder)));
     return 0;
 }
 

@@ -27,10 +27,9 @@ struct TradeoffChoices {
 
 int run(const TradeoffChoices& choices) {
     ProgressBar bar(choices.quiet);
-    const ProgressSink progress = bar.sink();
-    const Session session =
-        open_session(scene_request(choices.scenes.at(0), choices.given), progress);
-    tell_notes(session, progress);
+    const Task task = bar.task();
+    const Session session = open_session(scene_request(choices.scenes.at(0), choices.given), task);
+    tell_notes(session, task);
     const ContextChoice context = context_choice_of(choices.given);
     const Tradeoff t = trade(session, context);
 
@@ -51,7 +50,7 @@ int run(const TradeoffChoices& choices) {
     } else {
         fmt::print("{}", table_of(session, t, choices.all));
     }
-    progress.say(
+    task.say(
         fmt::format("{0}.csv, {0}.json, {0}-motion.png, {0}-picture.png, {0}-film.png", prefix));
     return 0;
 }

@@ -48,8 +48,9 @@ StopsWhen::StopsWhen(std::function<bool()> stop)
 StopsWhen::~StopsWhen() { host_of_thread = outer_; }
 
 bool StopsWhen::asks() {
+    if (!stop_) return outer_ != nullptr && outer_->asks();
     const auto now = std::chrono::steady_clock::now();
-    if (!stop_ || now < next_) return false;
+    if (now < next_) return false;
     next_ = now + std::chrono::milliseconds(20);
     return stop_();
 }

@@ -18,7 +18,8 @@ void stop_if_interrupted();
 void leave_signals_to_host();
 
 // While an object of this class exists, stop_if_interrupted() also throws on its thread if `stop`
-// returns true; it calls `stop` at most every 20 ms. An inner object hides an outer one.
+// returns true; it calls `stop` at most every 20 ms. An inner object with a function hides an outer
+// one.
 class StopsWhen {
  public:
     explicit StopsWhen(std::function<bool()> stop);

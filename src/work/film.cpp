@@ -8,6 +8,7 @@
 #include "production/films/jobs.h"
 #include "production/slides/pptx_deck.h"
 #include "production/slides/slide_deck.h"
+#include "system/interrupt.h"
 #include "text/printable.h"
 #include "web/pack/page_job.h"
 
@@ -64,10 +65,11 @@ void check_order(const FilmOrder& order) {
 }
 
 bool make_output(const SceneRequest& scene, const FilmOrder& order, const FilmCaller& caller,
-                 LazyRenderer& renderer, const ProgressSink& progress) {
+                 LazyRenderer& renderer, const Task& task) {
+    const StopsWhen stops(task.stop);
     const Kind kind = kind_of(order);
     if (kind == page) {
-        write_page(scene, order.output, renderer, progress);
+        write_page(scene, order.output, renderer, task);
         return true;
     }
     const Session& session = caller.session();
@@ -78,13 +80,13 @@ bool make_output(const SceneRequest& scene, const FilmOrder& order, const FilmCa
     const FilmPlan plan = kind == film ? FilmJob(session, request).film() : film_plan(session);
     if (order.certify && !caller.accepts(session, plan)) return false;
     if (kind == slides)
-        write_deck(session, {scene, order.slides, order.n_jobs}, renderer, progress);
+        write_deck(session, {scene, order.slides, order.n_jobs}, renderer, task);
     else if (kind == presentation)
-        write_pptx(session, {order.output, order.n_jobs}, renderer, progress);
+        write_pptx(session, {order.output, order.n_jobs}, renderer, task);
     else if (order.part)
-        FilmJob(session, request).make(renderer, progress);
+        FilmJob(session, request).make(renderer, task);
     else
-        make_in_jobs(session, request, order.n_jobs, renderer, progress);
+        make_in_jobs(session, request, order.n_jobs, renderer, task);
     return true;
 }
 

@@ -10,8 +10,8 @@
 
 #include "production/session/files/open_session.h"
 #include "production/session/film_plan.h"
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 
 namespace poinsot {
@@ -41,6 +41,6 @@ struct FilmCaller {
 // Returns false, and draws nothing, if the film is not accepted. Throws InputError and
 // EnvironmentError.
 bool make_output(const SceneRequest& scene, const FilmOrder& order, const FilmCaller& caller,
-                 LazyRenderer& renderer, const ProgressSink& progress);
+                 LazyRenderer& renderer, const Task& task);
 
 }  // namespace poinsot

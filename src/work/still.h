@@ -4,7 +4,7 @@
 #include <string>
 
 #include "production/session/files/open_session.h"
-#include "production/session/progress_sink.h"
+#include "production/session/task.h"
 #include "production/stills/prepared_still.h"
 #include "work/options.h"
 
@@ -20,6 +20,6 @@ struct StillOrder {
 
 // Throws InputError.
 StillOrder still_order(SceneRequest scene, const GivenOptions& given, const std::string& output,
-                       const ProgressSink& progress);
+                       const Task& task);
 
 }  // namespace poinsot

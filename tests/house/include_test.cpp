@@ -48,7 +48,7 @@ const std::map<std::string, std::set<std::string>> allowed{
      {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene",
       "construction", "shapes", "drawing", "render", "vector", "output", "production"}},
     // What several doors ask of production/: the command line, the library.
-    {"work", {"error", "text", "scene", "drawing", "output", "production", "web"}},
+    {"work", {"error", "text", "system", "scene", "drawing", "output", "production", "web"}},
     // The library for programs in C++.
     {"library",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",

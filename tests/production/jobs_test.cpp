@@ -35,7 +35,7 @@ Session small_session() {
 // All messages of a job, in order.
 struct Heard {
     std::vector<std::string> words;
-    ProgressSink progress() {
+    Task task() {
         return {
             .say = [this](const std::string& line) { words.push_back(line); },
             .begin = [this](const std::string& what,
@@ -57,7 +57,7 @@ TEST(FilmJob, ReportsItsFramesInOrderAndItsBoundAtTheEnd) {
     EXPECT_EQ(job.film().n_frames, 10);
     LazyRenderer renderer;
     Heard heard;
-    job.make(renderer, heard.progress());
+    job.make(renderer, heard.task());
     ASSERT_EQ(heard.words.size(), 6u);
     EXPECT_EQ(heard.words[0], "a 3");
     EXPECT_EQ(heard.words[1], "1");
@@ -93,7 +93,7 @@ TEST(Still, ReportsThePictureWhenItIsComplete) {
     const PreparedStill still =
         prepare_still(small_session(), {.output = (folder / "a.png").string(), .time_s = 0.5});
     EXPECT_EQ(n_pixels(still), 96 * 54);
-    draw_still(still, renderer, writer, heard.progress());
+    draw_still(still, renderer, writer, heard.task());
     EXPECT_TRUE(heard.words.empty());
     writer.finish();
     ASSERT_EQ(heard.words.size(), 1u);
@@ -136,7 +136,7 @@ TEST(Redraw, MakesTheSameFile) {
         writer.finish();
     }
     Heard heard;
-    redraw({.file = folder / "a.png", .output = folder / "b.png"}, heard.progress());
+    redraw({.file = folder / "a.png", .output = folder / "b.png"}, heard.task());
     EXPECT_EQ(text_of_file(folder / "a.png"), text_of_file(folder / "b.png"));
     EXPECT_EQ(heard.words.size(), 1u);  // no note of a difference
     EXPECT_THROW(redraw({.file = folder / "a.png", .output = folder / "b.mp4"}, {}), InputError);

@@ -302,8 +302,8 @@ TEST_F(SlideDeck, RefusesALinkToNothingBeforeItDraws) {
 
 TEST_F(SlideDeck, ReportsALoopThatJumps) {
     std::vector<std::string> said;
-    ProgressSink progress;
-    progress.say = [&said](const std::string& line) { said.push_back(line); };
+    Task task;
+    task.say = [&said](const std::string& line) { said.push_back(line); };
     const auto has_jump = [&](const std::string& loop) {
         said.clear();
         // It turns once in 2 s.
@@ -313,7 +313,7 @@ TEST_F(SlideDeck, ReportsALoopThatJumps) {
             "4.0\n[[stops]]\nat_s = 3.5\nloop_s = " +
             loop + "\n");
         const Session session = open_session(scene());
-        write_deck(session, {scene(), folder_ / "deck", 1}, *renderer_, progress);
+        write_deck(session, {scene(), folder_ / "deck", 1}, *renderer_, task);
         return std::any_of(said.begin(), said.end(), [](const std::string& line) {
             return line.find("stops[0].loop_s: the tip of an arrow jumps") != std::string::npos;
         });

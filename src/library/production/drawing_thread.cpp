@@ -57,7 +57,7 @@ class Queue {
     void start();
     void draw_jobs();
     void draw_one(Job& job, std::optional<LazyRenderer>& renderer, ContextChoice& open);
-    ProgressSink sink_of(Job& job);
+    Task task_of(Job& job);
     // Hands on what the job has told since the last call, without the lock.
     void tell(std::unique_lock<std::mutex>& lock, Job& job, const Watch& watch);
 
@@ -103,36 +103,38 @@ Queue& queue() {
     return *queue_of_process;
 }
 
-ProgressSink Queue::sink_of(Job& job) {
+Task Queue::task_of(Job& job) {
     const auto change = [this](auto edit) {
         const std::lock_guard lock(mutex_);
         edit();
         changed_.notify_all();
     };
-    ProgressSink sink;
-    sink.say = [&job, change](const std::string& line) {
+    Task task;
+    task.say = [&job, change](const std::string& line) {
         change([&] { job.lines.push_back(line); });
     };
-    sink.begin = [&job, change](const std::string&, std::int64_t n_frames) {
+    task.begin = [&job, change](const std::string&, std::int64_t n_frames) {
         change([&] { job.n_done = 0, job.n_frames = n_frames; });
     };
     // The caller looks at it from time to time.
-    sink.done = [this, &job](std::int64_t n_done) {
+    task.done = [this, &job](std::int64_t n_done) {
         const std::lock_guard lock(mutex_);
         job.n_done = n_done;
     };
-    return sink;
+    task.stop = [&job] { return job.stops.load(); };
+    return task;
 }
 
 void Queue::draw_one(Job& job, std::optional<LazyRenderer>& renderer, ContextChoice& open) {
-    const StopsWhen stops([&job] { return job.stops.load(); });
+    const Task task = task_of(job);
+    const StopsWhen stops(task.stop);
     try {
         if (renderer && !(open == job.choice)) renderer.reset();
         if (!renderer) {
             renderer.emplace(job.choice);
             open = job.choice;
         }
-        (*job.work)(*renderer, sink_of(job));
+        (*job.work)(*renderer, task);
     } catch (...) {
         job.error = std::current_exception();
     }

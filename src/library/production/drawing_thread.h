@@ -6,12 +6,12 @@
 
 #include <functional>
 
-#include "production/session/progress_sink.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 
 namespace poinsot::library {
 
-using DrawingWork = std::function<void(LazyRenderer& renderer, const ProgressSink& progress)>;
+using DrawingWork = std::function<void(LazyRenderer& renderer, const Task& task)>;
 
 // Runs the work on that thread, after the work of other callers, and waits for it. The functions of
 // `watch` are called on the calling thread. Throws what the work or a function of `watch` throws;

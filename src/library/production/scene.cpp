@@ -35,8 +35,7 @@ GivenOptions given_of(const Options& options) {
 // A session that says nothing; the caller can stop its stepping.
 Session quiet_session(const SceneRequest& request, const Watch& watch) {
     leave_signals_to_host();
-    const StopsWhen stops(watch.stop);
-    return open_session(request);
+    return open_session(request, {.stop = watch.stop});
 }
 
 // Notes and the journal's report, on the caller's thread.
@@ -219,10 +218,9 @@ Still SceneAccess::still(const Scene& scene, const GivenOptions& given, const Wa
     const PreparedStill still = prepare_still(std::move(session), std::move(order.still));
     tell(still, watch);
     auto made = std::make_shared<Still::Impl>();
-    draw(context_choice_of(given), watch,
-         [&still, &made](LazyRenderer& renderer, const ProgressSink&) {
-             made->still = still_in_memory(still, renderer);
-         });
+    draw(context_choice_of(given), watch, [&still, &made](LazyRenderer& renderer, const Task&) {
+        made->still = still_in_memory(still, renderer);
+    });
     return Still(std::move(made));
 }
 
@@ -245,7 +243,7 @@ std::string SceneAccess::figure(const Scene& scene, const GivenOptions& given,
     VectorStill drawn;
     if (opens_context(still)) {
         draw(context_choice_of(given), watch,
-             [&still, &drawn](LazyRenderer& renderer, const ProgressSink&) {
+             [&still, &drawn](LazyRenderer& renderer, const Task&) {
                  drawn = vectors_of(still, renderer);
              });
     } else {
@@ -266,11 +264,10 @@ void SceneAccess::film(const Scene& scene, FilmOrder order, const GivenOptions& 
     // A page is made from the request; what else there is, from a session that the caller's thread
     // opens, so that it can be stopped.
     const Session* opened = is_page_name(order.output) ? nullptr : &of.session(watch);
-    draw(
-        context_choice_of(given), watch, [&](LazyRenderer& renderer, const ProgressSink& progress) {
-            make_output(of.request, order, {.session = [&]() -> const Session& { return *opened; }},
-                        renderer, progress);
-        });
+    draw(context_choice_of(given), watch, [&](LazyRenderer& renderer, const Task& task) {
+        make_output(of.request, order, {.session = [&]() -> const Session& { return *opened; }},
+                    renderer, task);
+    });
 }
 
 Still Scene::still(const StillOptions& options, const Watch& watch) const {

@@ -40,11 +40,11 @@ void tell(int pipe, char what, std::string text) {
     }
 }
 
-ProgressSink telling_on(int pipe) {
-    ProgressSink progress;
-    progress.say = [pipe](const std::string& line) { tell(pipe, tells_line, line); };
-    progress.done = [pipe](std::int64_t n) { tell(pipe, tells_done, fmt::format("{}", n)); };
-    return progress;
+Task telling_on(int pipe) {
+    Task task;
+    task.say = [pipe](const std::string& line) { tell(pipe, tells_line, line); };
+    task.done = [pipe](std::int64_t n) { tell(pipe, tells_done, fmt::format("{}", n)); };
+    return task;
 }
 
 [[noreturn]] void run(const Children::Work& work, int pipe) {
@@ -103,17 +103,17 @@ Children::~Children() {
     }
 }
 
-void Children::take_line(Child& child, const std::string& line, const ProgressSink& progress) {
+void Children::take_line(Child& child, const std::string& line, const Task& task) {
     std::string text = line.substr(1);
     std::replace(text.begin(), text.end(), line_break, '\n');
     if (line[0] == tells_done) {
         child.n_done = number_of<std::int64_t>(text).value_or(child.n_done);
         std::int64_t n_done = 0;
         for (const Child& each : children_) n_done += each.n_done;
-        progress.done(n_done);
+        task.done(n_done);
     } else if (line[0] == tells_line) {
         // Notes are the same from all children: only the first one's are shown.
-        if (&child == &children_.front()) progress.say(text);
+        if (&child == &children_.front()) task.say(text);
     } else {
         child.failure = text;
         child.refused = line[0] == tells_refusal;
@@ -121,7 +121,7 @@ void Children::take_line(Child& child, const std::string& line, const ProgressSi
 }
 
 // Reads a child's messages; a closed pipe means that the child has ended.
-void Children::listen(Child& child, const ProgressSink& progress) {
+void Children::listen(Child& child, const Task& task) {
     std::array<char, 4096> buffer{};
     const ssize_t n = ::read(child.pipe, buffer.data(), buffer.size());
     if (n < 0 && errno == EINTR) return;
@@ -130,7 +130,7 @@ void Children::listen(Child& child, const ProgressSink& progress) {
     for (std::size_t at = 0; (at = child.heard.find('\n')) != std::string::npos;) {
         const std::string line = child.heard.substr(0, at);
         child.heard.erase(0, at + 1);
-        if (!line.empty()) take_line(child, line, progress);
+        if (!line.empty()) take_line(child, line, task);
     }
 }
 
@@ -152,7 +152,7 @@ void Children::end(Child& child) {
                                        &child - children_.data() + 1, children_.size(), how));
 }
 
-void Children::wait(const ProgressSink& progress) {
+void Children::wait(const Task& task) {
     for (;;) {
         stop_if_interrupted();
         std::vector<pollfd> pipes;
@@ -167,7 +167,7 @@ void Children::wait(const ProgressSink& progress) {
         constexpr int patience_ms = 200;
         if (::poll(pipes.data(), pipes.size(), patience_ms) <= 0) continue;
         for (std::size_t i = 0; i < pipes.size(); ++i)
-            if (pipes[i].revents != 0) listen(*heard[i], progress);
+            if (pipes[i].revents != 0) listen(*heard[i], task);
     }
 }
 

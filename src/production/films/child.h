@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "production/session/progress_sink.h"
+#include "production/session/task.h"
 
 namespace poinsot {
 
@@ -16,7 +16,7 @@ namespace poinsot {
 // single thread.
 class Children {
  public:
-    using Work = std::function<void(const ProgressSink& progress)>;
+    using Work = std::function<void(const Task& task)>;
 
     // Starts a process; an exception ends it. It is killed when this process dies. Throws
     // EnvironmentError.
@@ -29,7 +29,7 @@ class Children {
     // Waits until all processes have succeeded; reports the total of their finished frames, and the
     // messages of the first one. Throws the error of the first failure as InputError or
     // EnvironmentError (a killed process counts as a failure), and if this process is interrupted.
-    void wait(const ProgressSink& progress);
+    void wait(const Task& task);
 
  private:
     struct Child {
@@ -40,8 +40,8 @@ class Children {
         std::string failure;
         bool refused = false;  // failed with an InputError
     };
-    void listen(Child& child, const ProgressSink& progress);
-    void take_line(Child& child, const std::string& line, const ProgressSink& progress);
+    void listen(Child& child, const Task& task);
+    void take_line(Child& child, const std::string& line, const Task& task);
     void end(Child& child);
 
     std::vector<Child> children_;

@@ -53,27 +53,26 @@ bool is_there(const OutputPlan& plan) {
 
 // Reports that the frames of an interrupted run are used. n_there: number of those frames.
 void note_kept(const OutputPlan& plan, const FrameSink& sink, std::int64_t n_there, bool film,
-               const ProgressSink& progress) {
+               const Task& task) {
     if (n_there == 0) return;
     const std::string name = printable(plan.path.string());
     if (n_there == plan.n_frames && film)
-        return progress.say(
+        return task.say(
             fmt::format("note: an interrupted run had finished all frames of {}", name));
     if (n_there == plan.n_frames)
-        return progress.say(fmt::format(
+        return task.say(fmt::format(
             "note: all {} frames of {} exist and show this scene; remove them to draw them again",
             n_there, name));
     if (n_there == sink.n_frames_kept())
-        return progress.say(
+        return task.say(
             fmt::format("note: continuing with frame {} of {}, where an interrupted run ended",
                         first_of(plan) + n_there, name));
-    progress.say(
-        fmt::format("note: continuing {}: {} of its {} frames exist, the others are drawn now",
-                    name, n_there, plan.n_frames));
+    task.say(fmt::format("note: continuing {}: {} of its {} frames exist, the others are drawn now",
+                         name, n_there, plan.n_frames));
 }
 
 // Reports pictures of other frames, such as those of an earlier, longer run.
-void note_others(const OutputPlan& plan, const ProgressSink& progress) {
+void note_others(const OutputPlan& plan, const Task& task) {
     std::vector<std::int64_t> others = frames_there(plan.path);
     std::erase_if(others, [&plan](std::int64_t frame) {
         return frame >= plan.first_frame && frame < plan.first_frame + plan.n_frames;
@@ -82,7 +81,7 @@ void note_others(const OutputPlan& plan, const ProgressSink& progress) {
     const auto name = [&plan](std::int64_t frame) {
         return printable(frame_name(plan.path, frame).filename().string());
     };
-    progress.say(fmt::format(
+    task.say(fmt::format(
         "note: {} of another run in the same folder: {}{}; remove {} or name another output",
         others.size() == 1 ? "there is a frame" : fmt::format("there are {} frames", others.size()),
         name(others.front()), others.size() == 1 ? "" : fmt::format(" to {}", name(others.back())),
@@ -90,12 +89,11 @@ void note_others(const OutputPlan& plan, const ProgressSink& progress) {
 }
 
 // Reports a transparent theme in a format without (full) transparency.
-void note_transparency(const Session& session, const OutputFormat& format,
-                       const ProgressSink& progress) {
+void note_transparency(const Session& session, const OutputFormat& format, const Task& task) {
     if (session.theme.background.alpha >= 1.0) return;
     const bool one_bit = format.name == "gif";
     if (format.alpha && !one_bit) return;
-    progress.say(fmt::format(
+    task.say(fmt::format(
         "note: theme = \"{}\": {}; .webm, .mov and a .png sequence keep transparency",
         printable(session.scene.theme),
         one_bit ? "a pixel of a GIF is either transparent or opaque"
@@ -158,7 +156,7 @@ OutputPlan FilmJob::output_plan(const std::filesystem::path& path) const {
 }
 
 // Makes the plan that of a part; false if the part has no frames because the film has too few.
-bool FilmJob::take_part(OutputPlan& plan, const ProgressSink& progress) const {
+bool FilmJob::take_part(OutputPlan& plan, const Task& task) const {
     const OutputFormat& format = format_for(plan.path);
     const auto [number, n_parts] = *request_.part;
     const std::string name = printable(plan.path.string());
@@ -170,12 +168,12 @@ bool FilmJob::take_part(OutputPlan& plan, const ProgressSink& progress) const {
                              : fmt::format("{}: this format has no parts", name));
     FilmPart part = part_of_film(number, n_parts, plan.n_frames, format.n_chunk_frames);
     if (part.n_parts < n_parts)
-        progress.say(
+        task.say(
             fmt::format("note: a part begins every {} frames, so {} frames make {} part{}, not {}",
                         format.n_chunk_frames, plan.n_frames, part.n_parts,
                         part.n_parts == 1 ? "" : "s", n_parts));
     if (part.n_frames == 0) {
-        progress.say(fmt::format("note: part {} has no frames; nothing to do", number));
+        task.say(fmt::format("note: part {} has no frames; nothing to do", number));
         return false;
     }
     part.format = format.name;
@@ -185,8 +183,7 @@ bool FilmJob::take_part(OutputPlan& plan, const ProgressSink& progress) const {
     return true;
 }
 
-void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan,
-                   const ProgressSink& progress) const {
+void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan, const Task& task) const {
     const OutputFormat& format = format_for(plan.path);
     at_scene_key(session_->scene, "film.fps", [&] { check_rate(format, plan.rate); });
     at_scene_key(session_->scene, "film.size", [&] { check_size(plan); });
@@ -194,8 +191,8 @@ void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan,
     AsyncSink sink(at_scene_key(session_->scene, "film.size", [&] { return format.open(plan); }));
     std::int64_t n_done = 0;
     for (std::int64_t k = 0; k < plan.n_frames; ++k) n_done += sink.has_frame(k) ? 1 : 0;
-    note_kept(plan, sink, n_done, format.film || format.join != nullptr, progress);
-    progress.begin(session_->scene.name, plan.n_frames);
+    note_kept(plan, sink, n_done, format.film || format.join != nullptr, task);
+    task.begin(session_->scene.name, plan.n_frames);
     const std::int64_t begin = first_of(plan);
     for (std::int64_t k = 0; k < plan.n_frames; ++k) {
         if (sink.has_frame(k)) continue;
@@ -203,7 +200,7 @@ void FilmJob::draw(PictureMaker& pictures, const OutputPlan& plan,
         Image image = sink.spare();
         pictures.draw(film_.moment_of(begin + k), image);
         sink.write_moved(std::move(image));
-        progress.done(++n_done);
+        task.done(++n_done);
     }
     sink.finish();
 }
@@ -220,7 +217,7 @@ void FilmJob::check_sidecars(const std::filesystem::path& pattern) const {
     check_beside(output_plan(pattern));
 }
 
-void FilmJob::write_beside(OutputPlan plan, const ProgressSink& progress) const {
+void FilmJob::write_beside(OutputPlan plan, const Task& task) const {
     const OutputFormat& format = format_for(plan.path);
     if (plan.n_shown > 0) {
         plan.n_frames = plan.n_shown;
@@ -234,17 +231,16 @@ void FilmJob::write_beside(OutputPlan plan, const ProgressSink& progress) const 
     if (format.film)
         write_subtitles(plan.path, subtitles_of(*session_, film_, plan.first_frame,
                                                 plan.first_frame + plan.n_frames - 1));
-    if (format.name == "png-sequence") note_others(plan, progress);
+    if (format.name == "png-sequence") note_others(plan, task);
 }
 
-void FilmJob::write_sidecars(const std::filesystem::path& pattern,
-                             const ProgressSink& progress) const {
-    write_beside(output_plan(pattern), progress);
+void FilmJob::write_sidecars(const std::filesystem::path& pattern, const Task& task) const {
+    write_beside(output_plan(pattern), task);
 }
 
-void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
+void FilmJob::make(LazyRenderer& renderer, const Task& task) const {
     const Scene& scene = session_->scene;
-    tell_notes(*session_, progress);
+    tell_notes(*session_, task);
     const OutputPlace place(
         request_.output, scene,
         request_.part ? fmt::format(".{}-of-{}.mp4", request_.part->first, request_.part->second)
@@ -252,9 +248,9 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     OutputPlan plan = output_plan(place.path());
     watch_for_interrupts();
     const OutputFormat& format = format_for(plan.path);
-    if (request_.part && !take_part(plan, progress)) return;
+    if (request_.part && !take_part(plan, task)) return;
     if (!plan.part) check_beside(plan);
-    note_transparency(*session_, format, progress);
+    note_transparency(*session_, format, task);
     if (request_.n_shown > 0 && request_.n_shown < plan.n_frames) {
         // Packets depend on the later frames of their chunk.
         const std::int64_t chunk = format.n_chunk_frames;
@@ -264,7 +260,7 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     // Whichever frames are drawn: each is the same in every run.
     PictureMaker pictures(*session_, renderer, whole_film(film_));
     if (format.film) check_memory_for_film(session_->scene.film);
-    tell_stage_notes(pictures.stage(), progress);
+    tell_stage_notes(pictures.stage(), task);
     Record record = record_of(*session_, pictures, renderer.is_portable());
     record.frames = {first_, last_};
     if (request_.is_slide) record.film_frames = film_.n_frames;
@@ -272,24 +268,24 @@ void FilmJob::make(LazyRenderer& renderer, const ProgressSink& progress) const {
     plan.seal = sealed_metadata;
     const std::string name = printable(plan.path.string());
     if (plan.part && is_there(plan))
-        return progress.say(fmt::format("note: part {} of {} exists already: {}", plan.part->number,
-                                        plan.part->n_parts, name));
+        return task.say(fmt::format("note: part {} of {} exists already: {}", plan.part->number,
+                                    plan.part->n_parts, name));
     if (plan.part && plan.part->n_before > 0 && format.alpha) {
         Image first;
         pictures.draw(film_.moment_of(first_), first);
         plan.has_alpha = !is_opaque(first);
     }
-    draw(pictures, plan, progress);
+    draw(pictures, plan, task);
     if (!plan.part || plan.part->number == 1) {
         std::vector<FilmTime> samples;
         const std::int64_t n_samples = std::min<std::int64_t>(12, film_.n_frames);
         for (std::int64_t k = 0; k < n_samples; ++k)
             samples.push_back(film_.moment_of(first_ + (last_ - first_) * k / n_samples));
-        tell_unnamed(pictures.stage(), samples, progress);
+        tell_unnamed(pictures.stage(), samples, task);
     }
-    if (!plan.part) write_beside(plan, progress);
-    progress.finish(with_film_length(name, plan.n_frames, plan.rate));
-    progress.say(in_words(pictures.bound(), session_->accuracy.asked_px));
+    if (!plan.part) write_beside(plan, task);
+    task.finish(with_film_length(name, plan.n_frames, plan.rate));
+    task.say(in_words(pictures.bound(), session_->accuracy.asked_px));
 }
 
 }  // namespace poinsot

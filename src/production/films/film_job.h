@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "output/frame_sink.h"
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 
 namespace poinsot {
@@ -39,21 +39,21 @@ class FilmJob {
 
     // Draws and writes the film; continues an interrupted run of the same film. Throws InputError
     // and EnvironmentError.
-    void make(LazyRenderer& renderer, const ProgressSink& progress) const;
+    void make(LazyRenderer& renderer, const Task& task) const;
 
     // Throws InputError and EnvironmentError if they cannot be written because of what is there.
     void check_sidecars(const std::filesystem::path& pattern) const;
 
     // Writes the chapters and captions beside a film or sequence that exists. Throws
     // EnvironmentError.
-    void write_sidecars(const std::filesystem::path& pattern, const ProgressSink& progress) const;
+    void write_sidecars(const std::filesystem::path& pattern, const Task& task) const;
 
  private:
     OutputPlan output_plan(const std::filesystem::path& path) const;
-    bool take_part(OutputPlan& plan, const ProgressSink& progress) const;
-    void draw(PictureMaker& pictures, const OutputPlan& plan, const ProgressSink& progress) const;
+    bool take_part(OutputPlan& plan, const Task& task) const;
+    void draw(PictureMaker& pictures, const OutputPlan& plan, const Task& task) const;
     void check_beside(const OutputPlan& plan) const;
-    void write_beside(OutputPlan plan, const ProgressSink& progress) const;
+    void write_beside(OutputPlan plan, const Task& task) const;
 
     const Session* session_;
     FilmRequest request_;

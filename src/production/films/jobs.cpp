@@ -119,19 +119,19 @@ void take_a_share_of_the_cores(int n_jobs) {
 // Draws all parts in parallel.
 void draw_parts(const Session& session, const FilmRequest& request, std::int64_t n_parts,
                 const ContextChoice& context, const std::vector<std::string>& outputs,
-                const ProgressSink& progress) {
+                const Task& task) {
     Children children;
     for (std::int64_t number = 1; number <= n_parts; ++number) {
         FilmRequest part = request;
         part.output = outputs[static_cast<std::size_t>(number - 1)];
         part.part = {number, n_parts};
-        children.start([&session, &context, part, n_parts](const ProgressSink& child_telling) {
+        children.start([&session, &context, part, n_parts](const Task& child_telling) {
             take_a_share_of_the_cores(static_cast<int>(n_parts));
             LazyRenderer renderer(context);
             FilmJob(session, part).make(renderer, child_telling);
         });
     }
-    children.wait(progress);
+    children.wait(task);
 }
 
 // The default number of jobs: that of an interrupted run, else the one that choose_jobs finds.
@@ -154,8 +154,8 @@ void append_all(const PartFile& part, FrameLog& log) {
 }
 
 void make_in_this_process(const FilmJob& film, const fs::path& path, LazyRenderer& renderer,
-                          const ProgressSink& progress) {
-    film.make(renderer, progress);
+                          const Task& task) {
+    film.make(renderer, task);
     // Parts of several processes are obsolete now.
     if (auto folder = UnfinishedFolder::left(parts_place(path))) folder->remove_all();
 }
@@ -163,7 +163,7 @@ void make_in_this_process(const FilmJob& film, const fs::path& path, LazyRendere
 }  // namespace
 
 void make_in_jobs(const Session& session, const FilmRequest& request, std::optional<int> n_asked,
-                  LazyRenderer& renderer, const ProgressSink& progress) {
+                  LazyRenderer& renderer, const Task& task) {
     const FilmJob film(session, request);
     const OutputPlace place(request.output, session.scene, ".mp4");
     const fs::path& path = place.path();
@@ -171,7 +171,7 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
     // Before anything is drawn: a folder of somebody else is refused.
     if (format.join != nullptr) UnfinishedFolder::left(parts_place(path));
     const int n_jobs = n_asked ? *n_asked : n_jobs_for(session, film.n_frames(), path, renderer);
-    if (n_jobs == 1) return make_in_this_process(film, path, renderer, progress);
+    if (n_jobs == 1) return make_in_this_process(film, path, renderer, task);
     if (!format.has_parts)
         throw InputError(fmt::format("{}: this format has no parts for --jobs; leave --jobs out",
                                      printable(path.string())));
@@ -180,16 +180,16 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
     const std::int64_t n_parts =
         part_of_film(1, n_jobs, film.n_frames(), format.n_chunk_frames).n_parts;
     if (n_parts < n_jobs)
-        progress.say(fmt::format(
+        task.say(fmt::format(
             "note: a part begins every {} frames, so {} frames make {} part{}, not {}",
             format.n_chunk_frames, film.n_frames(), n_parts, n_parts == 1 ? "" : "s", n_jobs));
-    progress.begin(session.scene.name, film.n_frames());
+    task.begin(session.scene.name, film.n_frames());
     if (format.join == nullptr) {
         // The pictures are written under their final names; the lock prevents a second run.
         const AtomicFile held(path, aside_path_of(path));
         const std::vector<std::string> outputs(static_cast<std::size_t>(n_parts), path.string());
-        draw_parts(session, request, n_parts, renderer.choice(), outputs, progress);
-        film.write_sidecars(path, progress);
+        draw_parts(session, request, n_parts, renderer.choice(), outputs, task);
+        film.write_sidecars(path, task);
     } else {
         const std::string suffix = part_suffix(n_parts, path);
         UnfinishedFolder aside = open_parts(path, suffix);
@@ -197,11 +197,11 @@ void make_in_jobs(const Session& session, const FilmRequest& request, std::optio
         parts.reserve(static_cast<std::size_t>(n_parts));
         for (std::int64_t number = 1; number <= n_parts; ++number)
             parts.push_back(aside.file(fmt::format("{}{}", number, suffix)).string());
-        draw_parts(session, request, n_parts, renderer.choice(), parts, progress);
+        draw_parts(session, request, n_parts, renderer.choice(), parts, task);
         join(parts, path.string(), {});
         aside.remove_all();
     }
-    progress.finish(with_film_length(printable(path.string()), film.n_frames(), film.film().rate));
+    task.finish(with_film_length(printable(path.string()), film.n_frames(), film.film().rate));
 }
 
 std::int64_t gather_parts_aside(const fs::path& film) {

@@ -5,8 +5,8 @@
 #include <optional>
 
 #include "production/films/film_job.h"
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 
 namespace poinsot {
@@ -19,7 +19,7 @@ namespace poinsot {
 // renderer is not open. Precondition: this process has no other threads. Throws InputError and
 // EnvironmentError; then no child process is left.
 void make_in_jobs(const Session& session, const FilmRequest& request, std::optional<int> n_jobs,
-                  LazyRenderer& renderer, const ProgressSink& progress);
+                  LazyRenderer& renderer, const Task& task);
 
 // Converts the state that an interrupted run of several processes left of a film, up to the first
 // gap, to that of a single process, from which render continues and recover makes a film. Does

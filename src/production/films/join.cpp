@@ -94,7 +94,7 @@ void check_one_film(const PartFile& one, const PartFile& other) {
 }
 
 std::string join_film(const std::vector<std::string>& names, const std::string& output,
-                      const ProgressSink& progress) {
+                      const Task& task) {
     std::vector<PartFile> parts;
     for (const std::string& name : names) {
         parts.emplace_back(name);
@@ -122,14 +122,14 @@ std::string join_film(const std::vector<std::string>& names, const std::string& 
     const bool has_chapters = !parts.front().part().chapters.empty();
     if (has_chapters) check_chapters_place(plan.path);
     if (!plan.subtitles.empty()) check_subtitles_place(plan.path);
-    progress.begin(record.scene_name, plan.n_frames);
+    task.begin(record.scene_name, plan.n_frames);
     format.join(entries, plan);
     if (has_chapters)
         write_chapters(plan.path, parts.front().part().chapters);
     else
         remove_stale_chapters(plan.path);
     write_subtitles(plan.path, plan.subtitles);
-    progress.finish(with_film_length(name_of(plan.path), plan.n_frames, plan.rate));
+    task.finish(with_film_length(name_of(plan.path), plan.n_frames, plan.rate));
     return record.bounds;
 }
 
@@ -193,7 +193,7 @@ void copy_picture(const fs::path& from, const fs::path& to) {
 }
 
 std::string join_pictures(const std::vector<std::string>& names, const std::string& output,
-                          const ProgressSink& progress) {
+                          const Task& task) {
     std::vector<PartPicture> pictures;
     std::vector<Record> first;  // at most one
     for (const fs::path& path : pictures_named(names)) {
@@ -224,24 +224,24 @@ std::string join_pictures(const std::vector<std::string>& names, const std::stri
             fmt::format("{}: the parts are pictures; name a sequence, as "
                         "frame_####.png",
                         name_of(pattern)));
-    progress.begin(record.scene_name, static_cast<std::int64_t>(pictures.size()));
+    task.begin(record.scene_name, static_cast<std::int64_t>(pictures.size()));
     for (const PartPicture& picture : pictures) {
         stop_if_interrupted();
         copy_picture(picture.path, frame_name(pattern, picture.frame));
-        progress.done(picture.frame - begin + 1);
+        task.done(picture.frame - begin + 1);
     }
-    write_what_lies_beside(pattern, record, progress);
-    progress.finish(name_of(pattern));
+    write_what_lies_beside(pattern, record, task);
+    task.finish(name_of(pattern));
     return record.bounds;
 }
 
 }  // namespace
 
 std::string join(const std::vector<std::string>& parts, const std::string& output,
-                 const ProgressSink& progress) {
+                 const Task& task) {
     watch_for_interrupts();
     const bool pictures = suffix_of(parts.front()) == ".png";
-    return pictures ? join_pictures(parts, output, progress) : join_film(parts, output, progress);
+    return pictures ? join_pictures(parts, output, task) : join_film(parts, output, task);
 }
 
 }  // namespace poinsot

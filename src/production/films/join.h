@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "production/session/progress_sink.h"
+#include "production/session/task.h"
 
 namespace poinsot {
 
@@ -16,6 +16,6 @@ namespace poinsot {
 // parts that do not make one film, with the reason; throws EnvironmentError, and then leaves no
 // file under the final name.
 std::string join(const std::vector<std::string>& parts, const std::string& output,
-                 const ProgressSink& progress);
+                 const Task& task);
 
 }  // namespace poinsot

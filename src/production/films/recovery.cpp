@@ -16,14 +16,14 @@
 namespace poinsot {
 
 void write_what_lies_beside(const std::filesystem::path& path, const Record& record,
-                            const ProgressSink& progress) {
+                            const Task& task) {
     const Scene scene = scene_of(record, OutsideFiles::refused);
     if ((scene.chapters.empty() && scene.captions.empty()) || !record.frames) {
         remove_stale_chapters(path);
         if (!has_frame_number(path)) write_subtitles(path, {});
         return;
     }
-    const Session session = session_of(scene, {}, progress);
+    const Session session = session_of(scene, {}, task);
     const FilmPlan film = film_plan(session);
     const auto [first, last] = *record.frames;
     OutputPlan plan;
@@ -39,20 +39,20 @@ void write_what_lies_beside(const std::filesystem::path& path, const Record& rec
     if (!has_frame_number(path)) write_subtitles(path, subtitles_of(session, film, first, last));
 }
 
-std::int64_t recover(const std::filesystem::path& film, const ProgressSink& progress) {
+std::int64_t recover(const std::filesystem::path& film, const Task& task) {
     // Parts of several processes are converted to the state of a single process first.
     const std::int64_t n_left = format_for(film).recover != nullptr ? gather_parts_aside(film) : 0;
     const std::int64_t n_frames = recover_film(film, sealed_metadata);
     if (n_left > 0)
-        progress.say(fmt::format(
+        task.say(fmt::format(
             "note: {} later frames follow a gap and are kept; render draws the missing frames",
             n_left));
     try {
-        write_what_lies_beside(film, read_record(film), progress);
+        write_what_lies_beside(film, read_record(film), task);
     } catch (const InputError& error) {
         // The film itself is complete; only the files beside it need the scene's files.
-        progress.say(fmt::format("note: {} was not written: {}",
-                                 printable(chapters_path(film).string()), printable(error.what())));
+        task.say(fmt::format("note: {} was not written: {}",
+                             printable(chapters_path(film).string()), printable(error.what())));
     }
     return n_frames;
 }

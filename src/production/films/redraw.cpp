@@ -91,8 +91,7 @@ RedrawRequest with_its_names(RedrawRequest request, const Record& record) {
 }
 
 // The session of the record's scene; checks that the files it names are unchanged.
-Session session_of_record(const RedrawRequest& request, const Record& record,
-                          const ProgressSink& progress) {
+Session session_of_record(const RedrawRequest& request, const Record& record, const Task& task) {
     const Scene scene = scene_of(record, request.outside);
     if (mesh_hash_of(scene) != record.mesh_hash) {
         std::string files = scene.body.mesh.empty() ? scene.object.mesh : scene.body.mesh;
@@ -105,7 +104,7 @@ Session session_of_record(const RedrawRequest& request, const Record& record,
     }
     SessionRequest needs{.fonts = installed_fonts()};
     if (record.time_s) needs.times_s.push_back(*record.time_s);
-    Session session = session_of(scene, needs, progress);
+    Session session = session_of(scene, needs, task);
     // The record's scene has the values that were chosen then.
     session.as_read = record.as_read;
     return session;
@@ -134,10 +133,9 @@ StillRequest still_request_of(const RedrawRequest& request, const Record& record
 }
 
 // The record of a redrawn file, except for fields known only after drawing.
-Record record_to_come(const RedrawRequest& request, const Record& record,
-                      const ProgressSink& progress) {
+Record record_to_come(const RedrawRequest& request, const Record& record, const Task& task) {
     refuse_sheet(request.file, record);
-    Session session = session_of_record(request, record, progress);
+    Session session = session_of_record(request, record, task);
     StillRequest still = still_request_of(request, record);
     still.output = request.file.string();
     Record now;
@@ -160,10 +158,9 @@ Record record_to_come(const RedrawRequest& request, const Record& record,
 
 }  // namespace
 
-RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
-                         const ProgressSink& progress) {
+RedrawCheck check_redraw(const RedrawRequest& request, const Record& record, const Task& task) {
     try {
-        const Record now = record_to_come(request, record, progress);
+        const Record now = record_to_come(request, record, task);
         if (now.version == record.version && now.scene_toml != record.scene_toml)
             return {"its scene changes when this program reads and writes it", {}};
         return {"", differences(record, now)};
@@ -175,7 +172,7 @@ RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
     }
 }
 
-void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
+void redraw(const RedrawRequest& asked, const Task& task) {
     const Record record = read_record(asked.file);
     refuse_sheet(asked.file, record);
     const RedrawRequest request = with_its_names(asked, record);
@@ -192,7 +189,7 @@ void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
 
     Session session = [&] {
         try {
-            return session_of_record(request, record, progress);
+            return session_of_record(request, record, task);
         } catch (const SceneError&) {
             throw;
         } catch (const InputError& error) {
@@ -203,7 +200,7 @@ void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
     if (record.time_s) {
         StillWriter writer;
         draw_still(prepare_still(std::move(session), still_request_of(request, record)), renderer,
-                   writer, progress);
+                   writer, task);
         writer.finish();
     } else if (is_picture) {
         redraw_frame(request, record, session, renderer);
@@ -214,10 +211,9 @@ void redraw(const RedrawRequest& asked, const ProgressSink& progress) {
                                .frames = record.run ? record.run : record.frames,
                                .n_shown = record.run ? last - first + 1 : 0,
                                .is_slide = record.film_frames.has_value()};
-        FilmJob(session, film).make(renderer, progress);
+        FilmJob(session, film).make(renderer, task);
     }
-    for (const std::string& note : differences(record, read_record(request.output)))
-        progress.say(note);
+    for (const std::string& note : differences(record, read_record(request.output))) task.say(note);
 }
 
 }  // namespace poinsot

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "production/records/record.h"
-#include "production/session/progress_sink.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 #include "scene/files/load_scene.h"
 
@@ -29,12 +29,11 @@ struct RedrawCheck {
 
 // Reads the scene of the file's record, makes its motion and its stage, and opens the renderer. The
 // request's output is ignored.
-RedrawCheck check_redraw(const RedrawRequest& request, const Record& record,
-                         const ProgressSink& progress);
+RedrawCheck check_redraw(const RedrawRequest& request, const Record& record, const Task& task);
 
 // Redraws a file from its record, and reports possible causes of different bytes. Throws InputError
 // for a file without a record, and for a mesh or a picture that has changed since;
 // EnvironmentError.
-void redraw(const RedrawRequest& asked, const ProgressSink& progress);
+void redraw(const RedrawRequest& asked, const Task& task);
 
 }  // namespace poinsot

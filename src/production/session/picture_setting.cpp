@@ -51,18 +51,17 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
     });
 }
 
-void tell_stage_notes(const Stage& stage, const ProgressSink& progress) {
-    for (const std::string& note : stage.notes()) progress.say("note: " + note);
+void tell_stage_notes(const Stage& stage, const Task& task) {
+    for (const std::string& note : stage.notes()) task.say("note: " + note);
     const std::vector<char32_t>& missing = stage.store().text().typesetter().missing();
     if (missing.empty()) return;
-    progress.say(
+    task.say(
         fmt::format("note: no installed font has {}: drawn as boxes; install a font that has them, "
                     "as fonts-noto or fonts-dejavu",
                     listed(missing)));
 }
 
-void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments,
-                  const ProgressSink& progress) {
+void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments, const Task& task) {
     std::set<std::string_view> no_room, out_of_sight, named;
     for (const FilmTime& moment : moments) {
         const Drawing drawing = stage.at(moment);
@@ -76,12 +75,12 @@ void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments,
         return named.contains(name) || no_room.contains(name);
     });
     if (!no_room.empty())
-        progress.say(
+        task.say(
             fmt::format("note: no room for the name of {}: make the picture larger or the camera "
                         "nearer, or say in `names` which names to show",
                         fmt::join(no_room, ", ")));
     if (!out_of_sight.empty())
-        progress.say(fmt::format(
+        task.say(fmt::format(
             "note: no name for {}, of which too little is in sight: choose another {}camera, or "
             "say in `names` which names to show",
             fmt::join(out_of_sight, ", "), moments.size() == 1 ? "instant or " : ""));

@@ -9,8 +9,8 @@
 #include "drawing/stage/stage.h"
 #include "drawing/stage/stage_context.h"
 #include "production/session/print_size.h"
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/task.h"
 
 namespace poinsot {
 
@@ -49,11 +49,10 @@ Stage stage_of(const Session& session, const PictureSpan& span, const PictureSet
 
 // Reports substitutions: curves drawn as a ring, and characters drawn as boxes because no font has
 // them.
-void tell_stage_notes(const Stage& stage, const ProgressSink& progress);
+void tell_stage_notes(const Stage& stage, const Task& task);
 
 // Reports names that are drawn at none of these instants, and why.
-void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments,
-                  const ProgressSink& progress);
+void tell_unnamed(const Stage& stage, std::span<const FilmTime> moments, const Task& task);
 
 // Upper bounds of position errors in the picture, in pixels of the final picture.
 struct PictureBound {

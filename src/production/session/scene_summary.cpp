@@ -242,7 +242,7 @@ void add_certificate(const Certificate& certificate, std::vector<SummaryLine>& l
 
 }  // namespace
 
-SceneSummary summarise(const Session& session, bool plan, const ProgressSink& progress) {
+SceneSummary summarise(const Session& session, bool plan, const Task& task) {
     SceneSummary summary;
     std::vector<SummaryLine>& lines = summary.lines;
     const FilmPlan film = film_plan(session);
@@ -256,13 +256,13 @@ SceneSummary summarise(const Session& session, bool plan, const ProgressSink& pr
     const PictureSetting setting = setting_of(session.scene);
     const Stage stage = stage_of(
         session, {.first_time_s = film.start_s, .last_time_s = film.last_time_s()}, setting);
-    tell_stage_notes(stage, progress);
+    tell_stage_notes(stage, task);
     add_accuracy(session, bound_of(session, stage, setting.samples), lines);
     add_comparison(session, film, lines);
     if (session.scene.measured.given())
         add_measured(session, film.start_s, film_end_time_s(session.scene), lines);
     if (can_certify(session)) {
-        summary.certificate = certify_film(session, film, progress);
+        summary.certificate = certify_film(session, film, task);
         add_certificate(*summary.certificate, lines);
     }
     if (plan) summary.plan = plan_of(session, film, stage);

@@ -27,6 +27,6 @@ struct SceneSummary {
 
 // Computes the lines of a session. It also makes the stage, to check that the scene can be drawn;
 // this opens no context. Throws InputError.
-SceneSummary summarise(const Session& session, bool plan, const ProgressSink& progress = {});
+SceneSummary summarise(const Session& session, bool plan, const Task& task = {});
 
 }  // namespace poinsot

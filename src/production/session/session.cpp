@@ -10,13 +10,12 @@
 
 namespace poinsot {
 
-Session session_of(const Scene& scene, const SessionRequest& request,
-                   const ProgressSink& progress) {
+Session session_of(const Scene& scene, const SessionRequest& request, const Task& task) {
     // Before the estimate, which steps as well.
     std::optional<SlowWorkNotice> notice;
     SteppingWatch watch;
     if (is_stepped(scene.method) || (scene.beside && is_stepped(*scene.beside))) {
-        notice.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)), progress,
+        notice.emplace(fmt::format("{}: stepping the motion", printable(scene.name, 40)), task,
                        longest_stepping_s);
         watch = {[&notice](double estimate_s) { notice->expect(estimate_s); },
                  [&notice] { return notice->is_over(); }};
@@ -50,14 +49,13 @@ bool can_certify(const Session& session) {
            !problem.start.omega_body.isZero(0.0);
 }
 
-Certificate certify_film(const Session& session, const FilmPlan& film,
-                         const ProgressSink& progress) {
+Certificate certify_film(const Session& session, const FilmPlan& film, const Task& task) {
     std::optional<SlowWorkNotice> notice;
     constexpr std::int64_t many = 100'000;
     if (film.n_frames >= many)
         notice.emplace(fmt::format("{}: certifying {} frames", printable(session.scene.name, 40),
                                    film.n_frames),
-                       progress);
+                       task);
     std::vector<double> times;
     times.reserve(static_cast<std::size_t>(film.n_frames));
     for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
@@ -96,9 +94,9 @@ std::string text_of(const Certificate& certificate) {
                               certificate.n_instants);
 }
 
-void tell_notes(const Session& session, const ProgressSink& progress) {
+void tell_notes(const Session& session, const Task& task) {
     for (const auto* notes : {&session.scene.notes, &session.notes})
-        for (const std::string& note : *notes) progress.say("note: " + printable(note));
+        for (const std::string& note : *notes) task.say("note: " + printable(note));
 }
 
 }  // namespace poinsot

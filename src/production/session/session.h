@@ -8,8 +8,8 @@
 #include "construction/certificate.h"
 #include "mechanics/motion.h"
 #include "production/session/film_plan.h"
-#include "production/session/progress_sink.h"
 #include "production/session/resolve.h"
+#include "production/session/task.h"
 
 namespace poinsot {
 
@@ -22,8 +22,7 @@ struct Session : ResolvedScene {
 
 // The motion of a scene over its film and further instants. Throws SceneError. Rejects stepping
 // that would take longer than longest_stepping_s; reports stepping that takes more than a second.
-Session session_of(const Scene& scene, const SessionRequest& request = {},
-                   const ProgressSink& progress = {});
+Session session_of(const Scene& scene, const SessionRequest& request = {}, const Task& task = {});
 
 // Upper bound of position errors due to the motion, in pixels: measured for a stepped motion, the
 // rounding bound for a closed form.
@@ -31,13 +30,12 @@ double motion_error_px(const Session& session);
 
 // The residuals of the construction over all frames. For torque-free rotation.
 bool can_certify(const Session& session);
-Certificate certify_film(const Session& session, const FilmPlan& film,
-                         const ProgressSink& progress = {});
+Certificate certify_film(const Session& session, const FilmPlan& film, const Task& task = {});
 
 // The certificate as text, one line per claim, with measured and promised values.
 std::string text_of(const Certificate& certificate);
 
 // Reports the notes of the scene's reader, and those about what was chosen.
-void tell_notes(const Session& session, const ProgressSink& progress);
+void tell_notes(const Session& session, const Task& task);
 
 }  // namespace poinsot

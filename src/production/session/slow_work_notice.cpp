@@ -29,12 +29,12 @@ struct SlowWorkNotice::Teller {
     EndsAtOnce ends_at_once;
 };
 
-SlowWorkNotice::SlowWorkNotice(std::string what, const ProgressSink& progress, double limit_s) {
+SlowWorkNotice::SlowWorkNotice(std::string what, const Task& task, double limit_s) {
     stop_if_interrupted();
     teller_ = std::make_unique<Teller>();
     try {
         teller_->thread = std::thread([teller = teller_.get(), what = std::move(what), limit_s,
-                                       say = progress.say] { teller->tell(what, limit_s, say); });
+                                       say = task.say] { teller->tell(what, limit_s, say); });
     } catch (const std::system_error&) {
         // If no thread can be started, the work is done without messages.
     }

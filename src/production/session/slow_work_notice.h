@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "production/session/progress_sink.h"
+#include "production/session/task.h"
 
 namespace poinsot {
 
@@ -15,7 +15,7 @@ namespace poinsot {
 class SlowWorkNotice {
  public:
     // Throws EnvironmentError if Ctrl-C has come before.
-    SlowWorkNotice(std::string what, const ProgressSink& progress,
+    SlowWorkNotice(std::string what, const Task& task,
                    double limit_s = std::numeric_limits<double>::infinity());
     ~SlowWorkNotice();
     SlowWorkNotice(const SlowWorkNotice&) = delete;

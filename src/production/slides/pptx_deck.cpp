@@ -99,7 +99,7 @@ void draw_posters(const Session& session, const PosterFrames& posters, const Sli
 }  // namespace
 
 void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer& renderer,
-                const ProgressSink& progress) {
+                const Task& task) {
     const FilmPlan film = film_plan(session);
     const std::vector<Slide> slides =
         slides_of(session.scene, film, fmt::format("-o {}", printable(request.output.string())));
@@ -110,7 +110,7 @@ void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer
     AtomicFile output(request.output);
     SlidesAside aside(request.output, request.output, ".slides",
                       slide_plan_text(session, film, slides, {renderer.is_portable()}));
-    make_slide_films(session, slides, aside, request.n_jobs, renderer, progress);
+    make_slide_films(session, slides, aside, request.n_jobs, renderer, task);
     draw_posters(session, posters, aside, renderer);
 
     StoredZip zip(output);
@@ -123,8 +123,8 @@ void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer
     zip.finish();
     output.commit();
     aside.remove();
-    progress.finish(fmt::format("{}, {} slide{}", request.output.string(), text.slides.size(),
-                                text.slides.size() == 1 ? "" : "s"));
+    task.finish(fmt::format("{}, {} slide{}", request.output.string(), text.slides.size(),
+                            text.slides.size() == 1 ? "" : "s"));
 }
 
 }  // namespace poinsot

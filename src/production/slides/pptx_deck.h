@@ -4,8 +4,8 @@
 #include <filesystem>
 #include <optional>
 
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 
 namespace poinsot {
@@ -20,6 +20,6 @@ struct PptxRequest {
 // in it. Throws EnvironmentError and InputError, the latter also for an existing
 // file that is not a presentation as this function writes it.
 void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer& renderer,
-                const ProgressSink& progress);
+                const Task& task);
 
 }  // namespace poinsot

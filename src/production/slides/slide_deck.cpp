@@ -143,7 +143,7 @@ void commit(const SlidesAside& aside, const fs::path& folder, const std::set<std
 }  // namespace
 
 void write_deck(const Session& session, const DeckRequest& request, LazyRenderer& renderer,
-                const ProgressSink& progress) {
+                const Task& task) {
     const FilmPlan film = film_plan(session);
     const std::vector<Slide> slides = slides_of(session.scene, film, "--slides");
     // Stills for paper have the width and the type of a Beamer slide in 16:9.
@@ -162,7 +162,7 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     SlidesAside aside(named, folder, ".part",
                       slide_plan_text(session, film, slides, {renderer.is_portable()}));
 
-    make_slide_films(session, slides, aside, request.n_jobs, renderer, progress);
+    make_slide_films(session, slides, aside, request.n_jobs, renderer, task);
 
     // The stills are frames of the film.
     StillWriter writer;
@@ -187,8 +187,8 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
         for (std::string& name : slide_files_of(session, film, slides[i], i).all())
             files.insert(std::move(name));
     commit(aside, folder, files);
-    progress.finish(fmt::format("{}, {} slide{}", named.string(), slides.size(),
-                                slides.size() == 1 ? "" : "s"));
+    task.finish(fmt::format("{}, {} slide{}", named.string(), slides.size(),
+                            slides.size() == 1 ? "" : "s"));
 }
 
 }  // namespace poinsot

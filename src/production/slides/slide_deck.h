@@ -6,8 +6,8 @@
 #include <optional>
 
 #include "production/session/files/open_session.h"
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 
 namespace poinsot {
@@ -25,6 +25,6 @@ struct DeckRequest {
 // replace the old ones, each at once. Films that follow each other share a frame, which decodes to
 // the same pixels in both. Throws InputError and EnvironmentError.
 void write_deck(const Session& session, const DeckRequest& request, LazyRenderer& renderer,
-                const ProgressSink& progress);
+                const Task& task);
 
 }  // namespace poinsot

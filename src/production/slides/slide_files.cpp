@@ -20,8 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // Reports loops that jump where they begin again, as far as arrows show it.
-void note_jumps(const Session& session, const std::vector<Slide>& slides,
-                const ProgressSink& progress) {
+void note_jumps(const Session& session, const std::vector<Slide>& slides, const Task& task) {
     const FilmPlan film = film_plan(session);
     std::optional<Stage> stage;
     for (std::size_t i = 0; i < slides.size(); ++i) {
@@ -37,7 +36,7 @@ void note_jumps(const Session& session, const std::vector<Slide>& slides,
         jump_px /= setting_of(session.scene).samples;
         constexpr double seen_px = 1.0;
         if (jump_px > seen_px)
-            progress.say(fmt::format(
+            task.say(fmt::format(
                 "note: {}stops[{}].loop_s: the tip of an arrow jumps by {:.0f} px where the loop "
                 "begins again; set loop_s to a period of the motion",
                 session.scene.where(fmt::format("stops[{}].loop_s", i)), i, jump_px));
@@ -97,20 +96,19 @@ void SlidesAside::keep_only(const std::set<std::string>& files) const {
 }
 
 void make_slide_films(const Session& session, const std::vector<Slide>& slides, SlidesAside& aside,
-                      std::optional<int> n_jobs, LazyRenderer& renderer,
-                      const ProgressSink& progress) {
+                      std::optional<int> n_jobs, LazyRenderer& renderer, const Task& task) {
     std::int64_t n_frames = 0, n_before = 0;
     for (const Slide& slide : slides)
         n_frames += slide.last_frame - slide.first_frame + 1 + slide.n_loop_frames;
-    ProgressSink films = progress;
+    Task films = task;
     films.begin = [](const std::string&, std::int64_t) {};
-    films.done = [&](std::int64_t n_done) { progress.done(n_before + n_done); };
+    films.done = [&](std::int64_t n_done) { task.done(n_before + n_done); };
     films.finish = [](const std::string&) {};
     bool has_told_notes = false;
     films.say = [&](const std::string& line) {
-        if (!has_told_notes && line.starts_with("note: ")) progress.say(line);
+        if (!has_told_notes && line.starts_with("note: ")) task.say(line);
     };
-    progress.begin(session.scene.name, n_frames);
+    task.begin(session.scene.name, n_frames);
     const auto make_film = [&](const std::string& name, std::int64_t first, std::int64_t last) {
         const FilmRequest one{.output = aside.file(name).string(),
                               .frames = std::pair(first, last),
@@ -132,7 +130,7 @@ void make_slide_films(const Session& session, const std::vector<Slide>& slides, 
         if (slide.n_loop_frames > 0)
             make_film(slide_file(i, "-loop.mp4"), slide.first_loop_frame(), slide.last_frame);
     }
-    note_jumps(session, slides, progress);
+    note_jumps(session, slides, task);
 }
 
 }  // namespace poinsot

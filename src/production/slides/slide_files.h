@@ -10,8 +10,8 @@
 #include <string_view>
 #include <vector>
 
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
+#include "production/session/task.h"
 #include "production/slides/slide_list.h"
 #include "production/stills/picture.h"
 #include "system/files/unfinished_folder.h"
@@ -50,7 +50,6 @@ class SlidesAside {
 // Makes 01.mp4, 01-loop.mp4, … that are not there yet, with their captions. They report as one
 // film, which the caller finishes. Throws as make_in_jobs does.
 void make_slide_films(const Session& session, const std::vector<Slide>& slides, SlidesAside& aside,
-                      std::optional<int> n_jobs, LazyRenderer& renderer,
-                      const ProgressSink& progress);
+                      std::optional<int> n_jobs, LazyRenderer& renderer, const Task& task);
 
 }  // namespace poinsot

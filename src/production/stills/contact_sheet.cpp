@@ -204,26 +204,24 @@ class VectorSheet {
     TextCache text_{installed_fonts()};
 };
 
-PreparedStill prepare_cell(const SheetCell& cell, const StillRequest& still,
-                           const ProgressSink& progress) {
+PreparedStill prepare_cell(const SheetCell& cell, const StillRequest& still, const Task& task) {
     stop_if_interrupted();
     SceneRequest scene = cell.scene;
     scene.print = still.print;
-    return prepare_still(open_session(scene, progress), still);
+    return prepare_still(open_session(scene, task), still);
 }
 
 // For each panel the camera that sees in every cell what that cell's own camera sees: only then can
 // the pictures be compared. None for a panel whose camera moves, and none at all if the cells have
 // different panels.
 std::vector<std::optional<Camera>> common_views(const SheetRequest& request,
-                                                const StillRequest& still,
-                                                const ProgressSink& progress) {
+                                                const StillRequest& still, const Task& task) {
     std::vector<PanelBox> boxes;
     std::vector<std::string> kinds;
     std::vector<std::vector<Camera>> cameras;
     std::vector<bool> moves;
     for (const SheetCell& cell : request.cells) {
-        const PreparedStill of_cell = prepare_cell(cell, still, progress);
+        const PreparedStill of_cell = prepare_cell(cell, still, task);
         const std::deque<Panel>& panels = of_cell.picture.stage.panels();
         if (cameras.empty()) {
             cameras.resize(panels.size());
@@ -249,7 +247,7 @@ std::vector<std::optional<Camera>> common_views(const SheetRequest& request,
     return views;
 }
 
-void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress) {
+void draw_vector_sheet(const SheetRequest& request, const Task& task) {
     if (has_pixels(request.vectors))
         throw InputError("--sheet: --shading picture is for single figures; leave it out");
     if (request.vectors.text == "latex")
@@ -262,13 +260,13 @@ void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress
     // A cell has its share of the sheet's width.
     if (still.print.width_mm) *still.print.width_mm /= request.n_columns;
     const OutputPlace place(request.output, Scene{}, ".pdf");
-    progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
-    still.views = common_views(request, still, progress);
+    task.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
+    still.views = common_views(request, still, task);
     std::vector<PreparedStill> stills;  // to which the drawings refer
     std::optional<VectorSheet> sheet;
     Record record;
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
-        stills.push_back(prepare_cell(request.cells[k], still, progress));
+        stills.push_back(prepare_cell(request.cells[k], still, task));
         Drawing drawing = drawing_of(stills[k]);
         if (!sheet) {
             record = vector_record_of(stills[k]);
@@ -277,7 +275,7 @@ void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress
         }
         record.sheet += (k > 0 ? "; " : "") + request.cells[k].values;
         sheet->put(k, std::move(drawing));
-        progress.done(static_cast<std::int64_t>(k + 1));
+        task.done(static_cast<std::int64_t>(k + 1));
     }
     record_without_context(record);
     const Drawing drawing = sheet->take();
@@ -286,12 +284,12 @@ void draw_vector_sheet(const SheetRequest& request, const ProgressSink& progress
     const VectorStill page = vector_still(place.path(), title_of(stills.front().session->scene),
                                           drawing, request.vectors, std::move(record), {});
     write_whole(place.path(), page.bytes);
-    progress.finish(printable(request.output));
+    task.finish(printable(request.output));
 }
 
 }  // namespace
 
-void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const ProgressSink& progress) {
+void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Task& task) {
     const auto n_places =
         static_cast<std::size_t>(request.n_columns) * static_cast<std::size_t>(request.n_rows);
     if (request.cells.size() > n_places)
@@ -300,7 +298,7 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
                         request.n_columns, request.n_rows, n_places, request.cells.size()));
     watch_for_interrupts();
     if (is_vector_name(request.output)) {
-        draw_vector_sheet(request, progress);
+        draw_vector_sheet(request, task);
         return;
     }
     if (suffix_of(request.output) != ".png")
@@ -309,17 +307,17 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
                         "or FILE.svg",
                         printable(request.output)));
     check_aside(request.output);
-    progress.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
+    task.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
     StillRequest still;
     still.time_s = request.time_s;
     still.when = request.when;
-    still.views = common_views(request, still, progress);
+    still.views = common_views(request, still, task);
     std::optional<ContactSheet> sheet;
     Record record;
     Image picture;
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
         const SheetCell& cell = request.cells[k];
-        const Record of_cell = draw_into(prepare_cell(cell, still, progress), renderer, picture);
+        const Record of_cell = draw_into(prepare_cell(cell, still, task), renderer, picture);
         if (!sheet) {
             sheet.emplace(request, picture);
             record = of_cell;
@@ -327,7 +325,7 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
         }
         record.sheet += (k > 0 ? "; " : "") + cell.values;
         sheet->put(k, picture);
-        progress.done(static_cast<std::int64_t>(k + 1));
+        task.done(static_cast<std::int64_t>(k + 1));
     }
     record.width_px = sheet->image().width();
     record.height_px = sheet->image().height();
@@ -335,7 +333,7 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Progr
     PngOptions png;
     png.texts[metadata_name] = sealed_text(record);
     write_png(request.output, sheet->image(), png);
-    progress.finish(printable(request.output));
+    task.finish(printable(request.output));
 }
 
 }  // namespace poinsot

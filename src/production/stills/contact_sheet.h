@@ -7,9 +7,9 @@
 
 #include "production/session/files/open_session.h"
 #include "production/session/print_size.h"
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
 #include "production/session/still_moment.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 #include "production/vectors/vector_still.h"
 
@@ -35,6 +35,6 @@ struct SheetRequest {
 // Draws the sheet; places after the last cell stay empty. Throws InputError for more cells than
 // places, for pictures of different sizes, and for a sheet larger than the largest picture;
 // EnvironmentError.
-void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const ProgressSink& progress);
+void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Task& task);
 
 }  // namespace poinsot

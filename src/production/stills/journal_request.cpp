@@ -8,19 +8,19 @@
 
 namespace poinsot {
 
-void apply_journal_style(bool keeps_text, SceneRequest& request, const ProgressSink& progress) {
+void apply_journal_style(bool keeps_text, SceneRequest& request, const Task& task) {
     set_journal(journal_named(request.print.journal), request.print);
     constexpr std::string_view theme = "print";
     const Scene scene = scene_of(request);
     if (!is_given(request.overrides, "theme")) {
         if (scene.locations.contains("theme") && scene.theme != theme)
-            progress.say(
+            task.say(
                 fmt::format("note: {} is drawn in theme {}, not in its own theme {}; "
                             "--theme {} keeps that",
                             request.file, theme, scene.theme, scene.theme));
         request.overrides.push_back({"theme", std::string(theme), "--journal"});
     } else if (scene.theme != theme) {
-        progress.say(
+        task.say(
             fmt::format("note: {} is drawn in theme {}, as the command line says; the default "
                         "for journals is {}",
                         request.file, scene.theme, theme));

@@ -103,25 +103,23 @@ PictureSetting setting_for(const Scene& scene, const StillRequest& request) {
 }
 
 // Reports text that LaTeX may set differently than the figure shows.
-void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file,
-               const ProgressSink& progress) {
+void note_gaps(const LatexGaps& gaps, const std::filesystem::path& file, const Task& task) {
     const std::string name = printable(file.filename().string());
     if (!gaps.hidden.empty())
-        progress.say(fmt::format("note: {} leaves out {}, which LaTeX cannot set", name,
-                                 listed(gaps.hidden)));
+        task.say(fmt::format("note: {} leaves out {}, which LaTeX cannot set", name,
+                             listed(gaps.hidden)));
     if (!gaps.need_t1.empty())
-        progress.say(fmt::format(
+        task.say(fmt::format(
             "note: {}: pdfLaTeX leaves out {}; \\usepackage[T1]{{fontenc}} lets it set them", name,
             listed(gaps.need_t1)));
     if (!gaps.need_unicode.empty())
-        progress.say(fmt::format(
+        task.say(fmt::format(
             "note: {}: pdfLaTeX leaves out {}; XeLaTeX and LuaLaTeX set those that their font has",
             name, listed(gaps.need_unicode)));
 }
 
 // Reports a journal's figure; `dpi`: of the drawing.
-void tell_figure(const PreparedStill& still, const Drawing& drawing, double dpi,
-                 const ProgressSink& progress) {
+void tell_figure(const PreparedStill& still, const Drawing& drawing, double dpi, const Task& task) {
     FigureReport report = report_on(drawing, pt_per_inch / dpi);
     const Scene& scene = still.session->scene;
     if (!scene.overlays) {
@@ -130,7 +128,7 @@ void tell_figure(const PreparedStill& still, const Drawing& drawing, double dpi,
                                fmt::format("title, captions and clock{}",
                                            by_journal ? " (--keep-text draws them)" : ""));
     }
-    progress.say(in_words(report));
+    task.say(in_words(report));
 }
 
 double dpi_of(const PreparedStill& still) { return still.request.print.dpi.value_or(default_dpi); }
@@ -186,7 +184,7 @@ VectorStill vectors_of(const PreparedStill& still, const Drawing& drawing, LazyR
 }
 
 void draw_vectors(const PreparedStill& still, const OutputPlace& place, LazyRenderer& renderer,
-                  const ProgressSink& progress) {
+                  const Task& task) {
     const Drawing drawing = drawing_of(still);
     const VectorStill figure = vectors_of(still, drawing, renderer);
     write_whole(place.path(), figure.bytes);
@@ -194,15 +192,15 @@ void draw_vectors(const PreparedStill& still, const OutputPlace& place, LazyRend
     if (!figure.latex.empty()) {
         const std::filesystem::path beside = latex_path_of(place.path());
         write_whole(beside, figure.latex);
-        note_gaps(figure.latex_gaps, beside, progress);
+        note_gaps(figure.latex_gaps, beside, task);
         files += "\n" + printable(beside.string());
     }
-    progress.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, figure.off_um));
-    if (!still.request.print.journal.empty()) tell_figure(still, drawing, dpi_of(still), progress);
+    task.say(fmt::format("{}\npaths within {:.2g} um of what they show", files, figure.off_um));
+    if (!still.request.print.journal.empty()) tell_figure(still, drawing, dpi_of(still), task);
 }
 
 void draw_png(const PreparedStill& still, OutputPlace&& place, LazyRenderer& renderer,
-              StillWriter& writer, const ProgressSink& progress) {
+              StillWriter& writer, const Task& task) {
     PictureMaker pictures(still.picture, renderer);
     std::string words = fmt::format("{}\n{}", printable(place.path().string()),
                                     in_words(pictures.bound(), still.session->accuracy.asked_px));
@@ -216,11 +214,11 @@ void draw_png(const PreparedStill& still, OutputPlace&& place, LazyRenderer& ren
             return std::map<std::string, std::string>{{metadata_name, sealed_text(record)}};
         };
         write_in_bands(pictures, still.moment, place.path(), png, record.bit_depth, texts);
-        progress.say(words);
+        task.say(words);
     } else {
         PixelStill pixels = drawn(still, pictures, renderer.is_portable());
         writer.write(std::move(place), std::move(pixels.image), std::move(pixels.png),
-                     [say = progress.say, words = std::move(words)] { say(words); });
+                     [say = task.say, words = std::move(words)] { say(words); });
     }
 }
 
@@ -265,18 +263,18 @@ Record vector_record_of(const PreparedStill& still) {
 }
 
 void draw_still(const PreparedStill& still, LazyRenderer& renderer, StillWriter& writer,
-                const ProgressSink& progress) {
-    tell_notes(still, progress);
+                const Task& task) {
+    tell_notes(still, task);
     OutputPlace place(still.request.output, still.session->scene, ".png");
-    if (is_vector_name(still.request.output)) return draw_vectors(still, place, renderer, progress);
-    if (const std::string words = journal_report(still); !words.empty()) progress.say(words);
-    draw_png(still, std::move(place), renderer, writer, progress);
+    if (is_vector_name(still.request.output)) return draw_vectors(still, place, renderer, task);
+    if (const std::string words = journal_report(still); !words.empty()) task.say(words);
+    draw_png(still, std::move(place), renderer, writer, task);
 }
 
-void tell_notes(const PreparedStill& still, const ProgressSink& progress) {
-    tell_notes(*still.session, progress);
-    tell_stage_notes(still.picture.stage, progress);
-    tell_unnamed(still.picture.stage, {&still.moment, 1}, progress);
+void tell_notes(const PreparedStill& still, const Task& task) {
+    tell_notes(*still.session, task);
+    tell_stage_notes(still.picture.stage, task);
+    tell_unnamed(still.picture.stage, {&still.moment, 1}, task);
 }
 
 std::string journal_report(const PreparedStill& still) {

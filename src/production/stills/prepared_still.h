@@ -10,9 +10,9 @@
 #include "production/records/record.h"
 #include "production/session/picture_setting.h"
 #include "production/session/print_size.h"
-#include "production/session/progress_sink.h"
 #include "production/session/session.h"
 #include "production/session/still_moment.h"
+#include "production/session/task.h"
 #include "production/stills/output_place.h"
 #include "production/stills/picture.h"
 #include "production/stills/still_writer.h"
@@ -67,10 +67,10 @@ Record vector_record_of(const PreparedStill& still);
 // Draws and writes the still; the writer may finish later. Throws InputError, EnvironmentError, and
 // the writer's error for an earlier picture.
 void draw_still(const PreparedStill& still, LazyRenderer& renderer, StillWriter& writer,
-                const ProgressSink& progress);
+                const Task& task);
 
 // Reports notes and names without space; draw_still does so, too.
-void tell_notes(const PreparedStill& still, const ProgressSink& progress);
+void tell_notes(const PreparedStill& still, const Task& task);
 // The contents of a journal's figure, as --journal prints them; empty without a journal.
 std::string journal_report(const PreparedStill& still);
 

@@ -19,7 +19,7 @@ struct SlowWorkNotice::Teller {
     double end_s;
 };
 
-SlowWorkNotice::SlowWorkNotice(std::string, const ProgressSink&, double limit_s)
+SlowWorkNotice::SlowWorkNotice(std::string, const Task&, double limit_s)
     : teller_(new Teller{now_s() + limit_s}) {}
 SlowWorkNotice::~SlowWorkNotice() = default;
 void SlowWorkNotice::expect(double) {}

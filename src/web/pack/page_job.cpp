@@ -119,10 +119,10 @@ std::vector<Override> thumbnail_overrides() {
 }
 
 void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
-                const ProgressSink& progress) {
+                const Task& task) {
     need_module();
-    const Session session = open_session(request, progress);
-    tell_notes(session, progress);
+    const Session session = open_session(request, task);
+    tell_notes(session, task);
     const OutputPlace place(output, session.scene, ".html");
     PageContents contents = contents_of(request);
     std::string page;
@@ -135,11 +135,11 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
     if (page.empty()) page = html_page(contents);
     write_whole(place.path(), page);
     const std::string name = printable(place.path().string());
-    progress.say(fmt::format("{}\n{:.2f} MB", name, 1e-6 * static_cast<double>(page.size())));
+    task.say(fmt::format("{}\n{:.2f} MB", name, 1e-6 * static_cast<double>(page.size())));
     const std::string& next = session.scene.page.next;
     std::error_code unknown;
     if (!next.empty() && !std::filesystem::exists(place.path().parent_path() / next, unknown))
-        progress.say(
+        task.say(
             fmt::format("note: at its end the page leads to {}, which is not in its "
                         "folder; make that page, too, or leave it out by --set "
                         "'page.next=\"\"'",
@@ -147,7 +147,7 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
     std::size_t n_file_bytes = 0;
     for (const auto& file : contents.files) n_file_bytes += file.second.size();
     if (page.size() > most_page_bytes)
-        progress.say(fmt::format(
+        task.say(fmt::format(
             "note: {} is larger than 1.2 MB; the files that the scene names take {:.2f} MB", name,
             4e-6 / 3.0 * static_cast<double>(n_file_bytes)));
 }

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "production/session/files/open_session.h"
-#include "production/session/progress_sink.h"
+#include "production/session/task.h"
 #include "production/stills/picture.h"
 
 namespace poinsot {
@@ -14,7 +14,7 @@ namespace poinsot {
 // the scene names. Throws InputError for a scene without a picture, and EnvironmentError where the
 // program was built without the module for browsers.
 void write_page(const SceneRequest& request, const std::string& output, LazyRenderer& renderer,
-                const ProgressSink& progress);
+                const Task& task);
 
 // A picture of the gallery is an icon: its text would be smaller than anybody can read, and type of
 // the least scale is not drawn at this width.

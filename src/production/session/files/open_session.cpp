@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "error/error.h"
+#include "system/interrupt.h"
 #include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
@@ -27,11 +28,12 @@ Scene scene_of(const SceneRequest& request) {
                        files_of_folder(request.outside));
 }
 
-Session open_session(const SceneRequest& request, const ProgressSink& progress) {
+Session open_session(const SceneRequest& request, const Task& task) {
+    const StopsWhen stops(task.stop);
     const Scene scene = scene_of(request);
     refuse_two_sizes(request);
     return session_of(scene, {installed_fonts(), request.print, request.times_s, request.draws},
-                      progress);
+                      task);
 }
 
 }  // namespace poinsot

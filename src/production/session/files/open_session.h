@@ -28,6 +28,6 @@ std::string text_of(const SceneRequest& request);
 Scene scene_of(const SceneRequest& request);
 
 // Its pictures have the fonts of this computer. Throws InputError.
-Session open_session(const SceneRequest& request, const ProgressSink& progress = {});
+Session open_session(const SceneRequest& request, const Task& task = {});
 
 }  // namespace poinsot

@@ -1,4 +1,4 @@
-// Progress callbacks of a job, for the code that talks to the user.
+// Work that may take long: what it says to its user, how far it is, and whether it shall stop.
 #pragma once
 
 #include <cstdint>
@@ -7,8 +7,9 @@
 
 namespace poinsot {
 
-// Unset callbacks do nothing.
-struct ProgressSink {
+// The defaults do nothing. A function that takes a task can be stopped: by `stop`, and by the
+// signals of system/interrupt.h; it then throws EnvironmentError.
+struct Task {
     // May be called from any thread: while one works, another may report an estimate of the time.
     std::function<void(const std::string& line)> say = [](const std::string&) {};
     // For films: the film's name and number of frames when drawing starts, the number of finished
@@ -17,6 +18,8 @@ struct ProgressSink {
         [](const std::string&, std::int64_t) {};
     std::function<void(std::int64_t n_done)> done = [](std::int64_t) {};
     std::function<void(const std::string& made)> finish = [](const std::string&) {};
+    // Asked about every 20 ms on the thread that works; empty: nobody asks it to stop.
+    std::function<bool()> stop{};
 };
 
 }  // namespace poinsot
