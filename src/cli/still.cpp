@@ -56,6 +56,7 @@ int draw_sheet_of(const StillChoices& choices) {
     const VectorChoices& vectors = choices.given.vectors;
     const Unfit unfit[] = {
         {"--journal", !print.journal.empty(), is_png ? paper : alone},
+        {"--keep-text", print.keep_text, alone},
         {"--width-mm", is_png && print.width_mm.has_value(), paper},
         {"--height-mm", print.height_mm.has_value(), is_png ? paper : alone},
         {"--dpi", is_png && print.dpi.has_value(), paper},

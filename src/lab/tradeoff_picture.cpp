@@ -67,7 +67,7 @@ PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
     constexpr int reference_samples = 8;
     constexpr double reference_tolerance = 0.02;
     trades.reference = fmt::format("{0} × {0} samples a pixel, curves within {1} accuracy_px",
-                                   reference_samples, reference_tolerance);
+                                   reference_samples, 0.5 * reference_tolerance);
     const PictureSpan span{film.time_of(0), film.last_time_s()};
     const std::array<FilmTime, 3> moments{film.moment_of(film.n_frames / 4),
                                           film.moment_of(film.n_frames / 2),
@@ -83,7 +83,7 @@ PictureTrades trade_picture(const Session& session, const ContextChoice& choice,
         PictureMaker maker(small, context, span, {setting.curve_tolerance, setting.samples});
         PictureTrade row;
         row.setting =
-            fmt::format("curves {:g} × accuracy_px, {}", setting.curve_tolerance,
+            fmt::format("curves {:g} × accuracy_px, {}", 0.5 * setting.curve_tolerance,
                         setting.samples == 1 ? std::string("analytic edges alone")
                                              : fmt::format("{0} × {0} samples", setting.samples));
         row.quality = quality_of(setting);

@@ -60,7 +60,7 @@ struct Method {
     Propagator (*make)(const MethodStart&) = nullptr;  // null: exact
 };
 
-// exact, euler, rk4, dopri5, midpoint, splitting, dmv, rkmk4.
+// The table, exact first.
 std::span<const Method> methods();
 
 // The row of this name. Throws InputError with the nearest name and all of them.

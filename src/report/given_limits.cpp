@@ -88,6 +88,7 @@ constexpr NumberLimit limit_rows[] = {
      .limits = &CompareLimits::most_flip,
      .json_name = "max_flip",
      .kind = LimitKind::number,
+     .is_measure = true,
      .help = "largest visible difference (FLIP, 0 to 1) that passes, as 0.01; then any number of "
              "pixels may differ unless another option limits it",
      .takes = "FLIP",
@@ -98,6 +99,7 @@ constexpr NumberLimit limit_rows[] = {
      .limits = &CompareLimits::least_ssim,
      .json_name = "min_ssim",
      .kind = LimitKind::number,
+     .is_measure = true,
      .help = "least structural similarity (SSIM, 1: equal) that passes, as 0.99; then any number "
              "of pixels may differ unless another option limits it",
      .takes = "SSIM",
@@ -187,7 +189,10 @@ CompareLimits limits_of(const GivenLimits& given, const std::optional<CompareLim
     if (profile) limits = *profile;
     if (given.limits_pixels())
         limits = {};
-    else if (!profile && (given.max_flip || given.min_ssim))
+    else if (!profile && std::any_of(std::begin(limit_rows), std::end(limit_rows),
+                                     [&given](const NumberLimit& limit) {
+                                         return limit.is_measure && given.*limit.value;
+                                     }))
         limits = CompareLimits::any_pixels();
     for (const NumberLimit& limit : limit_rows) {
         const std::optional<double>& value = given.*limit.value;

@@ -68,6 +68,8 @@ struct NumberLimit {
         limits;
     std::string_view json_name;
     LimitKind kind;
+    // Of a measure: without a profile it decides alone, and any number of pixels may differ.
+    bool is_measure = false;
     std::string_view help, takes;      // of the option
     std::string_view wanted;           // what the value is, for messages
     double (*checked)(double number);  // throws InputError without a place if out of range

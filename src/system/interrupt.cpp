@@ -12,7 +12,7 @@ namespace {
 
 volatile std::sig_atomic_t interrupted = 0;
 std::atomic<bool> host_handles_signals{false};
-thread_local StopsWhen* host_of_thread = nullptr;
+thread_local StopsWhen* innermost_of_thread = nullptr;
 std::atomic<int> n_ends_at_once{0};
 static_assert(std::atomic<int>::is_always_lock_free);  // the signal handler reads it
 
@@ -35,7 +35,7 @@ void watch_for_interrupts() {
 }
 
 void stop_if_interrupted() {
-    if (interrupted != 0 || (host_of_thread != nullptr && host_of_thread->asks()))
+    if (interrupted != 0 || (innermost_of_thread != nullptr && innermost_of_thread->asks()))
         throw EnvironmentError(
             "interrupted before the output was finished; run the same command again to continue a "
             "film");
@@ -44,8 +44,8 @@ void stop_if_interrupted() {
 void leave_signals_to_host() { host_handles_signals = true; }
 
 StopsWhen::StopsWhen(std::function<bool()> stop)
-    : stop_(std::move(stop)), outer_(std::exchange(host_of_thread, this)) {}
-StopsWhen::~StopsWhen() { host_of_thread = outer_; }
+    : stop_(std::move(stop)), outer_(std::exchange(innermost_of_thread, this)) {}
+StopsWhen::~StopsWhen() { innermost_of_thread = outer_; }
 
 bool StopsWhen::asks() {
     if (!stop_) return outer_ != nullptr && outer_->asks();

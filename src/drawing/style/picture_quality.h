@@ -8,7 +8,7 @@ namespace poinsot {
 
 struct PictureQuality {
     std::string_view name;
-    double curve_tolerance;  // factor on the scene's accuracy_px for the sampling of curves
+    double curve_tolerance;  // of sampled curves: factor on half of the scene's accuracy_px
     int samples;  // the picture is rendered samples × samples times as large and averaged
 };
 

@@ -26,7 +26,7 @@ PictureSpan whole_film(const FilmPlan& film);
 
 // Settings of a picture's quality; --quality selects some of these.
 struct PictureSetting {
-    double curve_tolerance = 1.0;                // in units of the scene's accuracy_px
+    double curve_tolerance = 1.0;                // factor on half of the scene's accuracy_px
     int samples = 1;                             // supersampling: samples × samples per pixel
     double line_scale = 0.0;                     // as in StageOptions, of the final picture
     double px_per_pt = 0.0;                      // as there

@@ -7,8 +7,8 @@
 
 namespace poinsot {
 
-// The defaults do nothing. A function that takes a task can be stopped: by `stop`, and by the
-// signals of system/interrupt.h; it then throws EnvironmentError.
+// The defaults do nothing. open_session, make_output and the library's drawing thread hold `stop`
+// while they work: wherever stop_if_interrupted() is called below them, it asks.
 struct Task {
     // May be called from any thread: while one works, another may report an estimate of the time.
     std::function<void(const std::string& line)> say = [](const std::string&) {};
@@ -18,7 +18,8 @@ struct Task {
         [](const std::string&, std::int64_t) {};
     std::function<void(std::int64_t n_done)> done = [](std::int64_t) {};
     std::function<void(const std::string& made)> finish = [](const std::string&) {};
-    // Asked about every 20 ms on the thread that works; empty: nobody asks it to stop.
+    // Whether the work shall end, with an EnvironmentError; asked about every 20 ms on the thread
+    // that works. Signals end it as well.
     std::function<bool()> stop{};
 };
 

@@ -12,6 +12,9 @@ namespace poinsot {
 
 namespace {
 
+// In px at 1080 rows.
+constexpr double tick_length = 7.0, number_gap = 9.0;
+
 // If text does not fit, numbers are dropped first: names are more important.
 constexpr int rank_of_numbers = rank_of_caption + 1;
 
@@ -209,8 +212,8 @@ PlotFrame::PlotFrame(const Panel& panel, StageStore& store, const PlotLayout& la
     : area_(layout.region), x_(layout.x), y_(layout.y) {
     const auto& [region, x, y, x_title, y_title, left_px, right_px] = layout;
     const Theme& theme = panel.stage->theme;
-    const double gap = 9.0 * panel.type_px;
-    const double tick_px = 7.0 * panel.px;
+    const double gap = number_gap * panel.type_px;
+    const double tick_px = tick_length * panel.px;
     const double number_px = chart_number_size * panel.type_px;
     const StageContext& stage = *panel.stage;
 
@@ -287,7 +290,7 @@ double PlotFrame::numbers_px(const Panel& panel, StageStore& store, const Axis& 
         const TextBlock type = set_tick_number(panel, store, tick);
         widest = std::max(widest, type.width_px());
     }
-    return widest + 9.0 * panel.type_px + 7.0 * panel.px;
+    return widest + number_gap * panel.type_px + tick_length * panel.px;
 }
 
 Eigen::Vector3d PlotFrame::at(double x, double y) const {

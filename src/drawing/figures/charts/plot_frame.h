@@ -105,10 +105,10 @@ Label chart_label(const Panel& panel, const TextBlock& type, double x, double y,
 
 constexpr double chart_margin = 40.0;       // px at the sides, half of it above and below
 constexpr double chart_number_size = 23.0;  // px per em at 1080 rows
-// The title of an axis of energies.
-constexpr Phrase energy_title{"energy", "Energie", "énergie", "energía", "energia", "エネルギー"};
-
 constexpr double chart_title_size = 26.0;
 constexpr double chart_name_size = 31.0;
+
+// The title of an axis of energies.
+constexpr Phrase energy_title{"energy", "Energie", "énergie", "energía", "energia", "エネルギー"};
 
 }  // namespace poinsot

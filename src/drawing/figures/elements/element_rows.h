@@ -60,7 +60,7 @@ inline constexpr Element element_rows[] = {
     {"body-beside",
      "the body itself with its principal axes, to the left of its ellipsoid and turned as this is",
      never_shown, attitude_too, make_body_beside},
-    {"annulus", "the ring that the herpolhode fills", never_shown, omega_alone, make_annulus},
+    {"annulus", "the circles that bound the herpolhode", never_shown, omega_alone, make_annulus},
     {"polhode", "path of the contact point on the ellipsoid", has_curves, attitude_too,
      make_polhode},
     {"herpolhode", "path of the contact point on the plane", has_curves, omega_alone,
