@@ -70,9 +70,10 @@ inline Image seen_alone(LazyRenderer& renderer, const std::string& scene,
     SessionRequest request{installed_fonts()};
     request.times_s = {time_s};
     Image image;
-    draw_into(prepare_still(session_of(parse_scene(scene, "scene.toml", overrides_of(settings)), request),
-                            {.time_s = time_s}),
-              renderer, image);
+    draw_into(
+        prepare_still(session_of(parse_scene(scene, "scene.toml", overrides_of(settings)), request),
+                      {.time_s = time_s}),
+        renderer, image);
     return image;
 }
 
