@@ -208,8 +208,8 @@ std::int64_t gather_parts_aside(const fs::path& film) {
     const std::vector<LeftPart> left = parts_left_of(film);
     if (left.empty() || has_bytes(frame_log_path(film))) return 0;
     // Fails if another run is still drawing.
-    AtomicFile file = open_frame_log(film, true);
-    std::optional<FrameLog> log;
+    std::optional<AtomicFile> file = open_frame_log(film, true);
+    std::optional<FrameLog> log;  // takes the file with the first part
     std::vector<std::string> gathered;
     std::int64_t n_before = 0;  // frames gathered
     std::int64_t n_left = 0;    // frames after a gap
@@ -228,7 +228,7 @@ std::int64_t gather_parts_aside(const fs::path& film) {
             plan.path = film;
             plan.part.reset();
             plan.resume = true;
-            log.emplace(std::move(file), plan, part_file.settings(), 1);
+            log.emplace(std::move(*file), plan, part_file.settings(), 1);
         }
         append_all(part_file, *log);
         n_before += part_file.n_there();
