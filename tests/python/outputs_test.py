@@ -1,90 +1,96 @@
-#!/usr/bin/env python3
-"""What a notebook shows and stores for each value of the package.
-
-Usage: outputs_test.py PACKAGE, the folder that holds the package poinsot.
-"""
-import contextlib
-import io
+"""What a notebook shows and stores for each value of the package, and the files that it saves."""
 import os
 import pathlib
 import re
 import struct
 import sys
-import tempfile
-import unittest
-import unittest.mock
+import urllib.parse
 
-import numpy as np
-
-if __name__ == "__main__":
-    sys.path.insert(0, str(pathlib.Path(sys.argv.pop(1)).resolve()))
+import pytest
 
 import poinsot
-from poinsot import pictures
 
 SMALL = {"film.size": [320, 180]}
+TINY = (64, 36)
 
 
-def size_of_png(png):
-    return struct.unpack(">II", png[16:24])
+@pytest.fixture(autouse=True)
+def in_a_folder(monkeypatch, tmp_path):
+    monkeypatch.chdir(tmp_path)
 
 
-class Outputs(unittest.TestCase):
-    def setUp(self):
-        self.folder = tempfile.TemporaryDirectory()
-        self.addCleanup(self.folder.cleanup)
-        self.addCleanup(os.chdir, os.getcwd())
-        os.chdir(self.folder.name)
-
-    def test_scene_shows_itself_at_its_size_and_at_most_960_pixels_wide(self):
-        self.assertEqual(size_of_png(poinsot.Scene("generic", SMALL)._repr_png_()), (320, 180))
-        self.assertEqual(size_of_png(poinsot.Scene("generic", {"film.size": [3840, 2160]})._repr_png_()), (960, 540))
-
-    def test_still_shows_the_bytes_of_its_file(self):
-        still = poinsot.Scene("generic", SMALL).still(1.0)
-        still.save("still.png")
-        self.assertEqual(pathlib.Path("still.png").read_bytes(), still._repr_png_())
-        self.assertEqual(np.asarray(still).shape, (180, 320, 4))
-
-    def test_short_film_is_stored_and_long_film_is_linked(self):
-        film = poinsot.Scene("generic", SMALL).render("a film.mp4", frames=(0, 2), progress=False)
-        self.assertIn('src="data:video/mp4;base64,', film._repr_html_())
-        with unittest.mock.patch.object(pictures, "most_inline_bytes", 100):
-            self.assertIn('src="a%20film.mp4"', film._repr_html_())
-        os.remove("a film.mp4")
-        self.assertIsNone(film._repr_html_())
-
-    def test_page_with_a_path_stores_its_poster_and_a_link_alone(self):
-        scene = poinsot.Scene("generic", SMALL)
-        try:
-            page = scene.page("a & b.html")
-        except poinsot.EnvironmentError as error:
-            self.skipTest(str(error))
-        shown = page._repr_html_()
-        self.assertLess(len(shown), 100_000)
-        self.assertIn('<a href="a%20%26%20b.html"><img src="data:image/png;base64,', shown)
-        self.assertNotIn("<script", shown)
-        self.assertEqual(pathlib.Path("a & b.html").read_text(encoding="utf-8"), page.html)
-
-    def test_page_without_a_path_starts_in_a_sandbox_and_holds_its_text_as_data(self):
-        try:
-            page = poinsot.Scene("generic", {**SMALL, "title": "</script><b>"}).page()
-        except poinsot.EnvironmentError as error:
-            self.skipTest(str(error))
-        shown = page._repr_html_()
-        self.assertIn("setAttribute('sandbox','allow-scripts')", shown)
-        # One script element, whose text is JSON without a "<" that could end it.
-        held = re.findall(r'<script type="application/json">(.*?)</script>', shown)
-        self.assertEqual(len(held), 1)
-        self.assertNotIn("<", held[0])
-        self.assertTrue(shown.endswith("</script></div>"))
-
-    def test_render_shows_its_progress_as_text_where_tqdm_is_missing(self):
-        said = io.StringIO()
-        with unittest.mock.patch.dict(sys.modules, {"tqdm": None, "tqdm.auto": None}), contextlib.redirect_stderr(said):
-            poinsot.Scene("generic", SMALL).render("film.mp4", frames=(0, 2))
-        self.assertIn("generic: 100 %", said.getvalue())
+def page_of(scene, *arguments):
+    try:
+        return scene.page(*arguments)
+    except poinsot.EnvironmentError as error:
+        pytest.skip(str(error))
 
 
-if __name__ == "__main__":
-    unittest.main()
+def test_a_scene_shows_itself_at_its_size_and_at_most_960_pixels_wide():
+    for size, shown in (([320, 180], (320, 180)), ([3840, 2160], (960, 540))):
+        assert struct.unpack(">II", poinsot.Scene("generic", {"film.size": size})._repr_png_()[16:24]) == shown
+
+
+def test_saved_files_are_the_pictures():
+    scene = poinsot.Scene("sphere")
+    still, figure = scene.still(size=TINY), scene.figure(size=TINY)
+    still.save("a.png")
+    figure.save("a.svg")
+    figure.save("a.pdf")
+    assert pathlib.Path("a.png").read_bytes() == still.png == still._repr_png_()
+    assert pathlib.Path("a.svg").read_text(encoding="utf-8") == figure.svg == figure._repr_svg_()
+    assert pathlib.Path("a.pdf").read_bytes() == figure.pdf
+    for save in (still.save, figure.save):
+        with pytest.raises(poinsot.InputError, match="end its name in"):
+            save("a.jpg")
+    with pytest.raises(poinsot.EnvironmentError, match="nowhere"):
+        still.save("nowhere/a.png")
+
+
+def test_a_file_may_be_called_as_the_standard_output(capfdbinary):
+    poinsot.pictures.write_file("-", b"contents")
+    assert pathlib.Path("-").read_bytes() == b"contents"
+    assert capfdbinary.readouterr().out == b""
+
+
+def test_a_short_film_is_stored_and_a_missing_one_is_not_shown():
+    film = poinsot.Scene("generic", SMALL).render("film.mp4", frames=(0, 2), progress=False)
+    assert 'src="data:video/mp4;base64,' in film._repr_html_()
+    os.remove("film.mp4")
+    assert film._repr_html_() is None
+
+
+@pytest.mark.parametrize("suffix", ["gif", "mp4", "html"])
+def test_a_notebook_links_to_a_file_of_any_name(monkeypatch, suffix):
+    name = f"50% #1? \"a\" & ä.{suffix}"
+    pathlib.Path(name).write_bytes(b"x")
+    monkeypatch.setattr(poinsot.pictures, "most_inline_bytes", 0)
+    shown = poinsot.Page("", 1, 1, name) if suffix == "html" else poinsot.Film(name, [])
+    address = re.search("href=\"([^\"]*)\"" if suffix == "html" else "src=\"([^\"]*)\"", shown._repr_html_())[1]
+    assert re.fullmatch(r"[\w.%-]+", address, re.ASCII)
+    assert urllib.parse.unquote(address) == name
+
+
+def test_a_page_with_a_path_stores_its_poster_and_a_link_alone():
+    page = page_of(poinsot.Scene("generic", SMALL), "page.html")
+    shown = page._repr_html_()
+    assert len(shown) < 100_000
+    assert '<a href="page.html"><img src="data:image/png;base64,' in shown
+    assert "<script" not in shown
+    assert pathlib.Path("page.html").read_text(encoding="utf-8") == page.html
+
+
+def test_a_page_without_a_path_starts_in_a_sandbox_and_holds_its_text_as_data():
+    shown = page_of(poinsot.Scene("generic", {**SMALL, "title": "</script><b>"}))._repr_html_()
+    assert "setAttribute('sandbox','allow-scripts')" in shown
+    # One script element, whose text is JSON without a "<" that could end it.
+    held = re.findall(r'<script type="application/json">(.*?)</script>', shown)
+    assert len(held) == 1 and "<" not in held[0]
+    assert shown.endswith("</script></div>")
+
+
+def test_render_shows_its_progress_as_text_where_tqdm_is_missing(monkeypatch, capsys):
+    for name in ("tqdm", "tqdm.auto"):
+        monkeypatch.setitem(sys.modules, name, None)
+    poinsot.Scene("generic", SMALL).render("film.mp4", frames=(0, 2))
+    assert "generic: 100 %" in capsys.readouterr().err

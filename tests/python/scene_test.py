@@ -3,9 +3,7 @@ import enum
 import os
 import pathlib
 import pickle
-import re
 import subprocess
-import urllib.parse
 
 import numpy as np
 import pytest
@@ -28,31 +26,19 @@ def columns_of(csv):
     return dict(zip(heading.split(","), numbers.T))
 
 
-# Free motions of each regime, tops, stepped motions, torques, measured ones.
-SAMPLED = ["generic", "separatrix", "sphere", "symmetric_prolate", "tensor", "montgomery", "heavy_top_cusp", "heavy_top_sleeping",
-           "euler_drift", "inertial_forces", "torque_axis", "torque_symmetric", "measured", "rolling"]
-
-
-@pytest.mark.parametrize("name", SAMPLED)
-def test_the_digits_of_a_sample_are_those_of_the_command(program, name):
-    file = SCENES / f"{name}.toml"
-    times = [0.0, 0.125, 1.0, 1.0 / 3.0, 7.25]
-    expected = columns_of(program("sample", file, "--times", ",".join(map(repr, times))))
-    found = poinsot.Scene(file).sample(times)
-    assert list(found) == list(expected)
-    for column, values in expected.items():
-        np.testing.assert_array_equal(bits(found[column]), bits(values), err_msg=column)
-
-
 @pytest.mark.parametrize("name, columns", [
+    ("generic", None),
+    ("measured", None),
     ("generic", ["time", "kinetic_energy", "contact_space"]),
     ("heavy_top_looping", ["time", "euler"]),
     ("euler_drift", ["kinetic_energy", "omega_body"]),
 ])
-def test_named_columns_are_those_of_the_command(program, name, columns):
+def test_the_digits_of_a_sample_are_those_of_the_command(program, name, columns):
     file = SCENES / f"{name}.toml"
-    expected = columns_of(program("sample", file, "--times", "0,0.5,2", "--columns", ",".join(columns)))
-    found = poinsot.Scene(file).sample([0, 0.5, 2], columns)
+    times = [0.0, 0.125, 1.0, 1.0 / 3.0, 7.25]
+    named = ["--columns", ",".join(columns)] if columns else []
+    expected = columns_of(program("sample", file, "--times", ",".join(map(repr, times)), *named))
+    found = poinsot.Scene(file).sample(times, columns)
     assert list(found) == list(expected)
     for column, values in expected.items():
         np.testing.assert_array_equal(bits(found[column]), bits(values), err_msg=column)
@@ -87,26 +73,16 @@ def test_a_sample_becomes_a_data_frame():
 
 
 @pytest.mark.parametrize("arguments, options", [
-    ((), {}),
-    ((1.5,), {}),
-    (("auto",), {"theme": "dark"}),
-    ((), {"portable": False, "quality": "draft"}),
-], ids=["scene's instant", "instant", "clearest", "draft"])
+    ((), {"size": "96x54"}),
+    ((1.5,), {"size": "96x54", "quality": "draft"}),
+    (("auto",), {"size": "96x54", "theme": "dark"}),
+    ((), {"width_mm": 85, "dpi": 100, "type_pt": 9}),
+], ids=["scene's instant", "instant", "clearest", "paper"])
 def test_a_still_is_the_file_of_the_command(program, tmp_path, arguments, options):
-    command = ["--size", "96x54"]
-    for value in arguments:
-        command += ["--time", value]
-    for name, value in options.items():
-        command += [f"--{name}", value] if name != "portable" else []
+    given = {"time": arguments[0] if arguments else None, **options}
+    command = [word for name, value in given.items() if value is not None for word in ("--" + name.replace("_", "-"), value)]
     program("still", GENERIC, *command, "-o", tmp_path / "still.png")
-    still = poinsot.Scene(GENERIC).still(*arguments, size=(96, 54), **options)
-    assert still.png == (tmp_path / "still.png").read_bytes()
-    assert still.pixels.shape == (54, 96, 4) and still.pixels.dtype == np.uint8
-
-
-def test_a_still_on_paper_is_the_file_of_the_command(program, tmp_path):
-    program("still", GENERIC, "--width-mm", "85", "--dpi", "100", "--type-pt", "9", "-o", tmp_path / "still.png")
-    still = poinsot.Scene(GENERIC).still(width_mm=85, dpi=100, type_pt=9)
+    still = poinsot.Scene(GENERIC).still(*arguments, portable=False, **options)
     assert still.png == (tmp_path / "still.png").read_bytes()
 
 
@@ -117,6 +93,7 @@ def test_the_pixels_of_a_still_are_those_of_its_png():
     still = poinsot.Scene("generic").still(size=TINY)
     np.testing.assert_array_equal(still.pixels, np.asarray(image.open(io.BytesIO(still.png)).convert("RGBA")))
     np.testing.assert_array_equal(np.asarray(still), still.pixels)
+    assert still.pixels.shape == TINY[::-1] + (4,) and still.pixels.dtype == np.uint8
     assert len(np.unique(still.pixels.reshape(-1, 4), axis=0)) > 10  # it shows something
 
 
@@ -132,24 +109,18 @@ def test_a_figure_and_a_still_keep_what_the_command_says(program, tmp_path):
         command = [os.environ["POINSOT"], "still", GENERIC, "--time", "1.5", *map(str, options)]
         return subprocess.run(command, capture_output=True, text=True, check=True).stderr
 
-    small = {"size": (160, 90)}
-    figure = poinsot.Scene(GENERIC).figure(1.5, **small)
+    scene = poinsot.Scene(GENERIC)
+    figure = scene.figure(1.5, size=(160, 90))
     said = said_by("--size", "160x90", "-o", tmp_path / "figure.svg")
-    assert figure.report is None and any(note.startswith("note: no room for the name of ") for note in figure.notes)
     assert [line for line in said.splitlines() if "figure.svg" not in line] == figure.notes
-    still = poinsot.Scene(GENERIC).still(1.5, **small)
-    assert still.report is None and still.notes and all(note.startswith("note: ") for note in still.notes)
-
-    figure = poinsot.Scene(GENERIC).figure(1.5, journal="aps")
-    said = said_by("--journal", "aps", "-o", tmp_path / "figure.pdf")
-    assert figure.report.startswith("size: ") and figure.report in said
-    assert "least contrast with the page: " in figure.report and "left out: title, captions and clock" in figure.report
-    still = poinsot.Scene(GENERIC).still(1.5, journal="aps")
-    said = said_by("--journal", "aps", "-o", tmp_path / "still.png")
-    assert still.report.startswith("size: ") and still.report in said
+    still = scene.still(1.5, size=(160, 90))
+    assert still.notes and still.report is None and figure.report is None
+    for drawn, suffix in ((scene.figure(1.5, journal="aps"), "pdf"), (scene.still(1.5, journal="aps"), "png")):
+        assert drawn.report.startswith("size: ")
+        assert drawn.report in said_by("--journal", "aps", "-o", tmp_path / f"picture.{suffix}")
 
 
-@pytest.mark.parametrize("name", ["turn.mp4", "turn.gif", "turn_####.png"])
+@pytest.mark.parametrize("name", ["turn.mp4", "turn_####.png"])
 def test_a_film_is_the_file_of_the_command(program, tmp_path, name):
     (tmp_path / "command").mkdir()
     (tmp_path / "module").mkdir()
@@ -159,22 +130,6 @@ def test_a_film_is_the_file_of_the_command(program, tmp_path, name):
     assert {file.name: file.read_bytes() for file in (tmp_path / "module").iterdir()} == expected
     assert len(expected) == (10 if "#" in name else 1)
     assert film.path == str(tmp_path / "module" / name)
-
-
-def test_saved_files_are_the_pictures(tmp_path):
-    scene = poinsot.Scene("sphere")
-    still, figure = scene.still(size=TINY), scene.figure(size=TINY)
-    still.save(tmp_path / "a.png")
-    figure.save(tmp_path / "a.svg")
-    figure.save(tmp_path / "a.pdf")
-    assert (tmp_path / "a.png").read_bytes() == still.png
-    assert (tmp_path / "a.svg").read_text(encoding="utf-8") == figure.svg
-    assert (tmp_path / "a.pdf").read_bytes() == figure.pdf
-    for save in (still.save, figure.save):
-        with pytest.raises(poinsot.InputError, match="end its name in"):
-            save(tmp_path / "a.jpg")
-    with pytest.raises(poinsot.EnvironmentError, match="nowhere"):
-        still.save(tmp_path / "nowhere" / "a.png")
 
 
 def test_a_scene_is_a_path_a_name_a_text_or_tables():
@@ -190,17 +145,12 @@ def test_a_scene_is_a_path_a_name_a_text_or_tables():
     assert set(poinsot.scenes()) == {file.stem for file in SCENES.glob("*.toml")}
 
 
-def test_set_changes_a_copy(program):
+def test_set_changes_a_copy():
     scene = poinsot.Scene(GENERIC)
     changed = scene.set({"start.omega_rad_s": [0.1, 2.0, 0.3]}).set({"body.moments_kg_m2": np.array([1.0, 2.0, 2.5])})
     assert scene.values == []
     assert changed.values == ["start.omega_rad_s=[0.1, 2.0, 0.3]", "body.moments_kg_m2=[1.0, 2.0, 2.5]"]
-    expected = columns_of(program("sample", GENERIC, "--times", "0,2", "--set", "start.omega_rad_s=[0.1, 2.0, 0.3]", "--set",
-                                  "body.moments_kg_m2=[1.0, 2.0, 2.5]"))
-    for column, values in changed.sample([0, 2]).items():
-        np.testing.assert_array_equal(bits(values), bits(expected[column]))
-    np.testing.assert_array_equal(poinsot.Scene(GENERIC, {"start.omega_rad_s": [0.1, 2.0, 0.3]}).sample(0.0)["omega_body"],
-                                  [0.1, 2.0, 0.3])
+    np.testing.assert_array_equal(changed.sample(0.0)["omega_body"], [0.1, 2.0, 0.3])
 
 
 def test_check_says_what_the_command_says(program):
@@ -241,93 +191,60 @@ def test_errors_survive_pickling():
 
 @pytest.mark.parametrize("wrong, sentence", [
     (lambda s: s.sample([0.0, np.nan]), "times nan: .* not finite"),
-    (lambda s: s.sample(np.inf), "times inf: .* not finite"),
     (lambda s: s.sample("soon"), "times: numbers are needed, and these are of type <U4"),
-    (lambda s: s.sample([1j]), "times: numbers are needed, and these are of type complex128"),
     (lambda s: s.sample([True]), "times: numbers are needed, and these are of type bool"),
-    (lambda s: s.sample(None), "times: numbers are needed"),
     (lambda s: s.sample([10**400]), "times: numbers are needed"),
     (lambda s: s.sample([[1], [2, 3]]), "times: not an array of numbers"),
-    (lambda s: s.sample(np.array(["2020-01-01"], "M8[D]")), "times: numbers are needed"),
-    (lambda s: s.sample([0.0], ["omega_bod"]), "no column is called"),
     (lambda s: s.sample([0.0], [1]), "columns: give names of columns"),
     (lambda s: s.sample([0.0], 5), "columns: give names of columns"),
     (lambda s: s.sample([0.0], ["\ud800"]), "columns: not valid Unicode"),
     (lambda s: s.sample(np.ma.array([0.0, 1.0], mask=[False, True])), "times: some values are masked"),
     (lambda s: s.still(backend=3), "backend: choose auto, osmesa, egl or gpu, and this is 3"),
     (lambda s: s.still(portable="yes"), "portable: is True or False, and this is 'yes'"),
-    (lambda s: s.figure(portable="no"), "portable: is True or False, and this is 'no'"),
-    (lambda s: s.render("film.mp4", portable=[1]), r"portable: is True or False, and this is \[1\]"),
     (lambda s: s.still(theme="\ud800"), "theme: not valid Unicode"),
     (lambda s: s.still(theme=3), "theme: is a text, and this is 3"),
-    (lambda s: s.figure(0, shading=5), "shading: choose tone, none or picture, and this is 5"),
-    (lambda s: s.figure(0, text=5), "text: choose font, paths or latex, and this is 5"),
-    (lambda s: s.figure(0, quality=5), "quality: is a text, and this is 5"),
-    (lambda s: s.figure(0, quality="fine"), 'unknown quality "fine"'),
     (lambda s: s.render("film\0.mp4"), r"'film\\x00.mp4': no file's name contains NUL"),
     (lambda s: s.render(b"film.mp4"), "b'film.mp4' is not a text"),
     (lambda s: s.render(os.fsdecode(b"\xff.mp4")), "not valid UTF-8; rename the file"),
     (lambda s: s.render(3), "3 is not the name of a file"),
     (lambda s: s.slides("deck\0"), "contains NUL"),
-    (lambda s: s.page("page\0.html"), "contains NUL"),
-    (lambda s: s.page(os.fsdecode(b"\xff.html")), "not valid UTF-8"),
     (lambda s: s.still(size=TINY).save("still\0.png"), "contains NUL"),
-    (lambda s: s.still(size=TINY).save(os.fsdecode(b"\xff.png")), "not valid UTF-8"),
     (lambda s: s.figure(size=TINY).save("figure\0.svg"), "contains NUL"),
-    (lambda s: poinsot.Page("", 1, 1, None).save("page.pdf"), "a page ends in .html"),
-    (lambda s: poinsot.Page("", 1, 1, None).save("-"), "a page ends in .html"),
     (lambda s: poinsot.Page("", 1, 1, None).save("page\0.html"), "contains NUL"),
     (lambda s: s.sample([0.0], ["time"] * 100_000), "given twice"),
-    (lambda s: s.still(size=(-1, 10)), "size is \"-1x10\""),
-    (lambda s: s.still(size=(0, 0)), "from 1 to 65536 pixels"),
-    (lambda s: s.still(size=(10**9, 10**9)), "from 1 to 65536 pixels"),
     (lambda s: s.still(size=(10**30, 1)), "give width and height in pixels"),
     (lambda s: s.still(size=(64.5, 36)), "not a size in pixels"),
     (lambda s: s.still(size=(np.nan, 36)), "not a size in pixels"),
     (lambda s: s.still(size=(np.inf, 36)), "not a size in pixels"),
     (lambda s: s.still(size=3), "not a size in pixels"),
-    (lambda s: s.still(size="64"), "give width and height in pixels"),
     (lambda s: s.still(np.nan), "not finite"),
     (lambda s: s.still("soon"), "not an instant in seconds"),
     (lambda s: s.still([1.0, 2.0]), "one instant"),
-    (lambda s: s.still(width_mm=-3), "millimetres"),
-    (lambda s: s.still(width_mm=np.nan), "millimetres"),
+    (lambda s: s.still(width_mm=np.nan), "^width_mm nan: .* millimetres"),
     (lambda s: s.still(width_mm="wide"), "width_mm: is a number, and this is 'wide'"),
-    (lambda s: s.still(width_mm=50, dpi=1e12), "dots per inch"),
-    (lambda s: s.still(journal=3), "journal: is a text, and this is 3"),
     (lambda s: s.still(journal="diary"), "unknown journal"),
-    (lambda s: s.still(theme="pink"), "unknown theme"),
     (lambda s: s.still(quality="best"), "unknown quality"),
-    (lambda s: s.still(backend="metal"), "choose auto, osmesa, egl or gpu"),
-    (lambda s: s.figure(shading="oil"), "shading"),
-    (lambda s: s.figure(text="latex"), "latex"),
     (lambda s: s.render(""), "no name"),
-    (lambda s: s.render("film.doc"), "no output format for the suffix"),
     (lambda s: s.render("film.mp4", frames=(5, 1)), "frames 5 to 1: not a range of frames"),
-    (lambda s: s.render("film.mp4", frames=(-5, 1)), "frames -5 to 1: not a range of frames"),
-    (lambda s: s.render("film.mp4", frames=(0, 10**15)), "the film has frames 0-"),
     (lambda s: s.render("film.mp4", frames=(0, 10**30)), "not a range of frames"),
     (lambda s: s.render("film.mp4", frames=3), "not a range of frames"),
     (lambda s: s.render("film.mp4", frames=(0.5, 1)), "not a range of frames"),
-    (lambda s: s.render("film.mp4", fps=-1), "frames a second"),
+    (lambda s: s.render("film.mp4", frames=range(0)), "not a range of frames"),
+    (lambda s: s.render("film.mp4", frames=range(0, 9, 2)), "not a range of frames"),
+    (lambda s: s.render("film.mp4", frames=range(5, 0, -1)), "not a range of frames"),
     (lambda s: s.render("page.html"), r"\.page\("),
     (lambda s: s.slides(""), "no name"),
     (lambda s: s.page("page.pdf"), "a page ends in .html"),
-    (lambda s: s.set({"film": {"size": "-1x1"}}), "size"),
     (lambda s: s.set({3: 1}), "not a key"),
     (lambda s: s.set(), "values: is a dict of keys and values"),
     (lambda s: s.set({"title": None}), "title: None is no value"),
     (lambda s: s.set({"title": object()}), "cannot stand in a scene"),
     (lambda s: s.set({"title": "\ud800"}), "values: not valid Unicode"),
-    (lambda s: s.set({"\ud800": 1}), "values: not valid Unicode"),
-    (lambda s: s.set(None), "values: is a dict of keys and values, and this is of type NoneType"),
     (lambda s: poinsot.Scene("generic", [("a", 1)]), "values: is a dict of keys and values, and this is of type list"),
     (lambda s: poinsot.Scene(os.fsdecode(b"\xff.toml")), "not valid UTF-8"),
     (lambda s: poinsot.Scene("generic\0.toml"), "contains NUL"),
     (lambda s: poinsot.Scene("generik"), 'did you mean "generic"'),
     (lambda s: poinsot.Scene(3), "a file, a text, a dict or a Motion"),
-    (lambda s: poinsot.Scene(b"generic"), "a file, a text, a dict or a Motion"),
-    (lambda s: poinsot.Scene({}), "the file is empty"),
     (lambda s: poinsot.Scene("a = \udc80"), "not valid Unicode"),
     (lambda s: poinsot.Scene("a = 1\0"), "control character"),
     (lambda s: poinsot.Scene({"body": {"moments_kg_m2": [1, 2, float("nan")]}}), "finite"),
@@ -342,29 +259,10 @@ def test_wrong_input_is_refused_with_one_line(monkeypatch, tmp_path, wrong, sent
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_file_may_be_called_as_the_standard_output(monkeypatch, tmp_path, capfdbinary):
-    monkeypatch.chdir(tmp_path)
-    poinsot.pictures.write_file("-", b"contents")
-    assert (tmp_path / "-").read_bytes() == b"contents"
-    assert capfdbinary.readouterr().out == b""
-
-
 def test_a_folder_does_not_hide_a_scene_of_the_package(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
     (tmp_path / "generic").mkdir()
     assert poinsot.Scene("generic").text == pathlib.Path(GENERIC).read_text(encoding="utf-8")
-
-
-@pytest.mark.parametrize("suffix", ["gif", "mp4", "html"])
-def test_a_notebook_links_to_a_file_of_any_name(monkeypatch, tmp_path, suffix):
-    monkeypatch.chdir(tmp_path)
-    name = f"50% #1? \"a\" & ä.{suffix}"
-    (tmp_path / name).write_bytes(b"x")
-    monkeypatch.setattr(poinsot.pictures, "most_inline_bytes", 0)
-    shown = poinsot.Page("", 1, 1, name) if suffix == "html" else poinsot.Film(name, [])
-    address = re.search("href=\"([^\"]*)\"" if suffix == "html" else "src=\"([^\"]*)\"", shown._repr_html_())[1]
-    assert re.fullmatch(r"[\w.%-]+", address, re.ASCII)
-    assert urllib.parse.unquote(address) == name
 
 
 def test_numbers_of_any_kind_are_written_as_the_number():
@@ -414,25 +312,17 @@ def test_a_range_of_frames_is_its_first_and_last(tmp_path):
         scene.render(tmp_path / folder / "f_####.png", size=TINY, frames=frames, progress=False)
     written = {folder: {file.name: file.read_bytes() for file in (tmp_path / folder).glob("*.png")} for folder in ("pair", "range")}
     assert len(written["pair"]) == 3 and written["pair"] == written["range"]
-    for frames in (range(0), range(0, 9, 2), range(5, 0, -1)):
-        with pytest.raises(poinsot.InputError, match="not a range of frames"):
-            scene.render(tmp_path / "film.mp4", size=TINY, frames=frames, progress=False)
 
 
-def test_a_scene_can_be_sent_to_another_process():
-    scene = poinsot.Scene("generic").set({"start.omega_rad_s": [0.5, 0.6, 0.7]})
+def test_scenes_and_results_can_be_sent_to_another_process_as_the_documentation_says():
+    scene = poinsot.Scene("sphere").set({"start.omega_rad_s": [0.5, 0.6, 0.7]})
     same = pickle.loads(pickle.dumps(scene))
     assert same == scene and (same.name, same.text, same.values) == (scene.name, scene.text, scene.values)
-    np.testing.assert_array_equal(same.sample(3.0)["omega_body"], scene.sample(3.0)["omega_body"])
-
-
-def test_results_can_be_sent_to_another_process_as_the_documentation_says():
-    scene = poinsot.Scene("sphere")
     still = scene.still(size=TINY)
     sampled = scene.sample([0.0, 1.0])
     copied = pickle.loads(pickle.dumps(sampled))
     assert type(copied) is poinsot.Samples and list(copied) == list(sampled)
-    np.testing.assert_array_equal(copied["omega_body"], sampled["omega_body"])
+    np.testing.assert_array_equal(copied["omega_body"], same.sample([0.0, 1.0])["omega_body"])
     compared = poinsot.compare(still, 255 - still.pixels)
     assert pickle.loads(pickle.dumps(compared)) == compared
     assert pickle.loads(pickle.dumps(poinsot.Film("a.mp4", ["note"]))).notes == ["note"]
