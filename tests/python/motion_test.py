@@ -1,4 +1,4 @@
-"""Motions without a scene, against closed forms, conservation laws and the surfaces themselves."""
+"""Motions without a scene: each number is a closed form's or has the digits of a scene's."""
 import copy
 import math
 import pickle
@@ -15,29 +15,28 @@ OMEGA = [0.7, 1.9, -0.4]
 TIMES = np.array([-50.0, -1.0, 0.0, 0.3, 7.0, 1234.5])
 
 
-def rotated(q, v):
-    """v in space axes; q = (w, x, y, z) is space_from_body, shape (n, 4); v has shape (n, 3)."""
-    w, u = q[..., :1], q[..., 1:]
-    return v + 2 * np.cross(u, np.cross(u, v) + w * v)
+def test_the_constants_are_those_of_the_start():
+    moments, omega = np.array(TRIAXIAL), np.array(OMEGA)
+    motion = poinsot.Motion(moments, omega)
+    constants = motion.constants
+    energy2, momentum = (moments * omega**2).sum(), np.linalg.norm(moments * omega)
+    assert constants.kinetic_energy_J == pytest.approx(0.5 * energy2, rel=1e-15)
+    assert constants.momentum_kg_m2_s == pytest.approx(momentum, rel=1e-15)
+    np.testing.assert_allclose(constants.momentum_space, moments * omega, rtol=1e-15)
+    assert constants.plane_distance == pytest.approx(np.sqrt(energy2) / momentum, rel=1e-15)
+    np.testing.assert_allclose(constants.half_axes, 1 / np.sqrt(moments), rtol=1e-15)
+    radii = np.linalg.norm(motion.at(np.linspace(0, 100, 1000)).herpolhode, axis=1)
+    least, greatest = constants.herpolhode_radii_rad_s
+    assert least * (1 - 1e-12) <= radii.min() < least * 1.01 and greatest * 0.99 < radii.max() <= greatest * (1 + 1e-12)
 
 
 def test_a_spin_of_any_size_has_its_states():
     """The motion scales with time, and constants beyond the range of a float are infinite."""
-    fast = poinsot.Motion([1, 2, 3], [1e160, 1e157, 2e160])
-    slow = poinsot.Motion([1, 2, 3], [1, 1e-3, 2])
-    assert fast.constants.kinetic_energy_J == math.inf and math.isfinite(slow.constants.kinetic_energy_J)
+    fast, slow = poinsot.Motion([1, 2, 3], [1e160, 1e157, 2e160]), poinsot.Motion([1, 2, 3], [1, 1e-3, 2])
+    assert fast.constants.kinetic_energy_J == math.inf
     times = np.linspace(0.0, 20.0, 40)
-    assert np.allclose(fast.at(times * 1e-160).omega_body * 1e-160, slow.at(times).omega_body, rtol=0, atol=1e-12)
-    assert np.allclose(fast.at(times * 1e-160).space_from_body, slow.at(times).space_from_body, rtol=0, atol=1e-12)
-
-
-def test_the_constants_are_those_of_the_start():
-    moments, omega = np.array(TRIAXIAL), np.array(OMEGA)
-    constants = poinsot.Motion(moments, omega).constants
-    assert constants.kinetic_energy_J == pytest.approx(0.5 * (moments * omega**2).sum(), rel=1e-15)
-    assert constants.momentum_kg_m2_s == pytest.approx(np.linalg.norm(moments * omega), rel=1e-15)
-    np.testing.assert_allclose(constants.momentum_space, moments * omega, rtol=1e-15)
-    assert poinsot.Motion(moments, [0, 1.5, 0]).polhode().shape == (1, 3)
+    np.testing.assert_allclose(fast.at(times * 1e-160).omega_body * 1e-160, slow.at(times).omega_body, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(fast.at(times * 1e-160).space_from_body, slow.at(times).space_from_body, rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("omega, axis, regime", [
@@ -49,7 +48,6 @@ def test_the_period_is_that_of_the_elliptic_integral(omega, axis, regime):
     i1, i2, i3 = TRIAXIAL if axis == 3 else TRIAXIAL[::-1]
     t2 = (np.array(TRIAXIAL) * np.array(omega) ** 2).sum()
     m2 = ((np.array(TRIAXIAL) * np.array(omega)) ** 2).sum()
-    assert (m2 > t2 * i2) == (axis == 3)
     # Landau & Lifshitz, Mechanics (37.8), (37.12); for the other side, 1 and 3 change places.
     k2 = (i2 - i1) * (t2 * i3 - m2) / ((i3 - i2) * (m2 - t2 * i1))
     period = 4 * special.ellipk(k2) * np.sqrt(i1 * i2 * i3 / ((i3 - i2) * (m2 - t2 * i1)))
@@ -57,41 +55,23 @@ def test_the_period_is_that_of_the_elliptic_integral(omega, axis, regime):
     assert motion.period_s == motion.constants.polhode_period_s == pytest.approx(period, rel=1e-12)
     assert motion.constants.modulus == pytest.approx(np.sqrt(k2), rel=1e-12)
     assert motion.constants.encircled_axis == axis
-    np.testing.assert_allclose(motion.at(motion.period_s).omega_body, omega, rtol=1e-13)
     assert motion.regime == regime
 
 
-@pytest.mark.parametrize("omega", [OMEGA, [3.0, 0.1, 0.2], [0.1, 0.2, 3.0]])
-def test_the_polhode_is_on_both_quadrics_and_closed(omega):
-    moments, omega = np.array(TRIAXIAL), np.array(omega)
-    motion = poinsot.Motion(moments, omega)
-    points = motion.polhode()
-    assert len(points) > 20
-    energy2, momentum2 = (moments * omega**2).sum(), ((moments * omega) ** 2).sum()
-    np.testing.assert_allclose((moments * points**2).sum(axis=1), 1.0, rtol=1e-14)  # the ellipsoid
-    np.testing.assert_allclose((moments**2 * points**2).sum(axis=1), momentum2 / energy2, rtol=1e-14)
-    np.testing.assert_array_equal(points[0], points[-1])
-    assert len(motion.polhode(1e-6)) > len(points) > len(motion.polhode(1e-2))
-    # The contact points run along it: 0.01 is some ten times the distance of the polyline's points.
-    contact = motion.contact(np.linspace(0, motion.period_s, 50))
-    np.testing.assert_allclose(contact, motion.at(np.linspace(0, motion.period_s, 50)).omega_body / np.sqrt(energy2), rtol=1e-14,
-                               atol=1e-15)
-    gaps = np.linalg.norm(contact[:, None, :] - motion.polhode(1e-7)[None, :, :], axis=2).min(axis=1)
-    assert gaps.max() < 0.01
-
-
-def test_the_herpolhode_is_in_the_invariable_plane_and_between_its_radii():
-    motion = poinsot.Motion(TRIAXIAL, OMEGA)
+def test_the_curves_are_on_both_quadrics_and_in_the_plane():
+    moments = np.array(TRIAXIAL)
+    motion = poinsot.Motion(moments, OMEGA)
     constants = motion.constants
-    points = motion.herpolhode(np.linspace(0, 100, 1000))
-    unit = constants.momentum_space / constants.momentum_kg_m2_s
-    height = points @ unit
-    np.testing.assert_allclose(np.abs(height), constants.plane_distance, rtol=1e-13)
-    assert constants.plane_distance == pytest.approx(np.sqrt(2 * constants.kinetic_energy_J) / constants.momentum_kg_m2_s, rel=1e-15)
-    radii = np.linalg.norm(points - height[:, None] * unit, axis=1) * np.sqrt(2 * constants.kinetic_energy_J)
-    least, greatest = constants.herpolhode_radii_rad_s
-    assert least * (1 - 1e-12) <= radii.min() < least * 1.01 and greatest * 0.99 < radii.max() <= greatest * (1 + 1e-12)
-    np.testing.assert_allclose(constants.half_axes, 1 / np.sqrt(TRIAXIAL), rtol=1e-15)
+    plane2 = constants.plane_distance**-2
+    points, contact = motion.polhode(), motion.contact(TIMES)
+    for curve in (points, contact):
+        np.testing.assert_allclose((moments * curve**2).sum(axis=1), 1.0, rtol=1e-14)  # the ellipsoid
+        np.testing.assert_allclose((moments**2 * curve**2).sum(axis=1), plane2, rtol=1e-14)
+    np.testing.assert_array_equal(points[0], points[-1])
+    assert len(motion.polhode(1e-6)) > len(points) > len(motion.polhode(1e-2)) > 20
+    assert poinsot.Motion(moments, [0, 1.5, 0]).polhode().shape == (1, 3)
+    height = motion.herpolhode(TIMES) @ constants.momentum_space / constants.momentum_kg_m2_s
+    np.testing.assert_allclose(height, constants.plane_distance, rtol=1e-13)
 
 
 def test_the_certificate_holds():
@@ -107,36 +87,20 @@ def test_a_tensor_is_its_moments_in_turned_axes():
     c, s = np.cos(0.4), np.sin(0.4)
     turn = np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]])  # given axes from principal axes
     tensor = turn @ np.diag(TRIAXIAL) @ turn.T
-    tensor = (tensor + tensor.T) / 2
-    in_principal = poinsot.Motion(TRIAXIAL, OMEGA).at(TIMES).omega_body
-    in_given = poinsot.Motion(tensor, turn @ OMEGA).at(TIMES).omega_body
-    # Where the principal axes are, up to their signs and their order.
-    motion = poinsot.Motion(tensor, turn @ OMEGA)
-    axes = motion.principal_axes
-    np.testing.assert_allclose(axes @ axes.T, np.eye(3), atol=1e-15)
-    np.testing.assert_allclose(axes @ tensor @ axes.T, np.diag(1 / motion.constants.half_axes**2), atol=1e-14)
-    assert (poinsot.Motion(TRIAXIAL, OMEGA).principal_axes == np.eye(3)).all()
+    motion = poinsot.Motion((tensor + tensor.T) / 2, turn @ OMEGA)
     # The tensor's rounding, 1e-16, changes the periods by as much: 1e-13 after 1e3 s.
-    np.testing.assert_allclose(in_given, in_principal @ turn.T, atol=1e-11)
+    in_principal = poinsot.Motion(TRIAXIAL, OMEGA).at(TIMES).omega_body
+    np.testing.assert_allclose(motion.at(TIMES).omega_body, in_principal @ turn.T, rtol=0, atol=1e-11)
+    # Up to their signs and their order.
+    axes = motion.principal_axes
+    np.testing.assert_allclose(axes @ tensor @ axes.T, np.diag(1 / motion.constants.half_axes**2), rtol=0, atol=1e-14)
+    assert (poinsot.Motion(TRIAXIAL, OMEGA).principal_axes == np.eye(3)).all()
 
 
 def test_the_attitude_at_the_start_is_the_one_given():
     attitude = np.array([0.1, -0.5, 0.7, 0.5])
     attitude /= np.linalg.norm(attitude)
-    turned, plain = poinsot.Motion(TRIAXIAL, OMEGA, attitude=attitude), poinsot.Motion(TRIAXIAL, OMEGA)
-    np.testing.assert_allclose(turned.at(0.0).space_from_body, attitude, atol=2e-16)
-    np.testing.assert_array_equal(turned.at(TIMES).omega_body, plain.at(TIMES).omega_body)
-    vectors = np.tile([0.2, 0.3, 0.4], (len(TIMES), 1))
-    through_plain = rotated(np.tile(attitude, (len(TIMES), 1)), rotated(plain.at(TIMES).space_from_body, vectors))
-    np.testing.assert_allclose(rotated(turned.at(TIMES).space_from_body, vectors), through_plain, atol=1e-14)
-
-
-def test_a_motion_and_a_scene_have_the_same_digits():
-    scene = poinsot.Scene({"body": {"moments_kg_m2": TRIAXIAL}, "start": {"omega_rad_s": OMEGA}}).sample(TIMES)
-    states = poinsot.Motion(TRIAXIAL, OMEGA).at(TIMES)
-    np.testing.assert_array_equal(states.omega_body, scene["omega_body"])
-    np.testing.assert_array_equal(states.space_from_body, scene["q"])
-    np.testing.assert_array_equal(states.herpolhode, scene["herpolhode"])
+    np.testing.assert_allclose(poinsot.Motion(TRIAXIAL, OMEGA, attitude=attitude).at(0.0).space_from_body, attitude, rtol=0, atol=2e-16)
 
 
 @pytest.mark.parametrize("times", [1.5, 2, np.float32(1.5), np.array(1.5), [], [1, 2], np.zeros((2, 3)), np.zeros((0, 3)),
@@ -166,31 +130,20 @@ def test_a_body_at_rest_stays_and_has_no_plane():
             ask()
 
 
-NAN, INF = float("nan"), float("inf")
-
-
 @pytest.mark.parametrize("moments, omega, options, sentence", [
     ([1, 2], OMEGA, {}, "moments: give the three principal moments"),
     (1.0, OMEGA, {}, "moments: give the three principal moments"),
     (np.ones((3, 2)), OMEGA, {}, "moments: give the three principal moments"),
     (np.ones((2, 3, 3)), OMEGA, {}, "moments: give the three principal moments"),
     ("abc", OMEGA, {}, "moments: numbers are needed"),
-    (None, OMEGA, {}, "moments: numbers are needed"),
-    ([1, 2j, 3], OMEGA, {}, "moments: numbers are needed"),
-    ([1, 2, NAN], OMEGA, {}, "must be a finite number"),
-    ([1, INF, 3], OMEGA, {}, "must be a finite number"),
     ([0, 1, 1], OMEGA, {}, "must be positive"),
-    ([-1, 1, 1], OMEGA, {}, "must be positive"),
-    ([1, 1, 5], OMEGA, {}, "no distribution of mass"),
     ([[2, 1, 0], [0, 2, 0], [0, 0, 2]], OMEGA, {}, "not symmetric"),
     (TRIAXIAL, [1, 2], {}, "omega: give three numbers"),
     (TRIAXIAL, [[1, 2, 3]], {}, "omega: give three numbers"),
-    (TRIAXIAL, [1, 2, NAN], {}, "must be finite"),
-    (TRIAXIAL, [1, 2, -INF], {}, "must be finite"),
+    (TRIAXIAL, [1, 2, math.nan], {}, "must be finite"),
     (TRIAXIAL, [[1], [2, 3]], {}, "omega: not an array of numbers"),
     (TRIAXIAL, OMEGA, {"attitude": [1, 0, 0]}, "attitude: give a quaternion"),
-    (TRIAXIAL, OMEGA, {"attitude": [0, 0, 0, 0]}, "other than zero"),
-    (TRIAXIAL, OMEGA, {"attitude": [NAN, 0, 0, 1]}, "finite quaternion"),
+    (TRIAXIAL, OMEGA, {"method": "rk5"}, "rk4"),
 ])
 def test_a_wrong_motion_is_refused_with_one_line(moments, omega, options, sentence):
     with pytest.raises(poinsot.InputError, match=sentence) as caught:
@@ -198,23 +151,12 @@ def test_a_wrong_motion_is_refused_with_one_line(moments, omega, options, senten
     assert "\n" not in str(caught.value)
 
 
-def test_moments_of_no_real_body_are_taken_when_asked_for():
-    motion = poinsot.Motion([1, 1.5, 5], OMEGA, allow_unphysical=True)
-    assert motion.at(3.0).omega_body.shape == (3,)
-
-
-@pytest.mark.parametrize("times", [NAN, INF, [0.0, NAN], [-INF], "soon", None, [1j], [True], [[1], [2, 3]], [object()]], ids=repr)
+@pytest.mark.parametrize("times", [math.nan, [0.0, math.nan], "soon"], ids=repr)
 def test_wrong_times_are_refused(times):
     motion = poinsot.Motion(TRIAXIAL, OMEGA)
     for ask in (motion.at, motion.herpolhode, motion.contact, motion.certificate):
         with pytest.raises(poinsot.InputError):
             ask(times)
-
-
-@pytest.mark.parametrize("tolerance", [0, -1, NAN, INF, 2.0])
-def test_a_wrong_tolerance_is_refused(tolerance):
-    with pytest.raises(poinsot.InputError, match="tolerance: a share of the longest half-axis"):
-        poinsot.Motion(TRIAXIAL, OMEGA).polhode(tolerance)
 
 
 def test_the_cones_are_those_of_the_textbook():
@@ -233,9 +175,7 @@ def test_a_flip_is_where_omega_along_the_middle_axis_changes_its_sign():
     motion = poinsot.Motion([3.0, 2.0, 1.0], [0.01, 2.0, 0.01])
     flips = motion.flips(0.0, 100.0)
     assert len(flips) >= 4
-    np.testing.assert_allclose(np.diff(flips), motion.period_s / 2, rtol=1e-12)
-    for instant in flips:
-        assert motion.at(instant - 1e-3).omega_body[1] * motion.at(instant + 1e-3).omega_body[1] < 0
+    np.testing.assert_allclose(motion.at(flips).omega_body[:, 1], 0.0, rtol=0, atol=1e-12)
 
 
 @pytest.mark.parametrize("motion", [
@@ -250,6 +190,7 @@ def test_the_scene_of_a_motion_has_its_digits(motion):
     sampled, states = poinsot.Scene(motion).sample(times), motion.at(times)
     np.testing.assert_array_equal(sampled["omega_body"], states.omega_body)
     np.testing.assert_array_equal(sampled["q"], states.space_from_body)
+    np.testing.assert_allclose(sampled["herpolhode"], states.herpolhode, rtol=0, atol=1e-15)
     assert poinsot.Scene(motion).still(size=(64, 36)).pixels.any()
 
 
@@ -271,24 +212,18 @@ def test_an_attitude_may_be_a_rotation_of_scipy():
     matrix = [[1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
               [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
               [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)]]
-    np.testing.assert_allclose(rotation.as_matrix(), matrix, atol=1e-15)
+    np.testing.assert_allclose(rotation.as_matrix(), matrix, rtol=0, atol=1e-15)
 
 
-def test_a_heavy_top_keeps_its_momenta_and_energy():
-    transverse, axial, mgl = 1.0, 0.5, 2.0
-    top = poinsot.Motion.heavy_top(transverse, axial, mgl, theta_rad=0.5, omega3_rad_s=20.0, phi_dot_rad_s=0.3)
-    states = top.at(np.linspace(0.0, 5.0, 200))
-    q, w = states.space_from_body, states.omega_body
-    moments = np.array([transverse, transverse, axial])
-    vertical = rotated(q, w * moments)[:, 2]
-    cos_theta = 1 - 2 * (q[:, 1] ** 2 + q[:, 2] ** 2)
-    energy = 0.5 * (moments * w ** 2).sum(axis=1) + mgl * cos_theta
+def test_the_constants_of_a_top_are_those_of_its_start():
+    transverse, axial, mgl, theta, spin, phi_dot = 1.0, 0.5, 2.0, 0.5, 20.0, 0.3
+    top = poinsot.Motion.heavy_top(transverse, axial, mgl, theta_rad=theta, omega3_rad_s=spin, phi_dot_rad_s=phi_dot)
     constants = top.top_constants
-    np.testing.assert_allclose(vertical, constants.p_phi_kg_m2_s, rtol=1e-13)
-    np.testing.assert_allclose(axial * w[:, 2], constants.p_psi_kg_m2_s, rtol=1e-13)
-    np.testing.assert_allclose(energy, constants.energy_J, rtol=1e-13)
-    theta = np.arccos(cos_theta)
-    assert constants.theta_min_rad - 1e-9 <= theta.min() and theta.max() <= constants.theta_max_rad + 1e-9
+    across = phi_dot * math.sin(theta)  # ω across the axis, which lies in the plane of the axis and the vertical
+    assert constants.p_phi_kg_m2_s == pytest.approx(axial * spin * math.cos(theta) + transverse * across * math.sin(theta), rel=1e-14)
+    assert constants.p_psi_kg_m2_s == pytest.approx(axial * spin, rel=1e-14)
+    assert constants.energy_J == pytest.approx(0.5 * (transverse * across**2 + axial * spin**2) + mgl * math.cos(theta), rel=1e-14)
+    assert constants.theta_min_rad <= theta <= constants.theta_max_rad
     with pytest.raises(poinsot.InputError):
         poinsot.Motion(TRIAXIAL, OMEGA).top_constants
 
@@ -321,10 +256,11 @@ def test_a_copy_of_a_motion_keeps_the_start_that_its_array_had():
     (lambda m: m.flips(0, [1, 2]), r"last_s: is a number, and this is \[1, 2\]"),
     (lambda m: m.certificate([0.0], "a"), "attitude_error_rad: is a number, and this is 'a'"),
     (lambda m: m.heavy_top(1.0, "a", 2.0, theta_rad=0.5, omega3_rad_s=20.0), "axial: is a number, and this is 'a'"),
-    (lambda m: m.contact(np.ma.array([0.0, 1.0], mask=[True, False])), "times: some values are masked"),
-    (lambda m: poinsot.Motion(np.ma.array(TRIAXIAL, mask=[0, 0, 1]), OMEGA), "moments: some values are masked"),
+    (lambda m: m.polhode(0), "tolerance: a share of the longest half-axis"),
+    (lambda m: m.polhode(2.0), "tolerance: a share of the longest half-axis"),
+    (lambda m: m.polhode(math.nan), "tolerance: a share of the longest half-axis"),
 ])
-def test_what_is_no_number_is_refused(wrong, sentence):
+def test_wrong_numbers_are_refused(wrong, sentence):
     with pytest.raises(poinsot.InputError, match=sentence):
         wrong(poinsot.Motion(TRIAXIAL, OMEGA))
 
@@ -340,30 +276,3 @@ def test_help_says_the_units_of_each_field():
         for name in kind._fields:
             assert re.search(rf"^ +(\w+, )*{name}(, \w+)*: ", kind.__doc__, re.MULTILINE), name
     assert "rad/s, body axes" in pydoc.render_doc(poinsot.Motion.at)
-
-
-@pytest.mark.parametrize("top, sentence", [
-    ({"axial": 1.0, "theta_rad": 1e150, "omega3_rad_s": 1.0}, "theta_rad is 1e[+]150; give an angle from 0 to 3.14"),
-    ({"axial": 2.0, "theta_rad": 0.5, "omega3_rad_s": 1e308}, "omega3_rad_s: the angular momentum of the top overflows"),
-])
-def test_a_top_out_of_reach_is_refused_by_name(top, sentence):
-    with pytest.raises(poinsot.InputError, match=sentence):
-        poinsot.Motion.heavy_top(1.0, mgl_N_m=1.0, **top)
-
-
-def test_no_state_has_a_number_that_is_not_finite():
-    motion = poinsot.Motion([1.32, 2e-41, 1.0], [-0.9, 2.0, 1e300], allow_unphysical=True)
-    for times in (0.0, [0.0, 1e-300]):
-        with pytest.raises(poinsot.InputError, match="lies beyond the range of double-precision numbers"):
-            motion.at(times)
-
-
-def test_a_stepping_method_is_near_the_exact_motion_in_its_span():
-    exact = poinsot.Motion(TRIAXIAL, OMEGA)
-    stepped = poinsot.Motion(TRIAXIAL, OMEGA, method="rk4", step_s=1e-3, span_s=(0.0, 2.0))
-    difference = np.abs(stepped.at(2.0).omega_body - exact.at(2.0).omega_body).max()
-    assert 0.0 < difference < 1e-9
-    with pytest.raises(poinsot.InputError):
-        stepped.at(50.0)
-    with pytest.raises(poinsot.InputError, match="rk4"):
-        poinsot.Motion(TRIAXIAL, OMEGA, method="rk5")
