@@ -11,16 +11,9 @@ import pkgutil
 import sys
 import tempfile
 
+from pages import writes_pages
+
 PAGE = pathlib.Path(__file__).resolve().parents[2] / "docs" / "python.md"
-
-
-def writes_pages(poinsot):
-    """Whether the package was built with the module for browsers."""
-    try:
-        poinsot.Scene("sphere").page("page.html", size=(32, 18))
-        return True
-    except poinsot.EnvironmentError:
-        return False
 
 
 class WithoutPages(doctest.DocTestParser):
@@ -47,7 +40,7 @@ def main():
     results = {}
     with tempfile.TemporaryDirectory(prefix="poinsot-doctests-") as folder:
         os.chdir(folder)
-        parser = doctest.DocTestParser() if writes_pages(poinsot) else WithoutPages()
+        parser = doctest.DocTestParser() if writes_pages() else WithoutPages()
         results[PAGE.name] = doctest.testfile(str(PAGE), module_relative=False, optionflags=doctest.ELLIPSIS, encoding="utf-8", parser=parser)
         for module in pkgutil.iter_modules(poinsot.__path__, "poinsot."):
             if module.name == "poinsot._poinsot":

@@ -13,19 +13,14 @@ import argparse
 import importlib.util
 import os
 import pathlib
-import subprocess
 import sys
 import tempfile
+
+from pages import writes_pages
 
 FOLDER = pathlib.Path(__file__).resolve().parents[2] / "docs" / "notebooks"
 MOST_BYTES = 300_000
 NEEDED = ("nbformat", "nbclient", "ipykernel", "numpy", "scipy", "pandas", "matplotlib")
-
-
-def writes_pages():
-    """Whether the package was built with the module for browsers."""
-    done = subprocess.run([sys.executable, "-c", "import poinsot; poinsot.Scene('sphere').page(size=(32, 18))"], capture_output=True, text=True)
-    return "without its module for browsers" not in done.stderr
 
 
 def executed(file, folder, has_pages):
@@ -82,6 +77,7 @@ def main():
         print("not installed:", ", ".join(missing))
         return 77
     package = options.package.resolve()
+    sys.path.insert(0, str(package))
     with tempfile.TemporaryDirectory(prefix="poinsot-jupyter-") as folder:
         os.environ.update(PYTHONPATH=str(package), JUPYTER_RUNTIME_DIR=folder, IPYTHONDIR=folder, PYDEVD_DISABLE_FILE_VALIDATION="1")
         files = [FOLDER / f"{name}.ipynb" for name in options.names] or sorted(FOLDER.glob("*.ipynb"))

@@ -9,6 +9,7 @@ import urllib.parse
 import pytest
 
 import poinsot
+from pages import writes_pages
 
 SMALL = {"film.size": [320, 180]}
 TINY = (64, 36)
@@ -19,11 +20,7 @@ def in_a_folder(monkeypatch, tmp_path):
     monkeypatch.chdir(tmp_path)
 
 
-def page_of(scene, *arguments):
-    try:
-        return scene.page(*arguments)
-    except poinsot.EnvironmentError as error:
-        pytest.skip(str(error))
+needs_pages = pytest.mark.skipif(not writes_pages(), reason="the package was built without the module for browsers")
 
 
 def test_a_scene_shows_itself_at_its_size_and_at_most_960_pixels_wide():
@@ -71,8 +68,9 @@ def test_a_notebook_links_to_a_file_of_any_name(monkeypatch, suffix):
     assert urllib.parse.unquote(address) == name
 
 
+@needs_pages
 def test_a_page_with_a_path_stores_its_poster_and_a_link_alone():
-    page = page_of(poinsot.Scene("generic", SMALL), "page.html")
+    page = poinsot.Scene("generic", SMALL).page("page.html")
     shown = page._repr_html_()
     assert len(shown) < 100_000
     assert '<a href="page.html"><img src="data:image/png;base64,' in shown
@@ -80,8 +78,9 @@ def test_a_page_with_a_path_stores_its_poster_and_a_link_alone():
     assert pathlib.Path("page.html").read_text(encoding="utf-8") == page.html
 
 
+@needs_pages
 def test_a_page_without_a_path_starts_in_a_sandbox_and_holds_its_text_as_data():
-    shown = page_of(poinsot.Scene("generic", {**SMALL, "title": "</script><b>"}))._repr_html_()
+    shown = poinsot.Scene("generic", {**SMALL, "title": "</script><b>"}).page()._repr_html_()
     assert "setAttribute('sandbox','allow-scripts')" in shown
     # One script element, whose text is JSON without a "<" that could end it.
     held = re.findall(r'<script type="application/json">(.*?)</script>', shown)
