@@ -1,12 +1,13 @@
-// Checks the allowed includes: the layers of src/, their subfolders, and the folders that may use a
-// library; and that tests are found by the names of their sources.
+// Checks the includes that includes.txt allows: the layers of src/, their subfolders, and the
+// folders that may use a library; and that tests are found by the names of their sources.
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <set>
+#include <sstream>
 #include <string>
 #include <vector>
 
@@ -16,191 +17,51 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Folder → the folders whose headers it may include besides its own.
-const std::map<std::string, std::set<std::string>> allowed{
-    {"libm", {}},
-    {"error", {}},
-    {"colour", {}},
-    {"text", {}},
-    {"system", {"error"}},
-    {"numerics", {"error"}},
-    {"mesh", {"error", "text", "system"}},
-    {"mechanics", {"error", "text", "numerics"}},
-    {"measured", {"error", "text", "system", "mechanics"}},
-    {"image", {"error", "colour", "text", "system"}},
-    {"typeset", {"error", "text", "system"}},
-    {"scene", {"error", "text", "system", "mesh", "mechanics", "measured", "image"}},
-    {"construction", {"error", "numerics", "mechanics"}},
-    {"shapes", {"error", "numerics"}},
-    {"drawing",
-     {"error", "colour", "text", "numerics", "mesh", "mechanics", "measured", "scene",
-      "construction", "typeset", "shapes"}},
-    // Renderers of shapes do not depend on the code that makes shapes.
-    {"render", {"error", "colour", "text", "system", "image", "shapes"}},
-    // shaders/light.glsl is written in the common subset of GLSL and C++.
-    {"vector", {"error", "colour", "text", "numerics", "shapes", "shaders"}},
-    {"output", {"error", "text", "system", "image"}},
-    {"production",
-     {"error", "colour", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
-      "typeset", "shapes", "drawing", "render", "vector", "image", "output"}},
-    // Pages: their module for browsers, and what writes them.
-    {"web",
-     {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene",
-      "construction", "shapes", "drawing", "render", "vector", "output", "production"}},
-    // What several doors ask of production/: the command line, the library.
-    {"work", {"error", "text", "system", "scene", "drawing", "output", "production", "web"}},
-    // The library for programs in C++.
-    {"library",
-     {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
-      "typeset", "shapes", "drawing", "render", "vector", "image", "output", "production", "work"}},
-    {"lab",
-     {"error", "text", "system", "mechanics", "scene", "construction", "shapes", "drawing",
-      "render", "image", "output", "production"}},
-    {"report", {"error", "text", "system", "image", "scene", "output", "production"}},
-    // The module of the Python package; the library's headers are included as programs do.
-    {"python", {"system", "measured", "image", "report", "production", "library", "work"}},
-    {"cli",
-     {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
-      "typeset", "shapes", "drawing", "render", "image", "output", "report", "production", "work",
-      "lab"}},
-};
+using Table = std::map<std::string, std::set<std::string>>;
 
-// Subfolder → the other subfolders of its folder that it may include. Files directly in the folder
-// may be included by all subfolders and may include all of them.
-const std::map<std::string, std::set<std::string>> allowed_subfolders{
-    {"error/poinsot", {}},
-    {"mechanics/free", {}},
-    {"mechanics/top", {}},
-    {"mechanics/stepped", {}},
-    {"system/files", {}},
-    {"image/files", {}},
-    {"mesh/files", {}},
-    {"measured/files", {}},
-    {"scene/files", {"scene/toml"}},
-    {"scene/toml", {}},
-    {"typeset/files", {}},
-    {"production/session", {}},
-    {"production/session/files", {"production/session"}},
-    {"production/sampling", {}},
-    {"production/sampling/files", {"production/sampling"}},
-    {"production/fits", {}},
-    {"production/records", {"production/session"}},
-    {"production/vectors", {"production/session", "production/records"}},
-    {"production/stills",
-     {"production/session", "production/session/files", "production/records",
-      "production/vectors"}},
-    {"production/films",
-     {"production/session", "production/records", "production/vectors", "production/stills"}},
-    {"production/cluster", {"production/session", "production/films"}},
-    {"production/slides",
-     {"production/session", "production/session/files", "production/records", "production/vectors",
-      "production/stills", "production/films"}},
-    {"drawing/style", {}},
-    {"drawing/stage/type", {"drawing/style"}},
-    {"drawing/stage", {"drawing/style", "drawing/stage/type"}},
-    {"drawing/figures/charts", {"drawing/style", "drawing/stage", "drawing/stage/type"}},
-    {"drawing/figures/elements", {"drawing/style", "drawing/stage", "drawing/stage/type"}},
-    {"drawing/figures/panels",
-     {"drawing/style", "drawing/stage", "drawing/stage/type", "drawing/figures/charts",
-      "drawing/figures/elements"}},
-    {"work/poinsot", {}},
-    {"library/poinsot", {}},
-    {"library/mechanics", {"library/poinsot"}},
-    {"library/construction", {"library/poinsot", "library/mechanics"}},
-    {"library/production", {"library/poinsot", "library/mechanics", "library/construction"}},
-    {"vector/passes", {}},
-    {"web/host", {}},
-    {"web/module", {"web/host"}},
-    {"web/pack", {}},
-    {"render/context", {}},
-    {"render/passes", {"render/context"}},
-    {"render/cache", {"render/context", "render/passes"}},
-};
+// A section of includes.txt: the words of each row by the row's name.
+const Table& rows_of(const std::string& section) {
+    static const std::map<std::string, Table> sections = [] {
+        std::map<std::string, Table> read;
+        std::ifstream file(poinsot::source_folder() / "tests" / "house" / "includes.txt");
+        std::string within;
+        for (std::string line, name; std::getline(file, line);) {
+            std::istringstream words(line.substr(0, line.find('#')));
+            if (!(words >> name)) continue;
+            name.pop_back();
+            if (name.front() == '[')
+                within = name.substr(1);
+            else
+                read[within][name].insert(std::istream_iterator<std::string>(words), {});
+        }
+        return read;
+    }();
+    return sections.at(section);
+}
 
-// Folder → the only subfolder of it that other folders may include. The module of pages and its
-// host are a program of their own; pack/ is what the native program has of pages.
-const std::map<std::string, std::string> shown_subfolder{{"web", "web/pack"}};
-
-// Subfolders that may include less than their folder: a page in a browser and a Python module need
-// no output.
-const std::map<std::string, std::set<std::string>> allowed_folders{
-    {"production/session",
-     {"error", "text", "system", "image", "mesh", "mechanics", "measured", "scene", "construction",
-      "typeset", "shapes", "drawing"}},
-    {"production/sampling", {"error", "text", "system", "mechanics", "construction"}},
-    {"production/fits", {"error", "text", "mechanics", "measured", "scene"}},
-    // A host defines functions of other layers and knows no scene.
-    {"web/host", {"error", "system", "image", "typeset", "render", "vector", "production"}},
-    {"web/pack", {"error", "text", "system", "image", "typeset", "output", "production"}},
-    // Components of the library that need Eigen alone.
-    {"library/mechanics", {"error", "mechanics"}},
-    {"library/construction", {"error", "mechanics", "construction"}},
-};
-
-// Parsers take text and a name; only the subfolders files/ of these folders read or write the disk.
-const std::set<std::string> without_files{"libm",
-                                          "error",
-                                          "colour",
-                                          "text",
-                                          "system",
-                                          "numerics",
-                                          "mesh",
-                                          "mechanics",
-                                          "measured",
-                                          "image",
-                                          "typeset",
-                                          "scene",
-                                          "construction",
-                                          "shapes",
-                                          "drawing",
-                                          "production/session",
-                                          "production/sampling",
-                                          "production/fits"};
+bool has(const Table& rows, const std::string& name, const std::string& word) {
+    const auto row = rows.find(name);
+    return row != rows.end() && row->second.contains(word);
+}
 
 // A list of this length is still readable.
 constexpr int most_headers = 20;
 
-// Beginning of a library's header → the folders that may include it.
-const std::map<std::string, std::set<std::string>> library_owners{
-    {"glad/", {"render", "web"}},  {"glm/", {"render"}},
-    {"GL/", {"render"}},           {"EGL/", {"render"}},
-    {"libav", {"output"}},         {"libsw", {"output"}},
-    {"toml", {"scene"}},           {"CLI/", {"cli"}},
-    {"png.h", {"image"}},          {"libdeflate.h", {"image"}},
-    {"cairo", {"vector"}},         {"ft2build.h", {"typeset", "vector"}},
-    {"hb", {"typeset", "vector"}}, {"boost/", {"text", "numerics", "mechanics"}},
-    {"sleef.h", {"libm"}},         {"xxhash.h", {"image"}},
-    {"pybind11/", {"python"}},     {"stb_image.h", {"web"}},
-};
+std::vector<fs::path> sources_below(const std::string& folder) {
+    std::vector<fs::path> found;
+    for (const auto& entry : fs::recursive_directory_iterator(poinsot::source_folder() / folder)) {
+        const std::string extension = entry.path().extension().string();
+        if (extension == ".h" || extension == ".cpp") found.push_back(entry.path());
+    }
+    return found;
+}
 
-// Test files that no source file gives its name, and why.
-const std::map<std::string, std::string> tests_without_source{
-    {"cli/bad_input", "all commands refuse bad input in the same way"},
-    {"cli/extremes", "extreme scenes in several commands"},
-    {"cli/suffixes", "all commands ignore the case of suffixes"},
-    {"cli/unfinished", "what lies in the place of the unfinished work of every command"},
-    {"drawing/dissipation", "friction and drag in all panels"},
-    {"drawing/level_scale", "the scale of distances beside the body"},
-    {"drawing/evaluations", "what panels and elements do not compute"},
-    {"drawing/kept_curves", "the bound of every curve of every panel"},
-    {"production/page_labels", "labels over the whole page, in all scenes"},
-    {"drawing/lecture_claims", "what the scenes of the lecture say, in all panels"},
-    {"drawing/legible", "text and lines of every scene in every theme"},
-    {"drawing/pixel_geometry", "errors in pixels over whole films"},
-    {"drawing/samples", "supersampling changes no drawing"},
-    {"drawing/user_style", "words, symbols, units and sizes that a scene chooses"},
-    {"house/include", "reads all source files"},
-    {"measured/racket", "fits of real throws"},
-    {"mechanics/extremes", "free motions at every extreme"},
-    {"production/label_rules", "the rules that names keep in every scene"},
-    {"production/alone", "a drawing made without files, OpenGL or FFmpeg"},
-    {"production/drawn_geometry", "pixels compared with geometry computed independently of src/"},
-    {"production/taught_construction", "pixels compared with the textbooks' construction"},
-    {"report/shown_films", "films of the same coded pictures that players show otherwise"},
-    {"vector/contours", "outlines of surfaces that are not filled"},
-    {"scene/lecture_scenes", "the files of scenes/"},
-    {"scene/random_scenes", "all keys at once, read and written"},
-};
+std::vector<std::string> lines_of(const fs::path& path) {
+    std::ifstream file(path);
+    std::vector<std::string> lines;
+    for (std::string line; std::getline(file, line);) lines.push_back(line);
+    return lines;
+}
 
 struct Include {
     std::string from_file;
@@ -224,14 +85,10 @@ std::string included_header(const std::string& line) {
 
 std::vector<Include> includes_of_sources() {
     std::vector<Include> found;
-    const fs::path src = poinsot::source_folder() / "src";
-    for (const auto& entry : fs::recursive_directory_iterator(src)) {
-        const std::string extension = entry.path().extension().string();
-        if (extension != ".h" && extension != ".cpp") continue;
-        const fs::path relative = fs::relative(entry.path(), src);
+    for (const fs::path& source : sources_below("src")) {
+        const fs::path relative = fs::relative(source, poinsot::source_folder() / "src");
         if (relative.begin() == std::prev(relative.end())) continue;  // main.cpp
-        std::ifstream file(entry.path());
-        for (std::string line; std::getline(file, line);) {
+        for (const std::string& line : lines_of(source)) {
             const std::string header = included_header(line);
             if (header.empty()) continue;
             found.push_back({relative.string(), relative.begin()->string(), header.substr(1),
@@ -243,6 +100,7 @@ std::vector<Include> includes_of_sources() {
 
 TEST(House, EveryIncludeFollowsTheLayers) {
     const auto found = includes_of_sources();
+    const Table& allowed = rows_of("folders");
     ASSERT_GT(found.size(), 100u);
     for (const Include& include : found) {
         if (!include.quoted) continue;
@@ -251,8 +109,7 @@ TEST(House, EveryIncludeFollowsTheLayers) {
             << include.from_file << " includes \"" << include.header << "\" without its folder";
         const std::string folder = include.header.substr(0, slash);
         ASSERT_TRUE(allowed.contains(include.from_folder)) << include.from_folder;
-        EXPECT_TRUE(folder == include.from_folder ||
-                    allowed.at(include.from_folder).contains(folder))
+        EXPECT_TRUE(folder == include.from_folder || has(allowed, include.from_folder, folder))
             << include.from_file << " must not include \"" << include.header << "\"";
     }
 }
@@ -267,10 +124,9 @@ TEST(House, SubfoldersIncludeOnlyAllowedSubfolders) {
     for (const Include& include : includes_of_sources()) {
         const std::string from = subfolder_of(include.from_file);
         if (from.empty()) continue;
-        ASSERT_TRUE(allowed_subfolders.contains(from)) << from;
         const std::string to = include.quoted ? subfolder_of(include.header) : "";
         if (to.empty() || to == from || to.substr(0, to.find('/')) != include.from_folder) continue;
-        EXPECT_TRUE(allowed_subfolders.at(from).contains(to))
+        EXPECT_TRUE(has(rows_of("subfolders"), from, to))
             << include.from_file << " must not include \"" << include.header << "\"";
     }
 }
@@ -281,10 +137,9 @@ TEST(House, OtherFoldersIncludeOnlyTheShownSubfolder) {
         const auto slash = include.header.find('/');
         if (!include.quoted || slash == std::string::npos) continue;
         const std::string folder = include.header.substr(0, slash);
-        const auto shown = shown_subfolder.find(folder);
-        if (shown == shown_subfolder.end() || folder == include.from_folder) continue;
+        if (!rows_of("shown").contains(folder) || folder == include.from_folder) continue;
         ++n_includes;
-        EXPECT_EQ(subfolder_of(include.header), shown->second)
+        EXPECT_TRUE(has(rows_of("shown"), folder, subfolder_of(include.header)))
             << include.from_file << " must not include \"" << include.header << "\"";
     }
     EXPECT_GT(n_includes, 0);
@@ -330,11 +185,11 @@ TEST(House, NoHeaderIncludesItself) {
 TEST(House, SubfoldersWithoutOutputIncludeNone) {
     int n_includes = 0;
     for (const Include& include : includes_of_sources()) {
-        const auto subfolder = allowed_folders.find(subfolder_of(include.from_file));
-        if (subfolder == allowed_folders.end() || !include.quoted) continue;
+        const std::string subfolder = subfolder_of(include.from_file);
+        if (!rows_of("less").contains(subfolder) || !include.quoted) continue;
         ++n_includes;
         const std::string folder = include.header.substr(0, include.header.find('/'));
-        EXPECT_TRUE(folder == include.from_folder || subfolder->second.contains(folder))
+        EXPECT_TRUE(folder == include.from_folder || has(rows_of("less"), subfolder, folder))
             << include.from_file << " must not include \"" << include.header << "\"";
     }
     EXPECT_GT(n_includes, 50);
@@ -362,8 +217,8 @@ TEST(House, ReadingFilesStandsApartFromParsing) {
                                           : include.header == "fstream";
         if (subfolder.ends_with("/files")) n_in_files += reads ? 1 : 0;
         if (!reads || subfolder.ends_with("/files")) continue;
-        EXPECT_FALSE(without_files.contains(include.from_folder) ||
-                     without_files.contains(subfolder))
+        EXPECT_FALSE(has(rows_of("without_files"), "folders", include.from_folder) ||
+                     has(rows_of("without_files"), "subfolders", subfolder))
             << include.from_file << " must not include " << include.header
             << "; code that reads the disk belongs to a subfolder files/";
     }
@@ -372,8 +227,8 @@ TEST(House, ReadingFilesStandsApartFromParsing) {
 
 TEST(House, FoldersHaveFewHeaders) {
     std::map<std::string, int> n_headers;
-    for (const auto& entry : fs::recursive_directory_iterator(poinsot::source_folder() / "src"))
-        if (entry.path().extension() == ".h") ++n_headers[entry.path().parent_path().string()];
+    for (const fs::path& source : sources_below("src"))
+        if (source.extension() == ".h") ++n_headers[source.parent_path().string()];
     EXPECT_GT(n_headers.size(), 20u);
     for (const auto& [folder, n] : n_headers)
         EXPECT_LE(n, most_headers) << folder << ": give it subfolders";
@@ -381,7 +236,7 @@ TEST(House, FoldersHaveFewHeaders) {
 
 TEST(House, LibrariesAreUsedOnlyInTheirFolders) {
     for (const Include& include : includes_of_sources()) {
-        for (const auto& [beginning, owners] : library_owners) {
+        for (const auto& [beginning, owners] : rows_of("libraries")) {
             if (include.header.rfind(beginning, 0) != 0 || include.quoted) continue;
             EXPECT_TRUE(owners.contains(include.from_folder))
                 << include.from_file << " must not include <" << include.header << ">";
@@ -392,38 +247,29 @@ TEST(House, LibrariesAreUsedOnlyInTheirFolders) {
 // A long double has 53, 64 or 113 bits, so digits would depend on the platform. A value that is
 // rounded to it and then to double is rounded twice.
 TEST(House, NoResultPassesThroughLongDouble) {
-    int n_files = 0;
-    for (const auto& entry : fs::recursive_directory_iterator(poinsot::source_folder() / "src")) {
-        const std::string extension = entry.path().extension().string();
-        if (extension != ".h" && extension != ".cpp") continue;
-        ++n_files;
-        std::ifstream file(entry.path());
-        for (std::string line; std::getline(file, line);)
+    const std::vector<fs::path> sources = sources_below("src");
+    for (const fs::path& source : sources)
+        for (const std::string& line : lines_of(source))
             EXPECT_EQ(line.substr(0, line.find("//")).find("long double"), std::string::npos)
-                << fs::relative(entry.path(), poinsot::source_folder()) << ": " << line;
-    }
-    EXPECT_GT(n_files, 100);
+                << fs::relative(source, poinsot::source_folder()) << ": " << line;
+    EXPECT_GT(sources.size(), 100u);
 }
 
 // fmt 11 has join in ranges.h alone; fmt 9 gives it without, so that Debian 12 misses nothing.
 TEST(House, WhoJoinsIncludesRanges) {
     int n_joining = 0;
     for (const std::string folder : {"src", "tests"}) {
-        for (const auto& entry :
-             fs::recursive_directory_iterator(poinsot::source_folder() / folder)) {
-            const std::string extension = entry.path().extension().string();
-            if (extension != ".h" && extension != ".cpp") continue;
-            std::ifstream file(entry.path());
+        for (const fs::path& source : sources_below(folder)) {
             bool joins = false;
             bool includes_ranges = false;
-            for (std::string line; std::getline(file, line);) {
+            for (const std::string& line : lines_of(source)) {
                 // Split, so that this file does not contain the searched string.
                 joins = joins || line.find(std::string("fmt:") + ":join(") != std::string::npos;
                 includes_ranges = includes_ranges || included_header(line) == "<fmt/ranges.h";
             }
             n_joining += joins;
             EXPECT_TRUE(!joins || includes_ranges)
-                << fs::relative(entry.path(), poinsot::source_folder()) << " uses fmt::"
+                << fs::relative(source, poinsot::source_folder()) << " uses fmt::"
                 << "join"
                 << " without <fmt/ranges.h>";
         }
@@ -432,9 +278,9 @@ TEST(House, WhoJoinsIncludesRanges) {
 }
 
 TEST(House, MainIncludesOnlyTheCommandLine) {
-    std::ifstream file(poinsot::source_folder() / "src" / "main.cpp");
-    ASSERT_TRUE(file);
-    for (std::string line; std::getline(file, line);) {
+    const std::vector<std::string> lines = lines_of(poinsot::source_folder() / "src" / "main.cpp");
+    ASSERT_FALSE(lines.empty());
+    for (const std::string& line : lines) {
         const std::string header = included_header(line);
         if (header.empty() || header.front() != '"') continue;
         const std::string folder = header.substr(1, header.find('/') - 1);
@@ -453,8 +299,7 @@ TEST(House, TestsOfOtherLayersDoNotUseTheCommandLine) {
         if (*relative.begin() == "cli" || (!is_cmake && extension != ".cpp" && extension != ".h"))
             continue;
         ++n_files;
-        std::ifstream file(entry.path());
-        for (std::string line; std::getline(file, line);) {
+        for (const std::string& line : lines_of(entry.path())) {
             if (is_cmake)
                 EXPECT_EQ(line.find("poinsot_cli"), std::string::npos) << relative << ": " << line;
             else
@@ -467,26 +312,24 @@ TEST(House, TestsOfOtherLayersDoNotUseTheCommandLine) {
 // Who reads src/cli/still.cpp looks for still_test.cpp.
 TEST(House, TestsBearTheNamesOfSources) {
     std::set<std::string> sources;
-    for (const auto& entry : fs::recursive_directory_iterator(poinsot::source_folder() / "src")) {
-        const std::string extension = entry.path().extension().string();
-        if (extension == ".h" || extension == ".cpp") sources.insert(entry.path().stem().string());
-    }
+    for (const fs::path& source : sources_below("src")) sources.insert(source.stem().string());
     std::size_t n_without = 0;
     const fs::path tests = poinsot::source_folder() / "tests";
-    for (const auto& entry : fs::recursive_directory_iterator(tests)) {
-        const std::string file = fs::relative(entry.path(), tests).string();
+    for (const fs::path& source : sources_below("tests")) {
+        const std::string file = fs::relative(source, tests).string();
         if (!file.ends_with("_test.cpp")) continue;
         const std::string test = file.substr(0, file.size() - std::string("_test.cpp").size());
-        const bool listed = tests_without_source.contains(test);
+        const bool listed = rows_of("tests_without_source").contains(test);
         n_without += listed;
         EXPECT_NE(sources.contains(fs::path(test).filename().string()), listed)
-            << file << ": give it the name of the source file that it tests, or list it above";
+            << file
+            << ": give it the name of the source file that it tests, or list it in includes.txt";
     }
-    EXPECT_EQ(n_without, tests_without_source.size());
+    EXPECT_EQ(n_without, rows_of("tests_without_source").size());
 }
 
 TEST(House, EveryFolderHasTestsAndATarget) {
-    for (const auto& [folder, others] : allowed) {
+    for (const auto& [folder, others] : rows_of("folders")) {
         if (folder == "error") continue;
         EXPECT_TRUE(fs::exists(poinsot::source_folder() / "src" / folder / "CMakeLists.txt"));
         EXPECT_TRUE(fs::exists(poinsot::source_folder() / "tests" / folder / "CMakeLists.txt"));
