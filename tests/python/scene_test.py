@@ -244,6 +244,7 @@ def test_errors_survive_pickling():
     (lambda s: poinsot.Scene(os.fsdecode(b"\xff.toml")), "not valid UTF-8"),
     (lambda s: poinsot.Scene("generic\0.toml"), "contains NUL"),
     (lambda s: poinsot.Scene("generik"), 'did you mean "generic"'),
+    (lambda s: poinsot.Scene({3: 1}), "a scene's keys are texts, not int"),
     (lambda s: poinsot.Scene(3), "a file, a text, a dict or a Motion"),
     (lambda s: poinsot.Scene("a = \udc80"), "not valid Unicode"),
     (lambda s: poinsot.Scene("a = 1\0"), "control character"),
@@ -277,9 +278,9 @@ def test_numbers_of_any_kind_are_written_as_the_number():
     class Axis(enum.IntEnum):
         LAST = 3
 
-    values = {"a": Number(7), "b": Real(0.5), "c": Axis.LAST, "d": [Axis.LAST], "e": {"f": Number(7)}}
-    assert poinsot.toml.assignments(values) == ["a=7", "b=0.5", "c=3", "d=[3]", "e.f=7"]
-    assert poinsot.toml.scene_text(values) == "a = 7\nb = 0.5\nc = 3\nd = [3]\n[e]\nf = 7\n"
+    values = {"a": Number(7), "b": Real(0.5), "c": Axis.LAST, "d": [Axis.LAST], "e": {"f": Number(7)}, "g": np.True_, "h": -np.inf}
+    assert poinsot.toml.assignments(values) == ["a=7", "b=0.5", "c=3", "d=[3]", "e.f=7", "g=true", "h=-inf"]
+    assert poinsot.toml.scene_text(values) == "a = 7\nb = 0.5\nc = 3\nd = [3]\ng = true\nh = -inf\n[e]\nf = 7\n"
 
 
 def test_keys_without_a_value_are_left_out_of_every_table():
