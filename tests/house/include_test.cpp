@@ -47,8 +47,10 @@ const std::map<std::string, std::set<std::string>> allowed{
     {"web",
      {"error", "text", "system", "mechanics", "measured", "image", "typeset", "scene",
       "construction", "shapes", "drawing", "render", "vector", "output", "production"}},
-    // What several doors ask of production/: the command line, the library.
-    {"work", {"error", "text", "system", "scene", "drawing", "output", "production", "web"}},
+    // What several doors ask for: the command line, the library, Python.
+    {"work",
+     {"error", "text", "system", "scene", "drawing", "image", "output", "report", "production",
+      "web"}},
     // The library for programs in C++.
     {"library",
      {"error", "text", "system", "mesh", "mechanics", "measured", "scene", "construction",
