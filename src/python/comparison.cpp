@@ -229,7 +229,7 @@ void add_comparison(py::module_& module) {
     module.def("compare_pair", compare_pair, "name"_a, "expected"_a, "actual"_a, "profile"_a,
                "limits"_a, "measures"_a);
     module.def("compare_all", compare_all, "expected"_a, "actual"_a, "profile"_a, "limits"_a,
-               "measures"_a, "report"_a, "title"_a);
+               "measures"_a, "outputs"_a);
     module.def("report_pairs", report_pairs, "pairs"_a, "report"_a, "title"_a);
     module.def("png_of", png_of_pixels, "pixels"_a);
     module.def(
