@@ -42,41 +42,29 @@ struct StillChoices {
     bool quiet = false;
 };
 
+// Throws InputError for an option that a sheet cannot have.
+void check_sheet(const StillChoices& choices) {
+    const bool is_page = is_vector_name(choices.output);
+    const auto refuse = [&](const std::string& flag) {
+        throw InputError(
+            fmt::format("--sheet: a {0} of several pictures cannot have {1}; leave "
+                        "{1} out, or draw stills without --sheet",
+                        is_page ? "page" : "PNG", flag));
+    };
+    for (const OptionRow& row : option_rows())
+        if ((row.verbs & (Verb::still | Verb::figure)) != 0 &&
+            (row.verbs & (is_page ? Verb::figure_sheet : Verb::sheet)) == 0 &&
+            is_given(row, choices.given))
+            refuse(row.flag());
+    if (choices.given.depth != 8) refuse("--depth");
+}
+
 // Renders all scenes at all points of the sweep in one picture.
 int draw_sheet_of(const StillChoices& choices) {
-    const library::PaperOptions& print = choices.given.paper;
-    struct Unfit {
-        const char* option;
-        bool is_given;
-        const char* kind;
-    };
-    const char* const paper = "for paper";
-    const char* const alone = "for single pictures";
-    const bool is_png = !is_vector_name(choices.output);
-    const VectorChoices& vectors = choices.given.vectors;
-    const Unfit unfit[] = {
-        {"--journal", !print.journal.empty(), is_png ? paper : alone},
-        {"--keep-text", print.keep_text, alone},
-        {"--width-mm", is_png && print.width_mm.has_value(), paper},
-        {"--height-mm", print.height_mm.has_value(), is_png ? paper : alone},
-        {"--dpi", is_png && print.dpi.has_value(), paper},
-        {"--type-pt", is_png && print.type_pt.has_value(), paper},
-        {"--depth", choices.given.depth != 8, alone},
-        {"--shading", is_png && vectors.shading != VectorChoices().shading, alone},
-        {"--text", is_png && vectors.text != VectorChoices().text, alone}};
-    for (const Unfit& one : unfit) {
-        if (!one.is_given) continue;
-        throw InputError(
-            is_png
-                ? fmt::format("--sheet writes an 8-bit PNG for the screen, but {0} is {1}; leave "
-                              "{0} out, or draw stills without --sheet",
-                              one.option, one.kind)
-                : fmt::format("--sheet: {0} is {1}; leave {0} out, or draw stills without --sheet",
-                              one.option, one.kind));
-    }
+    check_sheet(choices);
     SheetRequest sheet;
-    sheet.print = print_choices(print);
-    sheet.vectors = vectors;
+    sheet.print = print_choices(choices.given.paper);
+    sheet.vectors = choices.given.vectors;
     std::tie(sheet.n_columns, sheet.n_rows) = *choices.sheet;
     sheet.output = choices.output;
     sheet.time_s = choices.given.time_s;

@@ -13,6 +13,7 @@
 #include "report/html_report.h"
 #include "report/report_pictures.h"
 #include "system/files/atomic_file.h"
+#include "work/compare.h"
 
 namespace poinsot::python {
 
@@ -123,24 +124,20 @@ py::dict compare_pair(const std::string& name, const std::string& expected,
 
 py::list compare_all(const std::string& expected, const std::string& actual,
                      const std::string& profile, const py::dict& limits, bool measures,
-                     const std::string& report, const std::string& title) {
-    CompareRequest request = request_of(profile, limits, measures);
-    std::vector<ComparedPicture> pictures;
-    run_interruptibly([&] {
-        request.file = read_compare_file(expected);
-        std::optional<ReportPictures> shown;
-        if (!report.empty()) shown.emplace(report, false);
-        request.seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
-            if (shown) shown->add(picture, pair);
-        };
-        pictures = compare_folders(expected, actual, request);
-        sort_by_severity(pictures);
-        if (shown)
-            write_whole(report,
-                        html_report(title, pictures, *shown, ComparedFolders{expected, actual}));
-    });
+                     const py::dict& outputs) {
+    const ComparisonOrder order{
+        .expected = expected,
+        .actual = actual,
+        .are_folders = true,
+        .request = request_of(profile, limits, measures),
+        .outputs = {.title = option<std::string>(outputs, "title").value_or(""),
+                    .report = option<std::string>(outputs, "report").value_or(""),
+                    .junit = option<std::string>(outputs, "junit").value_or(""),
+                    .single_file = option<bool>(outputs, "single_file").value_or(false)}};
+    ComparisonResult result;
+    run_interruptibly([&] { result = compare(order); });
     py::list answers;
-    for (const ComparedPicture& picture : pictures) answers.append(dict_of(picture));
+    for (const ComparedPicture& picture : result.pictures) answers.append(dict_of(picture));
     return answers;
 }
 
@@ -154,6 +151,8 @@ void report_pairs(
     for (const auto& [name, expected, actual, profile, limits] : pairs)
         requests.push_back(request_of(profile, limits, false));
     run_interruptibly([&] {
+        for (const auto& [name, expected, actual, profile, limits] : pairs)
+            check_outputs({.expected = expected, .actual = actual, .outputs = {.report = report}});
         ReportPictures shown(report, false);
         std::vector<ComparedPicture> pictures;
         for (std::size_t i = 0; i < pairs.size(); ++i) {
@@ -230,7 +229,7 @@ void add_comparison(py::module_& module) {
     module.def("compare_pair", compare_pair, "name"_a, "expected"_a, "actual"_a, "profile"_a,
                "limits"_a, "measures"_a);
     module.def("compare_all", compare_all, "expected"_a, "actual"_a, "profile"_a, "limits"_a,
-               "measures"_a, "report"_a, "title"_a);
+               "measures"_a, "outputs"_a);
     module.def("report_pairs", report_pairs, "pairs"_a, "report"_a, "title"_a);
     module.def("png_of", png_of_pixels, "pixels"_a);
     module.def(

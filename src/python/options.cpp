@@ -3,6 +3,8 @@
 
 #include <pybind11/stl.h>
 
+#include <algorithm>
+
 #include "python/bindings.h"
 #include "report/given_limits.h"
 
@@ -129,7 +131,11 @@ std::string in_keywords(std::string text) {
             at += is_whole ? name.size() : flag.size();
         }
     };
-    rename("--set", "set");
+    for (const char* name : {"set", "report", "single_file", "junit"}) {
+        std::string flag = std::string("--") + name;
+        std::replace(flag.begin(), flag.end(), '_', '-');
+        rename(flag, name);
+    }
     for (const OptionRow& row : option_rows()) rename(row.flag(), row.name);
     return text;
 }

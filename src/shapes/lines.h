@@ -61,15 +61,15 @@ struct Curve {
     ShapeName name{};
 };
 
-// A straight arrow with a shaded round shaft and a conical head. The drawing layer adapts the
-// sizes, so that short arrows keep their proportions.
+// A straight arrow with a shaded round shaft and a conical head. `arrow_between` in the drawing
+// layer chooses the sizes.
 struct Arrow {
     Eigen::Vector3d tail = Eigen::Vector3d::Zero();
     Eigen::Vector3d tip = Eigen::Vector3d::UnitZ();
     Colour colour;
-    double shaft_px = 4.0;  // full width
-    double head_px = 14.0;  // full width of the head's base
-    double head_length_px = 22.0;
+    double shaft_px = 0.0;  // full width
+    double head_px = 0.0;   // full width of the head's base
+    double head_length_px = 0.0;
     double dash_px = 0.0;  // length of a dash of the shaft; 0: solid. Renderers receive a dashed
                            // arrow as one arrow per dash
     double opacity = 1.0;

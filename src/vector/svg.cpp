@@ -27,7 +27,6 @@ constexpr std::string_view metadata_end = "</metadata>";
 using svg::base64;
 using svg::data_of;
 using svg::escaped;
-using svg::hex;
 using svg::matrix;
 using svg::number;
 using svg::PathData;
@@ -50,7 +49,7 @@ class SvgWriter {
     }
 
     void operator()(const Stroke& stroke) {
-        std::string look = fmt::format(" stroke=\"{}\"", hex(stroke.ink.colour));
+        std::string look = fmt::format(" stroke=\"{}\"", hex_text(stroke.ink.colour));
         if (rounded(stroke.width_pt) != rounded(least_line_pt))
             look += fmt::format(" stroke-width=\"{}\"", number(stroke.width_pt));
         if (stroke.ink.alpha < 1.0)
@@ -69,14 +68,14 @@ class SvgWriter {
     }
 
     void operator()(const Type& type) {
-        std::string look = fmt::format(" fill=\"{}\"", hex(type.ink.colour));
+        std::string look = fmt::format(" fill=\"{}\"", hex_text(type.ink.colour));
         if (type.ink.alpha < 1.0)
             look += fmt::format(" fill-opacity=\"{}\"", share(type.ink.alpha));
         if (type.halo.alpha > 0.0 && type.halo_pt > 0.0)
             look += fmt::format(
                 " paint-order=\"stroke\" stroke=\"{}\" stroke-opacity=\"{:.3g}\" "
                 "stroke-width=\"{}\" stroke-linejoin=\"round\"",
-                hex(type.halo.colour), type.halo.alpha, number(1.5 * type.halo_pt));
+                hex_text(type.halo.colour), type.halo.alpha, number(1.5 * type.halo_pt));
         body() += fmt::format("<g{}>\n", look);
         PathData shapes;
         bool any_shape = !type.rules.steps.empty();
@@ -92,8 +91,8 @@ class SvgWriter {
                 if (letter.colour) {
                     PathData own;
                     own.add(font.outline(letter.glyph), map);
-                    body() += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n", hex(*letter.colour),
-                                          own.take());
+                    body() += fmt::format("<path fill=\"{}\" d=\"{}\"/>\n",
+                                          hex_text(*letter.colour), own.take());
                 } else {
                     any_shape = true;
                     shapes.add(font.outline(letter.glyph), map);
@@ -189,7 +188,7 @@ class SvgWriter {
         std::string text;
         for (const Stop& stop : stops) {
             text += fmt::format("<stop offset=\"{}\" stop-color=\"{}\"", share(stop.at),
-                                hex(stop.ink.colour));
+                                hex_text(stop.ink.colour));
             if (stop.ink.alpha < 1.0)
                 text += fmt::format(" stop-opacity=\"{}\"", share(stop.ink.alpha));
             text += "/>";
@@ -199,7 +198,7 @@ class SvgWriter {
 
     std::string paint_of(const Paint& paint) {
         if (const PaperInk* ink = std::get_if<PaperInk>(&paint)) {
-            std::string text = fmt::format(" fill=\"{}\"", hex(ink->colour));
+            std::string text = fmt::format(" fill=\"{}\"", hex_text(ink->colour));
             if (ink->alpha < 1.0) text += fmt::format(" fill-opacity=\"{}\"", share(ink->alpha));
             return text;
         }
@@ -290,7 +289,7 @@ class SvgWriter {
         }
         if (letters.empty()) return to;
         const std::string fill =
-            first.colour ? fmt::format(" fill=\"{}\"", hex(*first.colour)) : "";
+            first.colour ? fmt::format(" fill=\"{}\"", hex_text(*first.colour)) : "";
         body() += fmt::format("<text class=\"{}\"{} font-size=\"{}\" x=\"{}\" y=\"{}\">{}</text>\n",
                               used.name, fill, number(first.em_pt), places, number(first.y_pt),
                               escaped(letters));

@@ -15,13 +15,6 @@ std::string share(double value) {
     return text;
 }
 
-std::string hex(const Colour& colour) {
-    const auto byte = [](double c) {
-        return static_cast<int>(std::lround(255.0 * std::clamp(c, 0.0, 1.0)));
-    };
-    return fmt::format("#{:02x}{:02x}{:02x}", byte(colour.r), byte(colour.g), byte(colour.b));
-}
-
 std::string matrix(const Eigen::Affine2d& map) {
     const Eigen::Matrix3d m =
         Eigen::Vector3d(units_per_pt, units_per_pt, 1.0).asDiagonal() * map.matrix();

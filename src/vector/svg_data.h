@@ -22,9 +22,6 @@ inline std::string number(double pt) { return std::to_string(rounded(pt)); }
 // Formats a share, 0…1.
 std::string share(double value);
 
-// "#rrggbb".
-std::string hex(const Colour& colour);
-
 // The transform from own axes to the paper, in points.
 std::string matrix(const Eigen::Affine2d& map);
 

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <type_traits>
 
 #include "drawing/style/theme.h"
 #include "output/quality.h"
@@ -43,14 +44,14 @@ std::vector<OptionRow> make_rows() {
          .completes = "themes",
          .key = "theme"},
         {.name = "quality",
-         .verbs =
-             Verb::still | Verb::figure | Verb::film | Verb::slides | Verb::check | Verb::submit,
+         .verbs = Verb::still | Verb::figure | Verb::film | Verb::slides | Verb::sheets |
+                  Verb::check | Verb::submit,
          .takes = "NAME",
          .help = listed(qualities()),
          .completes = "qualities",
          .key = "film.quality"},
         {.name = "time_s",
-         .verbs = Verb::still | Verb::figure,
+         .verbs = Verb::still | Verb::figure | Verb::sheets,
          .takes = "T|auto",
          .help = "instant of the motion in seconds, or auto, the instant of the film at which the "
                  "arrows are farthest apart; default: film.still_s of the scene, else auto (on a "
@@ -61,7 +62,7 @@ std::vector<OptionRow> make_rows() {
          },
          .own_flag = "--time"},
         {.name = "width_mm",
-         .verbs = Verb::still | Verb::figure,
+         .verbs = Verb::still | Verb::figure | Verb::figure_sheet,
          .help = "width on paper in millimetres",
          .wanted = "millimetres",
          .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.width_mm; }},
@@ -71,12 +72,12 @@ std::vector<OptionRow> make_rows() {
          .wanted = "millimetres",
          .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.height_mm; }},
         {.name = "dpi",
-         .verbs = Verb::still,
+         .verbs = Verb::still | Verb::figure_sheet,
          .help = "dots per inch on paper; default 300",
          .wanted = "dots per inch",
          .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.dpi; }},
         {.name = "type_pt",
-         .verbs = Verb::still | Verb::figure,
+         .verbs = Verb::still | Verb::figure | Verb::figure_sheet,
          .help = "size of labels on paper in points; default 8.5; line widths scale with it",
          .wanted = "points",
          .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.type_pt; }},
@@ -93,14 +94,14 @@ std::vector<OptionRow> make_rows() {
          .help = "with --journal: draw title, captions and clock, too",
          .slot = [](GivenOptions& given) -> OptionSlot { return &given.paper.keep_text; }},
         {.name = "shading",
-         .verbs = Verb::figure,
+         .verbs = Verb::figure | Verb::figure_sheet,
          .takes = "tone|none|picture",
          .help = "how vector figures fill surfaces: tone (shaded by the light, the default), none "
                  "(lines only) or picture (pixels at 600 dpi within the exact outlines)",
          .completes = "tone|none|picture",
          .slot = [](GivenOptions& given) -> OptionSlot { return &given.vectors.shading; }},
         {.name = "text",
-         .verbs = Verb::figure,
+         .verbs = Verb::figure | Verb::figure_sheet,
          .takes = "font|paths|latex",
          .help = "text in vector figures: font (real text, the default), paths, or latex (your "
                  "own LaTeX sets it, from a .tex file beside the figure)",
@@ -136,6 +137,21 @@ std::string OptionRow::flag() const {
 std::span<const OptionRow> option_rows() {
     static const std::vector<OptionRow> rows = make_rows();
     return rows;
+}
+
+bool is_given(const OptionRow& row, const GivenOptions& given) {
+    if (row.slot == nullptr) return is_given(given.overrides, row.key);
+    GivenOptions chosen = given, defaults;
+    const OptionSlot of_default = row.slot(defaults);
+    const auto differs = [&]<typename Slot>(const Slot& slot) {
+        if constexpr (std::is_same_v<Slot, InstantSlot>)
+            return slot.time_s->has_value() || *slot.clearest;
+        else if constexpr (std::is_same_v<Slot, FramesSlot>)
+            return slot.frames->has_value();
+        else
+            return *slot != *std::get<Slot>(of_default);
+    };
+    return std::visit(differs, row.slot(chosen));
 }
 
 SceneRequest scene_request_of(std::string file, const GivenOptions& given,

@@ -44,8 +44,11 @@ struct Verb {
         submit = 64,
         tradeoff = 128,
         rerender = 256,
+        sheet = 512,          // many stills in one PNG
+        figure_sheet = 1024,  // many figures on one page
     };
-    static constexpr unsigned every_drawing = still | figure | film | slides | page;
+    static constexpr unsigned sheets = sheet | figure_sheet;
+    static constexpr unsigned every_drawing = still | figure | film | slides | page | sheets;
 };
 
 // Where the value of an option goes. Options that stand for a scene's key have none.
@@ -75,6 +78,9 @@ struct OptionRow {
 
 // The table, in the order of the help.
 std::span<const OptionRow> option_rows();
+
+// Whether a value other than the default was chosen.
+bool is_given(const OptionRow& row, const GivenOptions& given);
 
 SceneRequest scene_request_of(std::string file, const GivenOptions& given,
                               const std::vector<Override>& more_overrides = {});

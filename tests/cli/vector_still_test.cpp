@@ -359,7 +359,10 @@ TEST(VectorStill, ErrorsAreOneLine) {
           std::string("--shading none -o a.png"), std::string("--width-mm 10000 -o a.pdf"),
           std::string("-o a.eps"), std::string("--sheet 2x1 --journal aip -o a.png"),
           std::string("--sheet 2x1 --width-mm 85 -o a.png"),
-          std::string("--sheet 2x1 --keep-text -o a.png")}) {
+          std::string("--sheet 2x1 --keep-text -o a.png"),
+          std::string("--sheet 2x1 --height-mm 50 -o a.pdf"),
+          std::string("--sheet 2x1 --depth 16 -o a.png"),
+          std::string("--sheet 2x1 --shading none -o a.png")}) {
         const ProgramRun run = run_program_in(folder, still + options);
         EXPECT_EQ(run.code, 2) << options;
         EXPECT_TRUE(is_one_line(run.err)) << options << ": " << run.err;

@@ -141,6 +141,9 @@ Arrow shaft_at(double from_x, double from_y, double to_x, double to_y) {
     Arrow arrow;
     arrow.tail = {from_x, 600.0 - from_y, 0.0};
     arrow.tip = {to_x, 600.0 - to_y, 0.0};
+    arrow.shaft_px = 4.0;
+    arrow.head_px = 16.0;
+    arrow.head_length_px = 26.0;
     return arrow;
 }
 

@@ -371,6 +371,8 @@ struct Crossed {
         arrow.tail = {0.0, -1.0, 0.0};
         arrow.tip = {0.0, 1.0, 0.0};
         arrow.shaft_px = 8.0;
+        arrow.head_px = 16.0;
+        arrow.head_length_px = 26.0;
         apply_line_style(rules, view);
     }
     double pixels_per_point() const {

@@ -34,6 +34,9 @@ struct Setting {
         Arrow& arrow = view.arrows.emplace_back();
         arrow.tail = tail;
         arrow.tip = tip;
+        arrow.shaft_px = 4.0;
+        arrow.head_px = 16.0;
+        arrow.head_length_px = 26.0;
         arrow.name = {"momentum"};
     }
     const View& pierced() {
@@ -59,7 +62,7 @@ TEST(PiercePlanes, ThePartBeyondIsPalerAndDashed) {
     EXPECT_LE(before.head_px, before.shaft_px);
     EXPECT_LT(beyond.opacity, 0.85);
     EXPECT_GT(beyond.dash_px, 0.0);
-    EXPECT_EQ(beyond.head_px, Arrow().head_px);
+    EXPECT_EQ(beyond.head_px, 16.0);
 }
 
 TEST(PiercePlanes, ARingOnThePlaneSurroundsTheShaft) {
@@ -74,8 +77,8 @@ TEST(PiercePlanes, ARingOnThePlaneSurroundsTheShaft) {
         EXPECT_NEAR(at.z(), 0.0, 1e-12);
         const double radius_px = (at - Eigen::Vector3d(0.1, 0.3, 0.0)).norm() * unit_px;
         // Outside of the shaft, and smaller than a head's length.
-        EXPECT_GT(radius_px, Arrow().shaft_px);
-        EXPECT_LT(radius_px, Arrow().head_length_px);
+        EXPECT_GT(radius_px, 4.0);
+        EXPECT_LT(radius_px, 26.0);
     }
 }
 

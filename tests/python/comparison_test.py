@@ -131,6 +131,27 @@ def test_pictures_are_approved_and_compared_as_the_files_beside_them_say(tmp_pat
     assert poinsot.approve("a", baselines=baselines, remove=True) == {"a": "removed"} and not baseline.exists()
 
 
+def test_a_report_stays_out_of_what_is_compared(tmp_path):
+    for folder, level in (("a", 100), ("b", 110)):
+        (tmp_path / folder).mkdir()
+        poinsot.pictures.write_file(tmp_path / folder / "p.png", poinsot.comparison.png_bytes("p", GREY + np.uint8(level - 100)))
+    before = sorted(tmp_path.rglob("*"))
+    a, b = tmp_path / "a", tmp_path / "b"
+    for report in (a / "report.html", b / "report.html"):
+        with pytest.raises(poinsot.InputError, match="^report .*: lies in a folder that is compared.* or give single_file$"):
+            poinsot.compare_folders(a, b, report=report)
+    for junit in (a / "p.png", b / "p.png"):
+        with pytest.raises(poinsot.InputError, match="^junit .*: is one of the pictures compared"):
+            poinsot.compare_folders(a, b, junit=junit)
+    with pytest.raises(poinsot.InputError, match="^single_file says how report writes its page"):
+        poinsot.compare_folders(a, b, single_file=True)
+    assert sorted(tmp_path.rglob("*")) == before
+    found = poinsot.compare_folders(a, b, report=a / "report.html", single_file=True, junit=tmp_path / "tests.xml")
+    assert [one.outcome for one in found] == ["pixels"]
+    assert not (a / "report_pictures").exists() and "data:image/png" in (a / "report.html").read_text()
+    assert '<failure type="pixels"' in (tmp_path / "tests.xml").read_text()
+
+
 def test_folders_are_compared_worst_first_with_a_report(tmp_path):
     """Names that are not UTF-8 come as os.fsdecode gives them."""
     name = os.fsdecode(b"\xff")

@@ -28,7 +28,9 @@ TEST(ArrowPicture, IsADiscWhenItPointsAtTheEye) {
         Arrow arrow;
         arrow.tail = {0.3, 0.2, -30.0 * way};
         arrow.tip = {0.3, 0.2, 30.0 * way};
+        arrow.shaft_px = 4.0;
         arrow.head_px = 30.0;
+        arrow.head_length_px = 26.0;
         drawing.views[0].arrows = {arrow};
         EXPECT_NEAR(covered_px(renderer().render(drawing)), std::numbers::pi * 225.0, 2.5) << way;
     }
@@ -51,6 +53,11 @@ TEST(ArrowPicture, LaterOfTwoOnOneLineIsOnTop) {
         omega.colour = {0.6, 0.1, 0.4};
         rho.tip = (1.0 - bits) * direction;
         rho.colour = {0.1, 0.2, 0.6};
+        for (Arrow* arrow : {&omega, &rho}) {
+            arrow->shaft_px = 4.0;
+            arrow->head_px = 16.0;
+            arrow->head_length_px = 26.0;
+        }
         view.arrows = long_first ? std::vector{omega, rho} : std::vector{rho, omega};
         return renderer().render(drawing);
     };
@@ -78,6 +85,8 @@ TEST(ArrowPicture, IsSolidOutsideTheEllipsoid) {
     arrow.tip = {80.0, 0.0, 0.0};
     arrow.colour = {0.0, 0.0, 0.0};
     arrow.shaft_px = 8.0;
+    arrow.head_px = 16.0;
+    arrow.head_length_px = 26.0;
     arrow.hidden_opacity = 0.3;
     view.arrows.push_back(arrow);
     const Image image = renderer().render(drawing);

@@ -86,6 +86,9 @@ inline Drawing lecture_drawing(int width_px, int height_px, const CurveGeometry&
         Arrow arrow;
         arrow.tip = tip;
         arrow.colour = {0.2, 0.2, 0.25};
+        arrow.shaft_px = 4.0;
+        arrow.head_px = 16.0;
+        arrow.head_length_px = 26.0;
         view.arrows.push_back(arrow);
     }
     Dot dot;

@@ -192,6 +192,9 @@ TEST(Dashes, APlaneHidesNothing) {
     arrow.tail = {-1.0, 0.5, -0.5};
     arrow.tip = {1.0, 0.5, -0.5};
     arrow.colour = {0.1, 0.2, 0.7};
+    arrow.shaft_px = 4.0;
+    arrow.head_px = 16.0;
+    arrow.head_length_px = 26.0;
     arrow.hidden_opacity = -1.0;
     for (const HiddenStyle hidden : {HiddenStyle::dashed, HiddenStyle::absent}) {
         view.curves.back().hidden = hidden;

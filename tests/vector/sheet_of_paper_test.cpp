@@ -44,6 +44,9 @@ struct Everything {
         Arrow& arrow = view.arrows.emplace_back();
         arrow.tip = {0.3, 0.2, 1.5};
         arrow.colour = {0.1, 0.2, 0.7};
+        arrow.shaft_px = 4.0;
+        arrow.head_px = 16.0;
+        arrow.head_length_px = 26.0;
         Dot& dot = view.dots.emplace_back();
         dot.at = {0.0, -0.7, 0.0};
         Cone& cone = view.cones.emplace_back();

@@ -5,6 +5,7 @@ import assert from 'node:assert/strict';
 import fs from 'node:fs';
 import {component_of, slider_span, toml_of} from '../../src/web/page/controls.js';
 import {Film} from '../../src/web/page/film.js';
+import {film_qualities} from '../../src/web/page/film_encoder.js';
 import {empty_state, fragment_of, state_of} from '../../src/web/page/link.js';
 import {Words, all_words, element_words, key_words, languages} from '../../src/web/page/words.js';
 
@@ -204,6 +205,19 @@ const listed = (what) => execFileSync(process.argv[2], ['list', what], {encoding
 
 test('every element and overlay of the program has its words', () => {
   assert.deepEqual(Object.keys(element_words).sort(), [...listed('elements'), ...listed('overlays')].sort());
+});
+
+test('the fields of a film and a picture stay within the scene\'s keys, and offer each quality', () => {
+  assert.deepEqual(Object.keys(film_qualities), listed('qualities'));
+  const keys = JSON.parse(execFileSync(process.argv[2], ['list', 'schema'], {encoding: 'utf8'})).properties.film.properties;
+  const page = fs.readFileSync(new URL('../../src/web/page/index.html', import.meta.url), 'utf8');
+  const largest_film = Number(/at most (\d+) for a film/.exec(keys.size.description)[1]);
+  const sizes = {...keys.size.anyOf[0].items, maximum: largest_film};
+  for (const [id, {minimum, maximum}] of Object.entries({'film-width': sizes, 'film-height': sizes, 'png-width': sizes,
+    'png-height': sizes, 'film-rate': keys.fps.anyOf[0]})) {
+    const [, min, max] = new RegExp(`id="${id}" type="number" min="([\\d.]+)" max="([\\d.]+)"`).exec(page);
+    assert.ok(minimum <= Number(min) && Number(min) < Number(max) && Number(max) <= maximum, id);
+  }
 });
 
 test('the languages are those of the program', () => {

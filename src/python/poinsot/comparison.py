@@ -178,6 +178,8 @@ def compare_folders(
     actual: Path,
     *,
     report: Optional[Path] = None,
+    single_file: bool = False,
+    junit: Optional[Path] = None,
     title: Optional[str] = None,
     profile: Optional[str] = None,
     # keywords of compare
@@ -191,12 +193,21 @@ def compare_folders(
     ignore: Iterable[str] = (),
     measures: bool = False,
 ) -> List[Comparison]:
-    """Compares all pictures of two folders, worst first; `report` names an HTML page to be written."""
+    """Compares all pictures of two folders, worst first.
+
+    report: an HTML page to be written, with its pictures in a folder beside it, or in the page
+    (single_file). junit: a file for test results in JUnit's XML. Neither may replace what is compared,
+    nor may the report's pictures lie in a folder that is compared. Raises InputError, EnvironmentError.
+    """
     limits = _limits(locals())
     a, b = path_text(expected), path_text(actual)
-    page = "" if report is None else page_name(report)
-    heading = toml.unicode_text("title", title or f"{b} compared with {a}")
-    found = _poinsot.compare_all(a, b, _profile(profile), limits, measures, page, heading)
+    outputs = {
+        "title": toml.unicode_text("title", title or f"{b} compared with {a}"),
+        "report": None if report is None else page_name(report),
+        "single_file": single_file,
+        "junit": None if junit is None else path_text(junit),
+    }
+    found = _poinsot.compare_all(a, b, _profile(profile), limits, measures, outputs)
     return [Comparison(**one) for one in found]
 
 

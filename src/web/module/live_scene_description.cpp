@@ -2,7 +2,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,13 +25,6 @@
 namespace poinsot {
 
 namespace {
-
-std::string hex(const Colour& colour) {
-    const auto level = [](double share) {
-        return static_cast<int>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
-    };
-    return fmt::format("#{:02x}{:02x}{:02x}", level(colour.r), level(colour.g), level(colour.b));
-}
 
 // The flips of a body that turns over: one instant, and the time between two unless there is one
 // flip alone, both in seconds of the motion; null for any other motion.
@@ -155,8 +147,8 @@ std::string LiveScene::description() const {
         .add("language", scene.language)
         .json("theme", JsonObject()
                            .add("name", theme.name)
-                           .add("background", hex(theme.background.bottom))
-                           .add("text", hex(theme.text))
+                           .add("background", hex_text(theme.background.bottom))
+                           .add("text", hex_text(theme.text))
                            .line())
         .add("first_time_s", film_.time_of(0))
         .add("last_time_s", last_s)

@@ -35,13 +35,6 @@ constexpr std::size_t most_page_bytes = 1'200'000;
 constexpr int poster_widths_px[] = {960, 640, 480, 320};
 constexpr std::size_t most_poster_bytes = 32'000;
 
-std::string hex(const Colour& colour) {
-    const auto level = [](double share) {
-        return static_cast<int>(std::lround(255.0 * std::clamp(share, 0.0, 1.0)));
-    };
-    return fmt::format("#{:02x}{:02x}{:02x}", level(colour.r), level(colour.g), level(colour.b));
-}
-
 // The scene as the page will read it, with the files that it names.
 Scene read_again(const SceneRequest& request, PageContents& contents) {
     contents.scene_text = text_of(request);
@@ -72,7 +65,7 @@ std::vector<std::uint8_t> still_png(const SceneRequest& request, PageContents& c
     Image image;
     pictures.draw(moment, image);
     contents.poster_at_s = moment.film_s;
-    contents.ground = hex(session.theme.background.bottom);
+    contents.ground = hex_text(session.theme.background.bottom);
     PngOptions png;
     png.deflate_level = 12;
     if (!is_opaque(image)) return encode_png(image, png);
