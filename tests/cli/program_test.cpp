@@ -102,15 +102,5 @@ TEST_F(CommandLine, ErrorsOfSetNameSetNotTheFile) {
     refuses("check panel.toml", 2, {"panel.toml:10:1: unknown panel \"foo\"; choose from: "});
 }
 
-TEST_F(CommandLine, HelpHasExamples) {
-    for (const char* command : {"render", "still", "check", "sample", "compare", "approve",
-                                "explain", "rerender", "recover", "tradeoff", "list", "doctor"}) {
-        const ProgramRun help = run(std::string(command) + " --help");
-        EXPECT_EQ(help.code, 0);
-        EXPECT_NE(help.out.find(std::string("poinsot ") + command + " "), std::string::npos)
-            << help.out;
-    }
-}
-
 }  // namespace
 }  // namespace poinsot::testing
