@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <set>
+#include <utility>
 
 #include "cli/command.h"
 #include "cli/option_values.h"
@@ -156,21 +157,21 @@ void write_github_summary(const std::string& text) {
 
 int run(const CompareChoices& choices) {
     const fs::path expected = choices.pictures.at(0), actual = choices.pictures.at(1);
-    ComparisonOrder order{
+    CompareRequest request{.limits = profile_limits(choices), .given = choices.given};
+    for (const std::string& region : choices.ignore)
+        request.given.ignore.push_back(value_of("--ignore", [&] { return parse_region(region); }));
+    request.ssim = request.flip = choices.measures;
+    const ComparisonOrder order{
         .expected = expected,
         .actual = actual,
         .are_folders = are_folders(expected, actual),
-        .request = {.limits = profile_limits(choices), .given = choices.given},
+        .request = std::move(request),
         .outputs = {.title = fmt::format("{} compared with {}", printable(actual.string()),
                                          printable(expected.string())),
                     .report = choices.report,
                     .junit = choices.junit,
                     .difference = choices.diff,
                     .single_file = choices.single_file}};
-    for (const std::string& region : choices.ignore)
-        order.request.given.ignore.push_back(
-            value_of("--ignore", [&] { return parse_region(region); }));
-    order.request.ssim = order.request.flip = choices.measures;
     const ComparisonResult result = compare(order);
     const std::vector<ComparedPicture>& pictures = result.pictures;
     if (!choices.diff.empty() && !result.wrote_difference && !choices.quiet)

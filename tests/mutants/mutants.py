@@ -156,7 +156,9 @@ class Build:
                 # A library's unit, before those of tests and of the page.
                 if "/src/" in entry["file"]:
                     self.units.setdefault(source, entry)
-        shown = subprocess.run(["ctest", "--show-only=json-v1"], cwd=self.folder, capture_output=True, text=True, check=True)
+        # This program may itself be a test of a run, whose temporary folder is not the one of this ctest.
+        own = {name: value for name, value in os.environ.items() if name != "POINSOT_TEST_FOLDER"}
+        shown = subprocess.run(["ctest", "--show-only=json-v1"], cwd=self.folder, env=own, capture_output=True, text=True, check=True)
         self.tests = [test for test in json.loads(shown.stdout)["tests"] if "command" in test]
         for test in self.tests:
             test["of"] = {one["name"]: one["value"] for one in test.get("properties", [])}
