@@ -136,6 +136,8 @@ def test_a_body_at_rest_stays_and_has_no_plane():
     (np.ones((3, 2)), OMEGA, {}, "moments: give the three principal moments"),
     (np.ones((2, 3, 3)), OMEGA, {}, "moments: give the three principal moments"),
     ("abc", OMEGA, {}, "moments: numbers are needed"),
+    (None, OMEGA, {}, "moments: numbers are needed"),
+    ([1, 2j, 3], OMEGA, {}, "moments: numbers are needed"),
     ([0, 1, 1], OMEGA, {}, "must be positive"),
     ([[2, 1, 0], [0, 2, 0], [0, 0, 2]], OMEGA, {}, "not symmetric"),
     (TRIAXIAL, [1, 2], {}, "omega: give three numbers"),
@@ -151,7 +153,7 @@ def test_a_wrong_motion_is_refused_with_one_line(moments, omega, options, senten
     assert "\n" not in str(caught.value)
 
 
-@pytest.mark.parametrize("times", [math.nan, [0.0, math.nan], "soon"], ids=repr)
+@pytest.mark.parametrize("times", [math.nan, math.inf, [0.0, math.nan], "soon", None, [1j], [True], [[1], [2, 3]], [object()]], ids=repr)
 def test_wrong_times_are_refused(times):
     motion = poinsot.Motion(TRIAXIAL, OMEGA)
     for ask in (motion.at, motion.herpolhode, motion.contact, motion.certificate):
