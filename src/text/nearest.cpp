@@ -33,7 +33,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 
 }  // namespace
 
-std::string did_you_mean(std::string_view given, std::span<const std::string_view> known) {
+std::string_view nearest_name(std::string_view given, std::span<const std::string_view> known) {
     if (given.size() > 64) return "";
     std::string_view best;
     // Of a short name most letters must be right; the dashes of an option are none.
@@ -52,6 +52,11 @@ std::string did_you_mean(std::string_view given, std::span<const std::string_vie
             best = name;
         }
     }
+    return best;
+}
+
+std::string did_you_mean(std::string_view given, std::span<const std::string_view> known) {
+    const std::string_view best = nearest_name(given, known);
     return best.empty() ? "" : fmt::format("; did you mean \"{}\"?", best);
 }
 

@@ -10,6 +10,9 @@
 
 namespace poinsot {
 
+// The most similar of the known names; empty if none is similar.
+std::string_view nearest_name(std::string_view given, std::span<const std::string_view> known);
+
 // "; did you mean "render"?", or empty if no known name is similar.
 std::string did_you_mean(std::string_view given, std::span<const std::string_view> known);
 

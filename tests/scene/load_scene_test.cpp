@@ -429,6 +429,18 @@ TEST(BadSceneFile, MissingFileIsReportedWithTheNearestName) {
         (std::filesystem::path(::testing::TempDir()) / "poinsot_raket.toml").string();
     EXPECT_EQ(file_refusal(missing),
               missing + ": no such file; did you mean \"" + near.path().string() + "\"?");
+    // The folder's name is not part of the comparison, however long it is.
+    const std::filesystem::path folder =
+        std::filesystem::path(::testing::TempDir()) / std::string(70, 'd');
+    std::filesystem::create_directory(folder);
+    std::ofstream(folder / "racket.toml") << a_scene;
+    const std::string in_folder = (folder / "raket.toml").string();
+    EXPECT_EQ(file_refusal(in_folder), in_folder + ": no such file; did you mean \"" +
+                                           (folder / "racket.toml").string() + "\"?");
+    const std::string unlike = (folder / "gyroscope.toml").string();
+    EXPECT_EQ(file_refusal(unlike),
+              unlike + ": no such file; name a scene file, see `poinsot list scenes`");
+    std::filesystem::remove_all(folder);
 }
 
 TEST(BadSceneFile, EmptyFileIsReported) {

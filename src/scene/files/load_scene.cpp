@@ -35,12 +35,13 @@ std::string near_file(const fs::path& file) {
     for (fs::directory_iterator entry(folder, failed), end; !failed && entry != end;
          entry.increment(failed)) {
         if (entry->path().extension() != ".toml" || names.size() >= most_names) continue;
-        names.push_back((file.parent_path() / entry->path().filename()).string());
+        names.push_back(entry->path().filename().string());
     }
     std::sort(names.begin(), names.end());
     const std::vector<std::string_view> views(names.begin(), names.end());
-    const std::string near = printable(did_you_mean(file.string(), views));
-    return near.empty() ? "; name a scene file, see `poinsot list scenes`" : near;
+    const std::string_view near = nearest_name(file.filename().string(), views);
+    if (near.empty()) return "; name a scene file, see `poinsot list scenes`";
+    return fmt::format("; did you mean \"{}\"?", printable((file.parent_path() / near).string()));
 }
 
 // The path of a file relative to the scene's folder. Throws InputError for a file outside that
