@@ -1,5 +1,5 @@
 // node browser_pixels.js BROWSER POINSOT MODULE FONTS PROGRAM_JS SCENES_FOLDER OUT_FOLDER SIZE [SCENE…]: draws scenes
-// with the page's module in a browser (firefox under Xvfb, or chromium) and compares the pixels with a portable frame of
+// with the page's module in a browser (firefox, which needs a display, or chromium) and compares the pixels with a portable frame of
 // the film. Fails where more differs than `limits` allow.
 'use strict';
 const {execFileSync, spawn} = require('node:child_process');
@@ -217,7 +217,7 @@ server.listen(0, '127.0.0.1', () => {
   const options = {detached: true, stdio: 'ignore'};
   if (browser === 'firefox') {
     fs.writeFileSync(path.join(profile, 'user.js'), 'user_pref("webgl.force-enabled", true);\nuser_pref("browser.shell.checkDefaultBrowser", false);\nuser_pref("datareporting.policy.dataSubmissionEnabled", false);\n');
-    child = spawn('xvfb-run', ['-a', '-s', '-screen 0 1600x1200x24', 'firefox-esr', '--no-remote', '--profile', profile, url], options);
+    child = spawn('firefox-esr', ['--no-remote', '--profile', profile, url], options);
   } else {
     child = spawn('chromium', ['--headless', '--no-sandbox', '--enable-unsafe-swiftshader', `--user-data-dir=${profile}`, url], options);
   }
