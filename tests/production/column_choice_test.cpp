@@ -40,8 +40,7 @@ TEST(ColumnChoice, OmegaHasOneMeaningInChartsCaptionsAndColumns) {
         session.scene, theme_of(session.scene), session.motion,
         {.width_px = 320, .height_px = 180, .last_time_s = 2.0, .fonts = installed_fonts()});
     for (const std::size_t row : {0U, 1U}) {
-        const FrameInput instant{
-            session.motion.sample(row == 0 ? 0.0 : 1.7, {.attitude = false})};
+        const FrameInput instant{session.motion.sample(row == 0 ? 0.0 : 1.7, {.attitude = false})};
         const PlotValues charted =
             plot_quantity_of(stage.context(), "omega").values(stage.context(), instant);
         const std::vector<LiveValue> captioned = live_values(session.scene, instant);
