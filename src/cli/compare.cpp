@@ -174,7 +174,9 @@ int run(const CompareChoices& choices) {
                     .single_file = choices.single_file}};
     const ComparisonResult result = compare(order);
     const std::vector<ComparedPicture>& pictures = result.pictures;
-    if (!choices.diff.empty() && !result.wrote_difference && !choices.quiet)
+    const bool all_same = std::all_of(pictures.begin(), pictures.end(),
+                                      [](const auto& p) { return p.outcome == Outcome::same; });
+    if (!choices.diff.empty() && !result.wrote_difference && all_same && !choices.quiet)
         say(fmt::format("note: nothing differs, so {} is not written", printable(choices.diff)));
     if (choices.json) {
         fmt::print("{}", json_report(pictures, limits_of_line(choices)));

@@ -35,9 +35,12 @@ TEST_F(ComparedPictures, ReportTheirDifferences) {
     EXPECT_TRUE(contains(size.out, "size: c: ")) << size.out;
     // What the records say comes first.
     EXPECT_TRUE(contains(pixels.out, "pixels: b: time in s: 0.1 → 0.11; ")) << pixels.out;
-    const ProgramRun missing = run("compare a.png none.png");
+    // Without a second picture there is no difference to show, and nothing says that none differs.
+    const ProgramRun missing = run("compare a.png none.png --diff none_d.png");
     EXPECT_EQ(missing.code, 1);
     EXPECT_TRUE(contains(missing.out, "missing: none: ")) << missing.out;
+    EXPECT_EQ(missing.err, "");
+    EXPECT_FALSE(fs::exists(folder_.path() / "none_d.png"));
     folder_.write("broken.png", text_of(folder_.path() / "a.png").substr(0, 500));
     const ProgramRun broken = run("compare a.png broken.png");
     EXPECT_EQ(broken.code, 2);
