@@ -28,16 +28,36 @@ void point_axes(Eigen::Matrix3d& axes) {
 // for the next to keep count of the periods.
 FoundFlight grown(std::span<const MeasuredRow> rows, Flight start, const IsFitted& is_fitted,
                   double first_span_rad) {
+    constexpr int most_steps = 60;
     for (double span = first_span_rad;; span *= 2.0) {
         const auto end =
             std::upper_bound(rows.begin(), rows.end(), rows.front().time_s + span,
                              [](double t, const MeasuredRow& row) { return t < row.time_s; });
         const std::size_t n = std::min(
             rows.size(), std::max(least_fitted_rows, static_cast<std::size_t>(end - rows.begin())));
-        FoundFlight found = minimised(rows.first(n), start, is_fitted);
+        FoundFlight found = minimised(rows.first(n), start, is_fitted, most_steps);
         if (n == rows.size()) return found;
         start = found.flight;
     }
+}
+
+// Starts are tried until one leaves no more than noise, or until two of them end in the same least
+// minimum.
+FoundFlight valley_of(std::span<const MeasuredRow> rows, double noise,
+                      const std::optional<Eigen::Vector3d>& moments, const IsFitted& is_fitted) {
+    const double most_noise = 1.2 * noise;
+    const double n_values = static_cast<double>(3 * rows.size()) - count(is_fitted);
+    FoundFlight best;
+    constexpr double same = 1e-3, near_share = 0.05;
+    for (const double first_span_rad : {12.0, 5.0, 30.0})
+        for (const Flight& start : first_flights(rows, moments)) {
+            const FoundFlight found = grown(rows, start, is_fitted, first_span_rad);
+            const bool is_same = std::abs(found.squares - best.squares) < same * best.squares;
+            if (found.squares < best.squares) best = found;
+            if (best.squares < most_noise * most_noise * n_values) return best;
+            if (is_same && best.squares < near_share * near_share * n_values) return best;
+        }
+    return best;
 }
 
 }  // namespace
@@ -162,28 +182,25 @@ FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
     return {flight, sums.squares};
 }
 
+int steps_to_a_minimum(std::size_t n_rows) {
+    constexpr double most_rows = 2e6, least = 60.0, most = 5000.0;
+    return static_cast<int>(std::clamp(most_rows / static_cast<double>(n_rows), least, most));
+}
+
+FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
+                      const IsFitted& is_fitted) {
+    return minimised(rows, start, is_fitted, steps_to_a_minimum(rows.size()));
+}
+
 double residual_of(const FoundFlight& found, std::size_t n_rows, int n_fitted) {
     return std::sqrt(found.squares / (static_cast<double>(3 * n_rows) - n_fitted));
 }
 
-// Starts are tried until one leaves no more than noise, or until two of them end in the same least
-// minimum.
 FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
                      const std::optional<Eigen::Vector3d>& moments) {
     const IsFitted is_fitted = fitted_changes(moments, DragModel::linear);
-    const double most_noise = 1.2 * noise;
-    const double n_values = static_cast<double>(3 * rows.size()) - count(is_fitted);
-    FoundFlight best;
-    constexpr double same = 1e-3, near_share = 0.05;
-    for (const double first_span_rad : {12.0, 5.0, 30.0})
-        for (const Flight& start : first_flights(rows, moments)) {
-            const FoundFlight found = grown(rows, start, is_fitted, first_span_rad);
-            const bool is_same = std::abs(found.squares - best.squares) < same * best.squares;
-            if (found.squares < best.squares) best = found;
-            if (best.squares < most_noise * most_noise * n_values) return best;
-            if (is_same && best.squares < near_share * near_share * n_values) return best;
-        }
-    return best;
+    const FoundFlight found = valley_of(rows, noise, moments, is_fitted);
+    return std::isfinite(found.squares) ? minimised(rows, found.flight, is_fitted) : found;
 }
 
 // The three axes share the damping at first, which does not grow.

@@ -48,7 +48,13 @@ double residual_of(const FoundFlight& found, std::size_t n_rows, int n_fitted);
 // Levenberg's and Marquardt's method on the rows as a whole. Precondition: rows are near |ω| = 1.
 // Throws EnvironmentError if it is interrupted.
 FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
-                      const IsFitted& is_fitted, int most_steps = 60);
+                      const IsFitted& is_fitted, int most_steps);
+// To the minimum: in few short rows, moments and start follow a curved valley for hundreds of
+// steps.
+FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
+                      const IsFitted& is_fitted);
+// So many that long tables do not take longer than some seconds.
+int steps_to_a_minimum(std::size_t n_rows);
 // With linear drag, from the starts that Euler's equations give.
 FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
                      const std::optional<Eigen::Vector3d>& moments);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "system/interrupt.h"
+
 namespace poinsot {
 
 JointPlaces joint_places(const std::optional<Eigen::Vector3d>& moments, DragModel drag,
@@ -60,11 +62,14 @@ Reduced reduced(const FlightSums& sums, const JointPlaces& places, double trust)
 
 JointMinimum minimised_together(std::vector<JointPart> parts, const JointPlaces& places,
                                 bool shares_drag) {
-    constexpr int most_steps = 60;
+    std::size_t n_rows = 0;
+    for (const JointPart& part : parts) n_rows += part.rows.size();
+    const int most_steps = steps_to_a_minimum(n_rows);
     constexpr double least_gain = 1e-9, most_trust = 1e10;
     double trust = 1e-3;
     const auto n = static_cast<Eigen::Index>(places.shared.size());
     for (int n_steps = 0; n_steps < most_steps; ++n_steps) {
+        stop_if_interrupted();
         std::vector<Reduced> all;
         all.reserve(parts.size());
         SharedSquare normal = SharedSquare::Zero(n, n);

@@ -143,6 +143,22 @@ TEST(Fit, DISABLED_TruthOfAThousandBodiesLiesWithinTheStatedUncertainty) {
 }
 
 // Damping that grows in time: both of its numbers lie within what is said, and the body as before.
+// Little more than one turn with much noise: moments and start lie in a long curved valley.
+TEST(Fit, OfShortNoisyRowsGoesOnToTheMinimum) {
+    const Truth truth{{1.0, 0.7, 0.4}, Eigen::Matrix3d::Identity(), {0.5, 8.0, 0.6}, 0.05};
+    constexpr int n_bodies = 20;
+    double squares = 0.0;
+    std::mt19937 random(11);
+    for (int i = 0; i < n_bodies; ++i) {
+        const FittedMotion fit = fit_motion(measured(truth, 0.79, 80, 0.02, random));
+        const double off = (fit.moments[1] - truth.moments[1]) / fit.moments_sd[1];
+        EXPECT_LT(std::abs(off), 4.0) << i;
+        squares += off * off;
+    }
+    // A sum of 20 squares of standard normal numbers exceeds 45 once in a thousand times.
+    EXPECT_LT(squares, 45.0);
+}
+
 TEST(Fit, FindsTheGrowthOfTheDrag) {
     std::mt19937 random(12);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
