@@ -66,6 +66,8 @@ def sessions(pytester, monkeypatch):
         start = pytester.runpytest_subprocess if own_process or "-n" in arguments else pytester.runpytest_inprocess
         return start("-p", "poinsot.pytest_plugin", "-p", "no:cacheprovider", *arguments)
 
+    # Otherwise pytest from version 8.1 on takes the folder of poinsot's own pyproject.toml as the root.
+    pytester.makeini("[pytest]\n")
     run.folder = pytester.path
     run.write = lambda text, name="test_turn": pytester.makepyfile(**{name: text})
     return run

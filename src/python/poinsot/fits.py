@@ -261,8 +261,8 @@ class Fit(_Body):
         if self.attitude is not None:
             head += ",q_w,q_x,q_y,q_z"
             columns.append(self.attitude)
-        rows = np.concatenate(columns, axis=1).tolist()
-        return "\n".join([head, *(",".join(map(repr, row)) for row in rows), ""]).encode("utf-8")
+        rows = np.concatenate(columns, axis=1)
+        return "\n".join([head, *(",".join(repr(float(value)) for value in row) for row in rows), ""]).encode("utf-8")
 
     def _row_words(self) -> str:
         span = f"{len(self.times)} rows from {self.start.time_s:.6g} to {self.times[-1]:.6g} s"
