@@ -36,7 +36,8 @@ FlightSquare covariance_of(const Flight& flight, std::span<const MeasuredRow> ro
     const Square normal = chosen(sums.normal, places);
     const auto n = normal.rows();
     const Square inverse = normal.ldlt().solve(Square::Identity(n, n));
-    const Square small = residual * residual * inverse * chosen(spread.spread, places) * inverse;
+    const Square seen = chosen(spread.spread, places) * inverse;
+    const Square small = residual * residual * (inverse * seen);
     FlightSquare covariance = FlightSquare::Zero();
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = 0; k < n; ++k)
