@@ -1,6 +1,6 @@
 // Lighting of all surfaces: the only place of these formulas and their constants. Written in the
 // common subset of GLSL and C++, with `real` as the type of numbers: the shaders include this file,
-// and so does src/vector/light.cpp.
+// and so does src/picture/vector/light.cpp.
 //   key_strength, sky_strength: of the two lights
 //   to_key: cosine between the normal and the direction to the key light
 //   up: 0.5 + 0.5 · cosine between the normal and the direction to the middle of the sky

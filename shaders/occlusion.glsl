@@ -88,7 +88,7 @@ vec4 visibility(vec4 v[5], vec2 pixel, float depth, float own_quadric, float own
 }
 
 // Where hidden lines are dashed or omitted, planes are glass: what lies behind them is paler, but
-// not hidden. As seen_through_planes in src/vector/occluders.cpp.
+// not hidden. As seen_through_planes in src/picture/vector/occluders.cpp.
 float through_glass(float through_planes) {
     return through_planes + (1.0 - through_planes) * max(0.75, through_planes);
 }

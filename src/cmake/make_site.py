@@ -54,7 +54,7 @@ def anchor_of(heading):
 class Site:
     def __init__(self, source, workbench, folder, downloads):
         self.source, self.workbench, self.folder, self.downloads = source, workbench, folder, downloads
-        self.icon = re.search(r'<link rel="icon"[^>]*>', (source / "src/web/page" / "index.html").read_text())[0]
+        self.icon = re.search(r'<link rel="icon"[^>]*>', (source / "src/doors/web/page" / "index.html").read_text())[0]
 
     def make(self):
         if self.folder.exists() and any(self.folder.iterdir()) and not (self.folder / MARK).exists():

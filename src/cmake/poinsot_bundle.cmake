@@ -4,7 +4,7 @@
 
 # The program, linked so that it uses the bundled libraries: by RPATH, which also applies to the
 # libraries that these load.
-add_executable(poinsot_bundled EXCLUDE_FROM_ALL main.cpp)
+add_executable(poinsot_bundled EXCLUDE_FROM_ALL doors/main.cpp)
 target_link_libraries(poinsot_bundled PRIVATE poinsot_cli)
 target_link_options(poinsot_bundled PRIVATE -Wl,--disable-new-dtags)
 set_target_properties(poinsot_bundled PROPERTIES BUILD_RPATH "$ORIGIN/../lib" OUTPUT_NAME poinsot
@@ -26,7 +26,7 @@ add_custom_target(bundle
 # --target wheel: the Python package with the same libraries; it needs glibc, libstdc++, Python and NumPy.
 if(TARGET poinsot_python)
     add_custom_target(wheel
-        COMMAND ${Python_EXECUTABLE} ${PROJECT_SOURCE_DIR}/src/python/poinsot_build.py wheel ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}
+        COMMAND ${Python_EXECUTABLE} ${PROJECT_SOURCE_DIR}/src/doors/python/poinsot_build.py wheel ${PROJECT_BINARY_DIR} ${PROJECT_BINARY_DIR}
                 ${bundled_libraries}
         DEPENDS poinsot_python VERBATIM)
 endif()

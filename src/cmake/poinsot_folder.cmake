@@ -55,7 +55,7 @@ function(poinsot_tests name)
     # Only this file contains the repository's path, so that a compiler cache serves every checkout.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/places.cpp PROPERTIES
         COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
-    target_include_directories(test_${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+    target_include_directories(test_${name} PRIVATE ${POINSOT_TEST_HEADERS})
     if(POINSOT_SANITIZE)
         # One process per test would spend more time on starting than most tests take: each process
         # runs every eighth test.

@@ -23,10 +23,10 @@ install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/ DESTINATION ${CMAKE_INSTALL_DOCDIR
 install(FILES ${PROJECT_SOURCE_DIR}/README.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 # Of Mediabunny, which pages carry to write films.
-install(FILES ${PROJECT_SOURCE_DIR}/src/web/page/film_writer/node_modules/mediabunny/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
+install(FILES ${PROJECT_SOURCE_DIR}/src/doors/web/page/film_writer/node_modules/mediabunny/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
     RENAME mediabunny.copyright OPTIONAL)
 # Of CodeMirror, with which the workbench edits scenes.
-install(FILES ${PROJECT_SOURCE_DIR}/src/web/page/text_editor/node_modules/@codemirror/view/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
+install(FILES ${PROJECT_SOURCE_DIR}/src/doors/web/page/text_editor/node_modules/@codemirror/view/LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR}
     RENAME codemirror.copyright OPTIONAL)
 install(FILES ${PROJECT_SOURCE_DIR}/CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES ${PROJECT_BINARY_DIR}/changelog.gz DESTINATION ${CMAKE_INSTALL_DOCDIR})

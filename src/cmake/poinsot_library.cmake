@@ -7,7 +7,7 @@ if(POINSOT_PARTS STREQUAL "all")
     list(APPEND facades production)
 endif()
 set(library_folder ${PROJECT_BINARY_DIR}/library)
-configure_file(${PROJECT_SOURCE_DIR}/src/library/exported.map.in ${library_folder}/exported.map @ONLY)
+configure_file(${PROJECT_SOURCE_DIR}/src/doors/library/exported.map.in ${library_folder}/exported.map @ONLY)
 
 # All objects of the facades; of the layers below, those that they use.
 list(TRANSFORM facades REPLACE "(.+)" "$<TARGET_OBJECTS:poinsot_library_\\1>")
@@ -47,7 +47,7 @@ endif()" COMPONENT ${component})
 endforeach()
 install(TARGETS poinsot_shared LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT library NAMELINK_COMPONENT development)
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
-file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/poinsot/*.h)
+file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*/poinsot/*.h)
 if(NOT POINSOT_PARTS STREQUAL "all")
     list(FILTER headers INCLUDE REGEX "/(error|motion|construction)\\.h$")
 endif()
@@ -62,7 +62,7 @@ file(RELATIVE_PATH prefix_from_pkgconfig /${CMAKE_INSTALL_LIBDIR}/pkgconfig /)
 string(REGEX REPLACE "/$" "" prefix_from_pkgconfig ${prefix_from_pkgconfig})
 configure_file(${PROJECT_SOURCE_DIR}/src/cmake/poinsot.pc.in ${library_folder}/poinsot.pc @ONLY)
 install(FILES ${library_folder}/poinsot.pc DESTINATION ${CMAKE_INSTALL_LIBDIR}/pkgconfig)
-# Required by Debian of each package; src/cmake/poinsot_install.cmake and src/python/CMakeLists.txt install the changelog, too.
+# Required by Debian of each package; src/cmake/poinsot_install.cmake and src/doors/python/CMakeLists.txt install the changelog, too.
 file(WRITE ${PROJECT_BINARY_DIR}/changelog "poinsot (${PROJECT_VERSION}) unstable; urgency=medium\n\n  * See CHANGELOG.md.\n\n"
     " -- the poinsot authors <poinsot@example.org>  Sun, 22 Nov 2026 00:00:00 +0000\n")
 execute_process(COMMAND gzip -9nc ${PROJECT_BINARY_DIR}/changelog OUTPUT_FILE ${PROJECT_BINARY_DIR}/changelog.gz COMMAND_ERROR_IS_FATAL ANY)

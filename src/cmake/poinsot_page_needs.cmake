@@ -24,7 +24,7 @@ file(WRITE ${PROJECT_BINARY_DIR}/libc++/__config_site.new "${config_site}")
 file(COPY_FILE ${PROJECT_BINARY_DIR}/libc++/__config_site.new ${PROJECT_BINARY_DIR}/libc++/__config_site ONLY_IF_DIFFERENT)
 
 # A header of Boost asks for threads.
-file(COPY ${PROJECT_SOURCE_DIR}/src/web/host/single_thread/boost DESTINATION ${PROJECT_BINARY_DIR}/libc++)
+file(COPY ${PROJECT_SOURCE_DIR}/src/doors/web/host/single_thread/boost DESTINATION ${PROJECT_BINARY_DIR}/libc++)
 
 target_include_directories(poinsot_options SYSTEM BEFORE INTERFACE ${PROJECT_BINARY_DIR}/libc++ ${page_headers})
 # Small: one thread, which never ends, and no names of types.

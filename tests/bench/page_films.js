@@ -6,7 +6,7 @@ const {execFileSync} = require('node:child_process');
 const fs = require('node:fs');
 const os = require('node:os');
 const path = require('node:path');
-const {launched, opened_file, page_of, ready} = require('../web/browsers.js');
+const {launched, opened_file, page_of, ready} = require('../doors/web/browsers.js');
 
 const [program] = process.argv.slice(2);
 const folder = fs.mkdtempSync(path.join(os.tmpdir(), 'poinsot-page-films-'));

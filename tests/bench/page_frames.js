@@ -4,7 +4,7 @@
 'use strict';
 const fs = require('node:fs');
 const path = require('node:path');
-const puppeteer = require(require.resolve('puppeteer-core', {paths: [path.join(__dirname, '../web'), process.cwd()]}));
+const puppeteer = require(require.resolve('puppeteer-core', {paths: [path.join(__dirname, '../doors/web'), process.cwd()]}));
 
 const [folder, ...options] = process.argv.slice(2);
 

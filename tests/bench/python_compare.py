@@ -4,7 +4,7 @@
     PYTHONPATH=build/release/python /usr/bin/python3 tests/bench/python_compare.py [motion] [calls] [pictures] [sizes]
 
 motion:   scipy's solve_ivp (DOP853), Runge-Kutta of order 4 in NumPy and in Numba, and poinsot: the largest error against the
-          reference motions of tests/mechanics/reference/, and the time an instant.
+          reference motions of tests/motion/mechanics/reference/, and the time an instant.
 calls:    what one call of the package takes.
 pictures: a frame of Poinsot's construction by matplotlib, VTK (under Xvfb if there is no display) and poinsot.
 sizes:    what a notebook stores for each kind of output.
@@ -132,7 +132,7 @@ def errors(samples, states):
 
 def motion_table():
     cases = {case["name"]: case for case in json.loads(
-        (ROOT / "tests/mechanics/reference/torque_free.json").read_text())["cases"]}
+        (ROOT / "tests/motion/mechanics/reference/torque_free.json").read_text())["cases"]}
     row("method", *CASES.values())
     row(*["---"] * (1 + len(CASES)))
     rows = {}

@@ -16,12 +16,12 @@ def text_of(file):
 section = text_of(".ci/packages").split("\n[page]\n")[1].split("\n\n")[0]
 named = {
     ".ci/packages": {line.split()[0] for line in section.splitlines()},
-    "src/web/pack/CMakeLists.txt": {name for parts in re.findall(r"foreach\(part (.*?)\)\n", text_of("src/web/pack/CMakeLists.txt"), re.S)
+    "src/doors/web/pack/CMakeLists.txt": {name for parts in re.findall(r"foreach\(part (.*?)\)\n", text_of("src/doors/web/pack/CMakeLists.txt"), re.S)
                                 for name in re.findall(r"=([\w+.-]+)", parts)},
 }
-message = re.search(r"void need_module.*?\n}", text_of("src/web/pack/page_job.cpp"), re.S).group()
+message = re.search(r"void need_module.*?\n}", text_of("src/doors/web/pack/page_job.cpp"), re.S).group()
 words = "".join(re.findall(r'"(.*)"', message))
-named["src/web/pack/page_job.cpp"] = set(re.split(r", | and ", re.search(r"or install (.*) and build", words).group(1)))
+named["src/doors/web/pack/page_job.cpp"] = set(re.split(r", | and ", re.search(r"or install (.*) and build", words).group(1)))
 wanted = named[".ci/packages"]
 sys.exit("\n".join(f"{file}: without {sorted(wanted - names)}, with {sorted(names - wanted)}"
                    for file, names in named.items() if names != wanted) or None)

@@ -159,7 +159,7 @@ def findings(program):
         yield "scenes/scene.schema.json is not what `poinsot list schema` prints: cmake --build build/release --target docs"
     for path, leaf in leaves(schema):
         if not {"type", "enum", "anyOf"} & set(leaf):
-            yield f"{path}: src/cli/scene_schema.cpp does not know what this key's type means: {leaf['description']}"
+            yield f"{path}: src/doors/cli/scene_schema.cpp does not know what this key's type means: {leaf['description']}"
 
     scenes = sorted((ROOT / "scenes").glob("*.toml"))
     for scene in scenes:

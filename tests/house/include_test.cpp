@@ -309,7 +309,7 @@ TEST(House, TestsOfOtherLayersDoNotUseTheCommandLine) {
     EXPECT_GT(n_files, 100);
 }
 
-// Who reads src/cli/still.cpp looks for still_test.cpp.
+// Who reads src/doors/cli/still.cpp looks for still_test.cpp.
 TEST(House, TestsBearTheNamesOfSources) {
     std::set<std::string> sources;
     for (const fs::path& source : sources_below("src")) sources.insert(source.stem().string());

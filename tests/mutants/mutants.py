@@ -24,31 +24,31 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 LIST = pathlib.Path(__file__).with_suffix(".txt")
 SEED = 4179
-# A source, and the tests (regular expressions of CTest names) that could see a change of it. Not those of tests/cli: they run the
+# A source, and the tests (regular expressions of CTest names) that could see a change of it. Not those of tests/doors/cli: they run the
 # program of the build, whose path is compiled into them.
 SCENE = r"scene\.|docs\.schema$"
 SOURCES = {
-    **{f"src/scene/{name}.cpp": SCENE for name in (
+    **{f"src/motion/scene/{name}.cpp": SCENE for name in (
         "body_keys", "camera_keys", "film_keys", "motion_keys", "name_keys", "picture_keys", "story_keys", "style_keys", "scene_key_rows",
         "value_type", "given_value", "complete_body", "complete_faces", "complete_film", "complete_object", "complete_start",
         "complete_style", "draft_checks", "frame_rate", "track", "film_clock", "write_scene", "toml_text")},
-    "src/report/given_limits.cpp": r"report\.",
-    "src/report/compare_file.cpp": r"report\.",
-    "src/image/compare.cpp": r"image\.|report\.",
-    "src/construction/quantities.cpp": r"construction\.|production\.Column|library\.[A-Z]",
-    "src/construction/polhode.cpp": r"construction\.",
-    "src/construction/poinsot_construction.cpp": r"construction\.|library\.[A-Z]",
-    "src/output/packet_film.cpp": r"output\.|trust\.output_sequences$|production\.",
-    "src/output/frame_log.cpp": r"output\.|trust\.output_sequences$",
-    "src/vector/passes/curves.cpp": r"vector\.",
-    "src/vector/occluders.cpp": r"vector\.",
-    "src/vector/conic.cpp": r"vector\.",
-    "src/vector/passes/plane.cpp": r"vector\.",
-    "src/vector/passes/arrows.cpp": r"vector\.",
-    "src/vector/passes/arrow_shape.cpp": r"vector\.",
-    "src/vector/passes/arrow_strands.cpp": r"vector\.",
-    "src/shapes/outlines.cpp": r"shapes\.|vector\.",
-    "src/shapes/projection.cpp": r"shapes\.|vector\.|drawing\.",
+    "src/outputs/report/given_limits.cpp": r"report\.",
+    "src/outputs/report/compare_file.cpp": r"report\.",
+    "src/base/image/compare.cpp": r"image\.|report\.",
+    "src/motion/construction/quantities.cpp": r"construction\.|production\.Column|library\.[A-Z]",
+    "src/motion/construction/polhode.cpp": r"construction\.",
+    "src/motion/construction/poinsot_construction.cpp": r"construction\.|library\.[A-Z]",
+    "src/outputs/output/packet_film.cpp": r"output\.|trust\.output_sequences$|production\.",
+    "src/outputs/output/frame_log.cpp": r"output\.|trust\.output_sequences$",
+    "src/picture/vector/passes/curves.cpp": r"vector\.",
+    "src/picture/vector/occluders.cpp": r"vector\.",
+    "src/picture/vector/conic.cpp": r"vector\.",
+    "src/picture/vector/passes/plane.cpp": r"vector\.",
+    "src/picture/vector/passes/arrows.cpp": r"vector\.",
+    "src/picture/vector/passes/arrow_shape.cpp": r"vector\.",
+    "src/picture/vector/passes/arrow_strands.cpp": r"vector\.",
+    "src/picture/shapes/outlines.cpp": r"shapes\.|vector\.",
+    "src/picture/shapes/projection.cpp": r"shapes\.|vector\.|drawing\.",
 }
 # Browsers need more address space than a mutant may have.
 NEVER = r"Browser"

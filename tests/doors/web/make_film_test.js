@@ -1,0 +1,421 @@
+// Films made in a page, beside those of `poinsot render`: frames, times, colours, and the record in them.
+// Usage: node make_film_test.js POINSOT MAKE_WORKBENCH [NAME…]
+'use strict';
+const assert = require('node:assert/strict');
+const fs = require('node:fs');
+const path = require('node:path');
+const {browser_checks, is_firefox, opened_file, page_of, ready, scene_text, until, write_page, write_scene} = require('./browsers.js');
+const {assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, probed, psnr, rgb_of, run, said, size, spoiled, verified} =
+  require('./film_checks.js');
+
+const [program, make_workbench, ...only] = process.argv.slice(2);
+
+const check = browser_checks(only);
+
+const small = {width: 160, height: 90};
+const scene = path.join(folder, 'short.toml');
+// generic.toml for two seconds, with a stop between, and a name that fades in.
+const generic = fs.readFileSync(path.join(__dirname, '../../../scenes/generic.toml'), 'utf8');
+fs.writeFileSync(scene, generic.replace(/duration_s = [\d.]+/, 'duration_s = 2.0').replace(/still_s = [\d.]+\n/, '') +
+  '\n[[stops]]\nat_s = 1.0\ntitle = "Half"\n[[fades]]\nat_s = 0.5\nover_s = 0.5\nelements = ["herpolhode"]\n');
+const page_file = page_of(program, scene, path.join(folder, 'short.html'));
+
+let native_frames = null;
+const native = () => (native_frames ??= native_frames_of(scene, 'native'));
+
+async function opened(browser, options = {}) {
+  const {tab, faults} = await opened_file(browser, page_file, options);
+  await ready(tab);
+  return {tab, faults};
+}
+
+/** What the file says of itself, and that it can be drawn again. */
+function assert_record(file, frames) {
+  const record = JSON.parse(poinsot('explain', file, '--json'));
+  assert.match(record.maker, is_firefox ? /Firefox/ : /Chrome/);
+  assert.match(record.renderer, /^WebGL/);
+  assert.deepEqual(record.frames, frames);
+  assert.deepEqual(record.size, [size.width, size.height]);
+  assert.match(poinsot('explain', file), /moments_kg_m2/);
+}
+
+check('makes an MP4 film with the frames of the native one', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const file = await film_file(tab, 'page.mp4', {kind: 'mp4'});
+  assert_film(file, 'h264', 60);
+  assert_same_frames(rgb_of(['-i', file]), native());
+  assert_record(file, [0, 59]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+  // The record draws the film again natively: the bytes of the native film of the same scene.
+  const again = path.join(folder, 'again.mp4');
+  poinsot('rerender', file, '-o', again, '--quiet');
+  assert_same_frames(rgb_of(['-i', again]), native());
+});
+
+check('makes a WebM film', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const file = await film_file(tab, 'page.webm', {kind: 'webm'});
+  assert_film(file, 'vp9', 60);
+  assert_same_frames(rgb_of(['-i', file]), native());
+  assert_record(file, [0, 59]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('makes PNG pictures of the frames that lead to a stop', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const file = await film_file(tab, 'page.zip', {kind: 'png', span: 'stop 0'});
+  run('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; z.extractall(sys.argv[2])', file, folder]);
+  const names = fs.readdirSync(folder).filter((name) => /^short_\d+\.png$/.test(name)).sort();
+  assert.equal(names.length, 31);
+  assert.equal(names[30], 'short_0030.png');
+  assert_same_frames(rgb_of(['-i', path.join(folder, 'short_%04d.png')]), native());
+  assert_record(path.join(folder, names[0]), [0, 30]);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+// Chapters that do not begin at the film's beginning, and captions that overlap.
+const told = path.join(folder, 'told.toml');
+fs.writeFileSync(told, generic.replace(/duration_s = [\d.]+/, 'duration_s = 1.4').replace(/still_s = [\d.]+\n/, '') +
+  '\n[[chapters]]\nat_s = 0.0\ntitle = "Beginning"\n[[chapters]]\nat_s = 0.7\ntitle = "Ω é ' + 'long '.repeat(60) + '"\n' +
+  '[[captions]]\nat_s = 0.2\nover_s = 0.6\ntext = "$L$ < stays"\n[[captions]]\nat_s = 0.5\nover_s = 0.6\ntext = "Top"\nplace = "top"\n');
+
+const chapters_of = (file) => JSON.parse(run('ffprobe', ['-v', 'error', '-show_chapters', '-of', 'json', file])).chapters
+  .map(({start_time, end_time, tags}) => [Number(start_time), Number(end_time), tags.title]);
+
+/** The captions of a film's track as [begin_s, end_s, text]. FFmpeg 5 does not decode them: the boxes of ISO/IEC 14496-30, or texts. */
+function captions_of(file) {
+  const stream = path.extname(file) === '.mp4' ? '0:1' : '0:s';
+  const bytes = run('ffmpeg', ['-v', 'error', '-i', file, '-map', stream, '-c', 'copy', '-f', 'data', '-']);
+  const {packets} = JSON.parse(run('ffprobe', ['-v', 'error', '-show_packets', '-select_streams', '1', '-of', 'json', file]));
+  const cues = new Map();
+  let at = 0;
+  for (const {pts_time, duration_time, size} of packets) {
+    const sample = bytes.subarray(at, at += Number(size));
+    const texts = [];
+    if (stream === '0:s') texts.push(sample.toString());
+    else for (let box = 0; (box = sample.indexOf('payl', box)) >= 0; box += 4) texts.push(sample.subarray(box + 4, box - 4 + sample.readUInt32BE(box - 4)).toString());
+    for (const text of texts) {
+      const [begin] = cues.get(text) ?? [Number(pts_time)];
+      cues.set(text, [begin, Number(pts_time) + Number(duration_time)]);
+    }
+  }
+  return [...cues].map(([text, [begin, end]]) => [begin, Number(end.toFixed(3)), text]);
+}
+/** Those of a file of subtitles. */
+const cues_of = (file) => fs.readFileSync(file, 'utf8').split('\n\n').slice(2).map((cue) => {
+  const [times, ...lines] = cue.trim().split('\n');
+  const [begin, end] = times.match(/[\d:.]{12}/g).map((time) => Number(time.slice(6)));
+  return [begin, end, lines.join('\n')];
+});
+
+for (const kind of ['mp4', 'webm'])
+  check(`writes chapters, captions and hashes into ${kind}`, async (browser) => {
+    const {tab, faults} = await opened_file(browser, page_of(program, told, path.join(folder, 'told.html')));
+    await ready(tab);
+    const file = await film_file(tab, `told_page.${kind}`, {kind, ...small});
+    const span = await film_file(tab, `told_span.${kind}`, {kind, ...small, span: 'chapter 1'});
+    assert.deepEqual(faults, []);
+    await tab.close();
+    const natively = path.join(folder, `told.${kind}`);
+    poinsot('render', told, '-o', natively, '--size', '160x90', '--quiet');
+    const chapters = chapters_of(file);
+    assert.equal(chapters.length, 2);
+    // The box of MP4 holds titles of 255 bytes.
+    if (kind === 'mp4') assert.deepEqual(chapters.map(([start, , title]) => [start, title.length > 100]), chapters_of(natively).map(([start, , title]) => [start, title.length > 100]));
+    else assert.deepEqual(chapters, chapters_of(natively));
+    assert.equal(chapters_of(span).length, 1);
+    assert.deepEqual(captions_of(file), cues_of(path.join(folder, kind === 'mp4' ? 'told.vtt' : 'told.webm.vtt')));
+    const [status, words] = verified(file);
+    assert.equal(status, 0, words);
+    assert.match(words, /unchanged, record and pictures/);
+    // A byte of the pictures, and one of what stands around them.
+    const [no, why] = verified(spoiled(file, (bytes) => Math.floor(0.75 * bytes.length)));
+    assert.equal(no, 1);
+    assert.match(why, /pictures do not match/);
+    assert.match(verified(spoiled(file, (bytes) => bytes.lastIndexOf('Beginning')))[1], /other data are not/);
+  });
+
+check('keeps transparency in WebM', async (browser) => {
+  const clear = path.join(folder, 'clear.toml');
+  fs.writeFileSync(clear, `theme = "transparent"\n${generic.replace(/duration_s = [\d.]+/, 'duration_s = 0.5').replace(/still_s = [\d.]+\n/, '')}`);
+  const {tab, faults} = await opened_file(browser, page_of(program, clear, path.join(folder, 'clear.html')));
+  await ready(tab);
+  const file = await film_file(tab, 'clear.webm', {kind: 'webm', quality: 'print', width: 320, height: 180});
+  assert.doesNotMatch(await said(tab), /white ground/);
+  await film_file(tab, 'clear.mp4', {kind: 'mp4', width: 320, height: 180});
+  assert.deepEqual(faults, []);
+  await tab.close();
+  assert.equal(verified(file)[0], 0);
+  poinsot('render', clear, '-o', path.join(folder, 'clear_####.png'), '--size', '320x180', '--quiet');
+  // Seen on a dark ground, where wrong edges would show.
+  const on_dark = (input) => {
+    const bytes = run('ffmpeg', ['-v', 'error', ...input, '-vf', 'scale=in_color_matrix=bt709:flags=accurate_rnd+full_chroma_int', '-f', 'rawvideo', '-pix_fmt', 'rgba', '-']);
+    const n = 320 * 180;
+    return Array.from({length: bytes.length / (4 * n)}, (_, frame) => {
+      const seen = new Uint8Array(3 * n);
+      for (let k = 0; k < 3 * n; ++k) {
+        const at = 4 * (n * frame + Math.floor(k / 3));
+        const alpha = bytes[at + 3] / 255;
+        seen[k] = alpha * bytes[at + (k % 3)] + (1 - alpha) * 30;
+      }
+      return seen;
+    });
+  };
+  const [ours, theirs] = [on_dark(['-c:v', 'libvpx-vp9', '-i', file]), on_dark(['-framerate', '30', '-i', path.join(folder, 'clear_%04d.png')])];
+  assert.equal(ours.length, theirs.length);
+  const least = Math.min(...ours.map((frame, k) => psnr(frame, theirs[k])));
+  console.log(`      ${ours.length} frames, PSNR ≥ ${least.toFixed(1)} dB on a dark ground`);
+  assert.ok(least > 38, `${least} dB`);
+});
+
+// Two stops, the second with a loop, a caption, and what follows.
+const talk = path.join(folder, 'talk.toml');
+fs.writeFileSync(talk, generic.replace(/duration_s = [\d.]+/, 'duration_s = 1.4').replace(/still_s = [\d.]+\n/, '').replace(/^caption.*$/m, '') +
+  '\n[[stops]]\nat_s = 0.4\ntitle = "First & second"\nnote = "Wait."\n[[stops]]\nat_s = 1.0\nloop_s = 0.4\n[[captions]]\nat_s = 0.2\nover_s = 0.6\ntext = "$L$ stays"\n');
+const unpacked_into = (file, name) => {
+  const into = path.join(folder, name);
+  run('python3', ['-c', 'import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); assert z.testzip() is None; z.extractall(sys.argv[2])', file, into]);
+  return into;
+};
+
+check('makes the slides that the program makes', async (browser) => {
+  const {tab, faults} = await opened_file(browser, page_of(program, talk, path.join(folder, 'talk.html')));
+  await ready(tab);
+  const slides = unpacked_into(await film_file(tab, 'slides.zip', {kind: 'slides', ...small}), 'slides');
+  assert.deepEqual(faults, []);
+  await tab.close();
+  const natively = path.join(folder, 'natively');
+  poinsot('render', talk, '--slides', natively, '--size', '160x90', '--quiet');
+  const pictures = native_frames_of(talk, 'talk', small);
+  // All but the PDFs and the index, which leads to them.
+  const names = fs.readdirSync(natively).filter((name) => !name.endsWith('.pdf') && name !== 'index.html');
+  assert.deepEqual(fs.readdirSync(slides).sort(), names.sort());
+  assert.ok(names.includes('02-loop.mp4') && names.includes('02.vtt'));
+  const plan_in = (into) => JSON.parse(fs.readFileSync(path.join(into, 'slides.json'), 'utf8'));
+  const plan = plan_in(slides);
+  const native_plan = plan_in(natively);
+  for (const slide of native_plan.slides) slide.pdf = null;
+  assert.deepEqual(plan, native_plan);
+  const decoded = (name) => rgb_of(['-i', path.join(slides, name)], small);
+  for (const {film, loop, captions, png, first_frame, last_frame, loop_s} of plan.slides) {
+    for (const [name, first] of [[film, first_frame], [loop, last_frame + 1 - Math.round(30 * loop_s)]]) {
+      if (!name) continue;
+      const frames = decoded(name);
+      assert.equal(frames.length, last_frame - first + 1);
+      assert.equal(frames.length, Number(probed(path.join(natively, name)).streams[0].nb_read_frames));
+      frames.forEach((frame, k) => assert.ok(psnr(frame, pictures[first + k]) > 32, `${name}, frame ${k}: ${psnr(frame, pictures[first + k])} dB`));
+      assert.match(poinsot('explain', path.join(slides, name), '--verify'), /moments_kg_m2/);
+    }
+    if (captions) assert.equal(fs.readFileSync(path.join(slides, captions), 'utf8'), fs.readFileSync(path.join(natively, captions), 'utf8'));
+    const still = path.join(slides, png);
+    assert.ok(psnr(rgb_of(['-i', still], small)[0], pictures[last_frame]) > 38);
+    assert.equal(JSON.parse(poinsot('explain', still, '--json')).frame, last_frame);
+  }
+  // The films meet in the same pixels.
+  const [first, second, loop, third] = ['01.mp4', '02.mp4', '02-loop.mp4', '03.mp4'].map(decoded);
+  assert.ok(first.at(-1).equals(second[0]));
+  assert.ok(second.at(-1).equals(loop.at(-1)) && second.at(-1).equals(third[0]));
+  poinsot('rerender', path.join(slides, '02.mp4'), '-o', path.join(folder, 'again_02.mp4'), '--quiet');
+  assert.equal(rgb_of(['-i', path.join(folder, 'again_02.mp4')], small).length, second.length);
+});
+
+check('makes the presentation that the program makes', async (browser) => {
+  const workbench = path.join(folder, 'workbench.html');
+  write_page(make_workbench, [workbench, path.join(__dirname, '../../../scenes/scene.schema.json'), talk]);
+  const {tab, faults} = await opened_file(browser, workbench);
+  await ready(tab);
+  const browsers = unpacked_into(await film_file(tab, 'page.pptx', {kind: 'pptx', ...small}), 'pptx');
+  assert.deepEqual(faults, []);
+  await tab.close();
+  poinsot('render', talk, '-o', path.join(folder, 'native.pptx'), '--size', '160x90', '--quiet');
+  const natively = unpacked_into(path.join(folder, 'native.pptx'), 'native_pptx');
+  const names = (into) => fs.readdirSync(into, {recursive: true}).filter((name) => fs.statSync(path.join(into, name)).isFile()).sort();
+  assert.deepEqual(names(browsers), names(natively));
+  for (const name of names(natively)) {
+    const [ours, theirs] = [browsers, natively].map((into) => path.join(into, name));
+    if (name.endsWith('.png')) assert.ok(psnr(rgb_of(['-i', ours], small)[0], rgb_of(['-i', theirs], small)[0]) > 38, name);
+    else if (name.endsWith('.mp4')) assert.equal(probed(ours).streams[0].nb_read_frames, probed(theirs).streams[0].nb_read_frames);
+    else assert.equal(fs.readFileSync(ours, 'utf8'), fs.readFileSync(theirs, 'utf8'));
+  }
+});
+
+// As a new user does who has the workbench alone: the guide's section "On a Mac, on Windows".
+check('leads from New to a film of a changed scene', async (browser) => {
+  const began_ms = Date.now();
+  const workbench = process.env['POINSOT_WORKBENCH'] ?? path.join(folder, 'first.html');
+  const starts = ['moments', 'shape', 'mesh', 'top', 'measured'].map((name) => path.join(__dirname, '../../../src/doors/web/page/starts', `${name}.toml`));
+  if (!process.env['POINSOT_WORKBENCH'])
+    write_page(make_workbench, [workbench, path.join(__dirname, '../../../scenes/scene.schema.json'), path.join(__dirname, '../../../scenes/generic.toml'), '--new', ...starts]);
+  const {tab, faults} = await opened_file(browser, workbench, {size: {width: 1440, height: 900}});
+  await ready(tab);
+  await tab.click('#new-open');
+  await tab.evaluate(() => document.querySelector('#starts button').click());
+  await write_scene(tab, (await scene_text(tab)).replace('"My body"', '"A first film"').replace(/omega_rad_s = .*/, 'omega_rad_s = [0.1, 2.0, 0.1]')
+    .replace(/duration_s = .*/, 'duration_s = 2.0'));
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  await tab.click('#show-options');
+  await tab.evaluate(() => {
+    window.showSaveFilePicker = undefined;
+    the_page.save = async (blob, suffix) => { window.first_film = {name: `${the_page.data.name}${suffix}`, bytes: await blob.arrayBuffer()}; };
+  });
+  await tab.select('#film-kind', 'mp4');
+  await tab.click('#film-make');
+  await until(tab, 'window.first_film', 120000);
+  const base64 = await tab.evaluate(() => base64_of_bytes(new Uint8Array(window.first_film.bytes)));
+  fs.writeFileSync(path.join(folder, 'first.mp4'), Buffer.from(base64, 'base64'));
+  assert.equal(await tab.evaluate(() => window.first_film.name), 'a_first_film.mp4');
+  assert.match(poinsot('explain', path.join(folder, 'first.mp4')), /A first film/);
+  assert.equal(Number(probed(path.join(folder, 'first.mp4')).streams[0].nb_read_frames), 60);
+  assert.deepEqual(faults, []);
+  console.log(`      from the page's opening to the film: ${Math.round((Date.now() - began_ms) / 1000)} s`);
+  await tab.close();
+});
+
+check('can be cancelled, stays usable, and saves nothing then', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const cancelled = made(tab, {kind: 'mp4'});
+  await until(tab, 'document.getElementById("film-done").value > 0.1');
+  await tab.evaluate('poinsot.seek(1.5)');
+  await until(tab, 'Math.abs(document.getElementById("scrub").valueAsNumber - 1.5) < 0.01');
+  assert.match(await tab.$eval('#film-hint', (hint) => hint.textContent), /\d+ \/ 60.*time left/);
+  // There is one film at a time, from the first press on: the button has gone.
+  assert.ok(await tab.$eval('#film-make', (button) => button.hidden));
+  assert.equal(await tab.evaluate('the_page.options.films.make(the_page.options.films.settings())'), null);
+  await tab.evaluate('document.getElementById("film-cancel").click()');
+  assert.equal(await cancelled, null);
+  assert.match(await said(tab), /nothing was saved/);
+  assert.ok(await tab.$eval('#film-make', (button) => !button.hidden));
+  // Two presses, one after the other, start one film.
+  assert.equal(await tab.evaluate(async () => {
+    let n_started = 0;
+    const start = Program.start;
+    Program.start = (...given) => {
+      ++n_started;
+      return start.apply(Program, given);
+    };
+    document.getElementById('film-make').click();
+    document.getElementById('film-make').click();
+    while (!the_page.options.films.run) await new Promise((resolve) => setTimeout(resolve, 20));
+    document.getElementById('film-cancel').click();
+    while (the_page.options.films.is_making) await new Promise((resolve) => setTimeout(resolve, 20));
+    Program.start = start;
+    return n_started;
+  }), 1);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('writes the same film to a chosen file, with a hash of its packets', async (browser) => {
+  const {tab, faults} = await opened_file(browser, page_of(program, told, path.join(folder, 'told.html')));
+  await ready(tab);
+  for (const kind of ['mp4', 'webm']) {
+    const base64 = await tab.evaluate(async (kind) => {
+      let bytes = new Uint8Array(0);
+      window.showSaveFilePicker = async () => ({createWritable: async () => ({
+        write: async ({position, data}) => {
+          const all = new Uint8Array(Math.max(bytes.length, position + data.length));
+          all.set(bytes);
+          all.set(data, position);
+          bytes = all;
+        },
+        close: async () => {}, abort: async () => {},
+      })});
+      await the_page.options.films.make({...the_page.options.films.settings(), kind, width: 160, height: 90});
+      return btoa(Array.from(bytes, (byte) => String.fromCharCode(byte)).join(''));
+    }, kind);
+    const file = path.join(folder, `streamed.${kind}`);
+    fs.writeFileSync(file, Buffer.from(base64, 'base64'));
+    assert.equal(Number(probed(file).streams[0].nb_read_frames), 42);
+    assert.equal(chapters_of(file).length, 2);
+    assert.match(verified(file)[1], /coded pictures are unchanged, but whether .* straight to disk/);
+    assert.match(verified(spoiled(file, (bytes) => Math.floor(0.6 * bytes.length)))[1], /pictures do not match/);
+  }
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('writes to a chosen file, and leaves nothing of a film that fails', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const outcome = await tab.evaluate(async () => {
+    const outcomes = [];
+    for (const most of [Infinity, 20000]) {
+      const file = {size: 0, closed: false, aborted: false};
+      window.showSaveFilePicker = async () => ({createWritable: async () => ({
+        write: async (chunk) => {
+          file.size = Math.max(file.size, chunk.position + chunk.data.length);
+          if (file.size > most) throw new DOMException('no space', 'QuotaExceededError');
+        },
+        close: async () => { file.closed = true; },
+        abort: async () => { file.aborted = true; },
+      })});
+      await the_page.options.films.make({...the_page.options.films.settings(), width: 320, height: 180});
+      outcomes.push({...file, said: document.getElementById('film-message').textContent});
+    }
+    return outcomes;
+  });
+  assert.ok(outcome[0].closed && !outcome[0].aborted && outcome[0].size > 20000, JSON.stringify(outcome[0]));
+  assert.match(outcome[0].said, /is saved/);
+  assert.ok(outcome[1].aborted && !outcome[1].closed, JSON.stringify(outcome[1]));
+  assert.match(outcome[1].said, /disk is full/);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('says it in one sentence where the browser has no encoder or refuses', async (browser) => {
+  for (const [before, kind] of [
+    [() => { delete window.VideoEncoder; }, 'mp4'],
+    // A frame of no origin has none.
+    [() => { if (window.VideoEncoder) VideoEncoder.prototype.configure = () => { throw new DOMException('refused', 'NotSupportedError'); }; }, 'webm']]) {
+    const {tab, faults} = await opened(browser, {before});
+    assert.equal(await made(tab, {kind}), null);
+    assert.match(await said(tab), /cannot encode such a film; choose/);
+    assert.deepEqual(faults, []);
+    await tab.close();
+  }
+});
+
+check('takes VP9 in MP4 where there is no H.264, and says so', async (browser) => {
+  const {tab} = await opened(browser, {before: () => {
+    const configure = VideoEncoder.prototype.configure;
+    VideoEncoder.prototype.configure = function (config) {
+      if (config.codec.startsWith('avc1')) throw new DOMException('refused', 'NotSupportedError');
+      return configure.call(this, config);
+    };
+  }});
+  const file = await film_file(tab, 'vp9.mp4', {kind: 'mp4', quality: 'draft', span: 'stop 0'});
+  assert.equal(probed(file).streams[0].codec_name, 'vp9');
+  assert.match(await said(tab), /no H\.264.*VP9/);
+  await tab.close();
+});
+
+check('makes a film at another rate, size and value', async (browser) => {
+  const {tab} = await opened(browser);
+  const bytes = await made(tab, {kind: 'mp4', rate: 12.5, width: 322, height: 180, span: 'stop 0'});
+  fs.writeFileSync(path.join(folder, 'other.mp4'), bytes);
+  const [video] = probed(path.join(folder, 'other.mp4')).streams;
+  assert.equal(video.avg_frame_rate, '25/2');
+  assert.deepEqual([video.width, video.height, Number(video.nb_read_frames)], [322, 180, 14]);
+  assert.equal(await made(tab, {kind: 'mp4', width: 321}), null);
+  assert.match(await said(tab), /even width/);
+  await tab.close();
+});
+
+check('says whose work writes the film, and where its source is', async () => {
+  const lock = JSON.parse(fs.readFileSync(path.join(__dirname, '../../../src/doors/web/page/film_writer/package-lock.json'), 'utf8'));
+  const {version} = lock.packages['node_modules/mediabunny'];
+  assert.match(fs.readFileSync(page_file, 'utf8'), new RegExp(`Mediabunny ${version}, .*Mozilla Public License 2\\.0.*source: https://\\S+/${version}`));
+});
+
+check('offers the qualities of the program, and the size of the scene whatever that of the window', async (browser) => {
+  const {tab} = await opened(browser);
+  await tab.setViewport({width: 700, height: 600});
+  assert.deepEqual(await tab.$$eval('#film-width, #film-height', (inputs) => inputs.map((input) => input.value)), ['1920', '1080']);
+  const names = await tab.$$eval('#film-quality option', (options) => options.map((option) => option.value));
+  const listed = poinsot('list', 'qualities');
+  for (const name of names) assert.match(listed, new RegExp(`^\\s*${name}\\b`, 'm'));
+  assert.equal(names.length, 4);
+  await tab.close();
+});
