@@ -16,15 +16,15 @@
 #include <string>
 #include <vector>
 
+#include "encoding/pipeline.h"
+#include "encoding/quality.h"
+#include "encoding/video_encoder.h"
+#include "encoding/yuv.h"
 #include "error/error.h"
-#include "lab/measure.h"
-#include "output/pipeline.h"
-#include "output/quality.h"
-#include "output/video_encoder.h"
-#include "output/yuv.h"
 #include "production/session/session.h"
 #include "production/stills/picture.h"
 #include "scene/files/load_scene.h"
+#include "tradeoff/measure.h"
 #include "typeset/files/installed_fonts.h"
 
 namespace poinsot {

@@ -5,8 +5,8 @@
 #include <string>
 #include <vector>
 
+#include "encoding/yuv.h"
 #include "image/png.h"
-#include "output/yuv.h"
 #include "production/session/session.h"
 #include "production/stills/picture.h"
 #include "scene/files/load_scene.h"

@@ -10,10 +10,10 @@
 #include <string>
 #include <string_view>
 
+#include "encoding/frame_log.h"
+#include "encoding/frame_sink.h"
 #include "error/error.h"
 #include "fuzz/scratch_file.h"
-#include "output/frame_log.h"
-#include "output/frame_sink.h"
 
 namespace {
 

@@ -4,8 +4,8 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "compare/compare_file.h"
 #include "error/error.h"
-#include "report/compare_file.h"
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
     const std::string_view text(reinterpret_cast<const char*>(data), size);

@@ -5,9 +5,9 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "encoding/film_packets.h"
 #include "error/error.h"
 #include "fuzz/scratch_file.h"
-#include "output/film_packets.h"
 #include "production/records/record.h"
 #include "production/records/verify.h"
 

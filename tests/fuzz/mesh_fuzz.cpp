@@ -5,10 +5,10 @@
 #include <cstdlib>
 #include <string_view>
 
+#include "bodies/mass_properties.h"
+#include "bodies/mesh_reader.h"
+#include "bodies/solid_check.h"
 #include "error/error.h"
-#include "mesh/mass_properties.h"
-#include "mesh/mesh_reader.h"
-#include "mesh/solid_check.h"
 
 namespace {
 

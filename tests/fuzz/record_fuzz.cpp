@@ -7,9 +7,9 @@
 #include <string>
 #include <string_view>
 
+#include "encoding/film_metadata.h"
 #include "error/error.h"
 #include "image/png.h"
-#include "output/film_metadata.h"
 #include "production/records/record.h"
 #include "system/sha256.h"
 

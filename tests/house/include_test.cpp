@@ -64,7 +64,7 @@ std::vector<std::string> lines_of(const fs::path& path) {
 }
 
 struct Include {
-    std::string from_file;
+    std::string from_file;  // without src/ and its wing
     std::string from_folder;
     std::string header;
     bool quoted;
@@ -83,10 +83,29 @@ std::string included_header(const std::string& line) {
     return close == std::string::npos ? "" : line.substr(open, close - open);
 }
 
+// "mechanics/torque.h" of src/motion/mechanics/torque.h.
+fs::path inside_its_wing(const fs::path& source) {
+    const fs::path relative = fs::relative(source, poinsot::source_folder() / "src");
+    return relative.lexically_relative(*relative.begin());
+}
+
+// The wing of each folder of src/.
+const std::map<std::string, std::string>& wings() {
+    static const std::map<std::string, std::string> found = [] {
+        std::map<std::string, std::string> wing_of;
+        for (const auto& [wing, before] : rows_of("wings"))
+            for (const auto& entry :
+                 fs::directory_iterator(poinsot::source_folder() / "src" / wing))
+                if (entry.is_directory()) wing_of[entry.path().filename().string()] = wing;
+        return wing_of;
+    }();
+    return found;
+}
+
 std::vector<Include> includes_of_sources() {
     std::vector<Include> found;
     for (const fs::path& source : sources_below("src")) {
-        const fs::path relative = fs::relative(source, poinsot::source_folder() / "src");
+        const fs::path relative = inside_its_wing(source);
         if (relative.begin() == std::prev(relative.end())) continue;  // main.cpp
         for (const std::string& line : lines_of(source)) {
             const std::string header = included_header(line);
@@ -112,6 +131,28 @@ TEST(House, EveryIncludeFollowsTheLayers) {
         EXPECT_TRUE(folder == include.from_folder || has(allowed, include.from_folder, folder))
             << include.from_file << " must not include \"" << include.header << "\"";
     }
+}
+
+TEST(House, AWingIncludesOnlyTheWingsBeforeIt) {
+    std::set<std::string> in_src;
+    for (const auto& entry : fs::directory_iterator(poinsot::source_folder() / "src"))
+        if (entry.is_directory()) in_src.insert(entry.path().filename().string());
+    EXPECT_EQ(in_src,
+              (std::set<std::string>{"base", "cmake", "doors", "motion", "outputs", "picture"}));
+    EXPECT_EQ(wings().size(), rows_of("folders").size());
+    int n_between = 0;
+    for (const Include& include : includes_of_sources()) {
+        const std::string folder = include.header.substr(0, include.header.find('/'));
+        if (!include.quoted || folder == "shaders") continue;
+        ASSERT_TRUE(wings().contains(folder)) << include.from_file << ": " << include.header;
+        const std::string& from = wings().at(include.from_folder);
+        const std::string& to = wings().at(folder);
+        n_between += from != to;
+        EXPECT_TRUE(from == to || has(rows_of("wings"), from, to))
+            << include.from_file << " of src/" << from << " must not include \"" << include.header
+            << "\" of src/" << to;
+    }
+    EXPECT_GT(n_between, 100);
 }
 
 // "drawing/stage" for "drawing/stage/panel.h"; empty for files outside of subfolders.
@@ -152,7 +193,8 @@ TEST(House, FoldersWhoseSubfoldersAreLayersHaveNoFilesOfTheirOwn) {
     const fs::path src = poinsot::source_folder() / "src";
     for (const std::string& folder : layered) {
         int n_subfolders = 0;
-        for (const auto& entry : fs::directory_iterator(src / folder)) {
+        const std::string& wing = wings().at(folder.substr(0, folder.find('/')));
+        for (const auto& entry : fs::directory_iterator(src / wing / folder)) {
             n_subfolders += entry.is_directory();
             const std::string extension = entry.path().extension().string();
             EXPECT_TRUE(extension != ".h" && extension != ".cpp") << entry.path();
@@ -278,7 +320,8 @@ TEST(House, WhoJoinsIncludesRanges) {
 }
 
 TEST(House, MainIncludesOnlyTheCommandLine) {
-    const std::vector<std::string> lines = lines_of(poinsot::source_folder() / "src" / "main.cpp");
+    const std::vector<std::string> lines =
+        lines_of(poinsot::source_folder() / "src" / "doors" / "main.cpp");
     ASSERT_FALSE(lines.empty());
     for (const std::string& line : lines) {
         const std::string header = included_header(line);
@@ -296,7 +339,8 @@ TEST(House, TestsOfOtherLayersDoNotUseTheCommandLine) {
         const fs::path relative = fs::relative(entry.path(), tests);
         const std::string extension = entry.path().extension().string();
         const bool is_cmake = entry.path().filename() == "CMakeLists.txt";
-        if (*relative.begin() == "cli" || (!is_cmake && extension != ".cpp" && extension != ".h"))
+        if (relative.string().starts_with("doors/cli/") ||
+            (!is_cmake && extension != ".cpp" && extension != ".h"))
             continue;
         ++n_files;
         for (const std::string& line : lines_of(entry.path())) {
@@ -316,8 +360,10 @@ TEST(House, TestsBearTheNamesOfSources) {
     std::size_t n_without = 0;
     const fs::path tests = poinsot::source_folder() / "tests";
     for (const fs::path& source : sources_below("tests")) {
-        const std::string file = fs::relative(source, tests).string();
+        std::string file = fs::relative(source, tests).string();
         if (!file.ends_with("_test.cpp")) continue;
+        if (rows_of("wings").contains(file.substr(0, file.find('/'))))
+            file.erase(0, file.find('/') + 1);
         const std::string test = file.substr(0, file.size() - std::string("_test.cpp").size());
         const bool listed = rows_of("tests_without_source").contains(test);
         n_without += listed;
@@ -331,8 +377,9 @@ TEST(House, TestsBearTheNamesOfSources) {
 TEST(House, EveryFolderHasTestsAndATarget) {
     for (const auto& [folder, others] : rows_of("folders")) {
         if (folder == "error") continue;
-        EXPECT_TRUE(fs::exists(poinsot::source_folder() / "src" / folder / "CMakeLists.txt"));
-        EXPECT_TRUE(fs::exists(poinsot::source_folder() / "tests" / folder / "CMakeLists.txt"));
+        const fs::path in_wing = fs::path(wings().at(folder)) / folder / "CMakeLists.txt";
+        EXPECT_TRUE(fs::exists(poinsot::source_folder() / "src" / in_wing)) << in_wing;
+        EXPECT_TRUE(fs::exists(poinsot::source_folder() / "tests" / in_wing)) << in_wing;
     }
 }
 

@@ -266,7 +266,7 @@ class Matrix:
                     if process.returncode == 0:
                         break
                 n_resumed += self.finish("kill -9", name, k, again, place, expected)
-            # Their number depends on the machine's speed; tests/outputs/output tests that finished frames are reused.
+            # Their number depends on the machine's speed; tests/outputs/encoding tests that finished frames are reused.
             self.say("kill -9", name, True,
                      f"{n_done} kills; {n_resumed} finishing runs went on from what was left")
 

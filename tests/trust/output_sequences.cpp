@@ -25,12 +25,12 @@
 #include <thread>
 #include <vector>
 
+#include "compare/baselines.h"
+#include "encoding/frame_sink.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
 #include "image/synthetic.h"
-#include "output/frame_sink.h"
-#include "report/baselines.h"
 #include "temporary_folder.h"
 #include "trust/failing_disk.h"
 

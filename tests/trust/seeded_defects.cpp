@@ -18,9 +18,9 @@
 #include <string>
 #include <vector>
 
+#include "compare/compare.h"
 #include "drawing/stage/stage.h"
 #include "error/error.h"
-#include "image/compare.h"
 #include "image/files/png_files.h"
 #include "places.h"
 #include "production/session/session.h"

@@ -4,8 +4,8 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
+#include "compare/approval.h"
 #include "error/error.h"
-#include "report/approval.h"
 #include "text/printable.h"
 #include "text/say.h"
 

@@ -5,6 +5,7 @@
 
 #include <filesystem>
 
+#include "bodies/named_objects.h"
 #include "cli/documents.h"
 #include "cli/scenes.h"
 #include "drawing/figures/charts/plot_quantity.h"
@@ -12,12 +13,11 @@
 #include "drawing/stage/overlay.h"
 #include "drawing/stage/panel_kind.h"
 #include "drawing/style/theme.h"
+#include "encoding/frame_sink.h"
+#include "encoding/quality.h"
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "mechanics/solids.h"
-#include "mesh/named_objects.h"
-#include "output/frame_sink.h"
-#include "output/quality.h"
 #include "production/sampling/sample_table.h"
 #include "production/vectors/journal.h"
 #include "scene/camera_views.h"

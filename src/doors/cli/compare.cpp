@@ -1,5 +1,5 @@
 // poinsot compare REF NEW: compares two pictures, films or vector figures, or two folders of them.
-#include "work/compare.h"
+#include "orders/compare.h"
 
 #include <fmt/format.h>
 
@@ -13,11 +13,11 @@
 #include "cli/command.h"
 #include "cli/option_values.h"
 #include "cli/options.h"
+#include "compare/compared_picture.h"
+#include "compare/github_report.h"
+#include "compare/json_report.h"
 #include "error/error.h"
 #include "production/records/record.h"
-#include "report/compared_picture.h"
-#include "report/github_report.h"
-#include "report/json_report.h"
 #include "text/printable.h"
 #include "text/say.h"
 

@@ -3,8 +3,8 @@
 
 #include "cli/command.h"
 #include "cli/options.h"
+#include "encoding/codecs.h"
 #include "error/error.h"
-#include "output/codecs.h"
 #include "render/renderer.h"
 #include "text/json_text.h"
 #include "typeset/files/font_search.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/option.h"
-#include "work/options.h"
+#include "orders/options.h"
 
 namespace poinsot {
 

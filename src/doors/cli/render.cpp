@@ -13,10 +13,10 @@
 #include "cli/progress_bar.h"
 #include "cli/scenes.h"
 #include "cli/sweep.h"
+#include "encoding/frame_name.h"
 #include "error/error.h"
-#include "output/frame_name.h"
+#include "orders/film.h"
 #include "system/files/file_kind.h"
-#include "work/film.h"
 
 namespace poinsot {
 

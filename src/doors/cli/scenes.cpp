@@ -9,8 +9,8 @@
 #include <string_view>
 #include <utility>
 
+#include "encoding/frame_name.h"
 #include "error/error.h"
-#include "output/frame_name.h"
 #include "production/stills/output_place.h"
 #include "system/files/file_kind.h"
 #include "system/files/program_files.h"

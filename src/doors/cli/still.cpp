@@ -1,5 +1,5 @@
 // poinsot still SCENE -o OUT.png: renders one picture.
-#include "work/still.h"
+#include "orders/still.h"
 
 #include <fmt/format.h>
 
@@ -18,8 +18,8 @@
 #include "cli/progress_bar.h"
 #include "cli/scenes.h"
 #include "cli/sweep.h"
+#include "encoding/frame_name.h"
 #include "error/error.h"
-#include "output/frame_name.h"
 #include "production/slides/slide_plan.h"
 #include "production/stills/contact_sheet.h"
 #include "production/stills/output_place.h"

@@ -7,10 +7,10 @@
 #include "cli/command.h"
 #include "cli/options.h"
 #include "cli/progress_bar.h"
-#include "lab/tradeoff_report.h"
 #include "production/stills/output_place.h"
 #include "production/stills/picture.h"
 #include "system/files/atomic_file.h"
+#include "tradeoff/tradeoff_report.h"
 
 namespace poinsot {
 

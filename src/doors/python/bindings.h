@@ -12,8 +12,8 @@
 #include <utility>
 #include <vector>
 
+#include "orders/options.h"
 #include "system/interrupt.h"
-#include "work/options.h"
 
 namespace poinsot::python {
 

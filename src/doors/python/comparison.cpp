@@ -6,14 +6,14 @@
 #include <tuple>
 #include <vector>
 
+#include "compare/approval.h"
+#include "compare/compared_picture.h"
+#include "compare/html_report.h"
+#include "compare/report_pictures.h"
 #include "image/files/png_files.h"
+#include "orders/compare.h"
 #include "python/bindings.h"
-#include "report/approval.h"
-#include "report/compared_picture.h"
-#include "report/html_report.h"
-#include "report/report_pictures.h"
 #include "system/files/atomic_file.h"
-#include "work/compare.h"
 
 namespace poinsot::python {
 

@@ -1,12 +1,12 @@
 // The options of work/options.h as keywords.
-#include "work/options.h"
+#include "orders/options.h"
 
 #include <pybind11/stl.h>
 
 #include <algorithm>
 
+#include "compare/given_limits.h"
 #include "python/bindings.h"
-#include "report/given_limits.h"
 
 namespace poinsot::python {
 

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
+#include "bodies/flat_face.h"
+#include "bodies/solid_meshes.h"
 #include "image/png.h"
-#include "mesh/flat_face.h"
-#include "mesh/solid_meshes.h"
 #include "scene/body_faces.h"
 #include "scene/draft_checks.h"
 

@@ -8,9 +8,9 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/mass_properties.h"
-#include "mesh/mesh_reader.h"
-#include "mesh/named_objects.h"
+#include "bodies/mass_properties.h"
+#include "bodies/mesh_reader.h"
+#include "bodies/named_objects.h"
 #include "scene/draft_checks.h"
 
 namespace poinsot {

@@ -12,13 +12,13 @@
 #include <string_view>
 #include <vector>
 
+#include "bodies/triangle_mesh.h"
 #include "image/image.h"
 #include "measured/measured_motion.h"
 #include "mechanics/free/polhode_start.h"
 #include "mechanics/inertia.h"
 #include "mechanics/motion_problem.h"
 #include "mechanics/solids.h"
-#include "mesh/triangle_mesh.h"
 
 namespace poinsot {
 

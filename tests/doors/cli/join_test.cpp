@@ -13,7 +13,7 @@ namespace {
 namespace fs = std::filesystem;
 
 TEST_F(Parts, JoinedAreByteIdenticalToASingleRun) {
-    // tests/outputs/output/film_parts_test.cpp has the other formats.
+    // tests/outputs/encoding/film_parts_test.cpp has the other formats.
     for (const std::string kind : {".mp4", ".mov"}) {
         // Two chunks and a short one.
         const std::string render = "render a.toml -q --set film.fps=20 -o ";

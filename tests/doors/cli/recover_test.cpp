@@ -6,8 +6,8 @@
 
 #include "cli/program_run.h"
 #include "cli/small_scene.h"
+#include "encoding/video_reader.h"
 #include "image/png.h"
-#include "output/video_reader.h"
 
 namespace poinsot::testing {
 namespace {

@@ -8,8 +8,8 @@
 
 #include "cli/program_run.h"
 #include "cli/small_scene.h"
+#include "encoding/video_reader.h"
 #include "image/files/png_files.h"
-#include "output/video_reader.h"
 
 namespace poinsot::testing {
 namespace {

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <filesystem>
 
-#include "mesh/mass_properties.h"
-#include "mesh/named_objects.h"
+#include "bodies/mass_properties.h"
+#include "bodies/named_objects.h"
 #include "mesh_folder.h"
 #include "scene/write_scene.h"
 #include "scene_text.h"

@@ -15,9 +15,9 @@
 #include <string_view>
 #include <vector>
 
+#include "bodies/named_objects.h"
 #include "mechanics/methods.h"
 #include "mechanics/solids.h"
-#include "mesh/named_objects.h"
 #include "scene/body_faces.h"
 #include "scene/camera_views.h"
 #include "scene/easing.h"

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "drawing/style/picture_quality.h"
-#include "output/quality.h"
+#include "encoding/quality.h"
 #include "production/records/record.h"
 #include "production/session/picture_setting.h"
 #include "scene/parse_scene.h"

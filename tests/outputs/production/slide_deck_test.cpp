@@ -13,10 +13,10 @@
 #include <string>
 #include <vector>
 
+#include "encoding/video_reader.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_sha256.h"
-#include "output/video_reader.h"
 #include "production/films/film_job.h"
 #include "production/films/redraw.h"
 #include "production/records/record.h"

@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "output/films.h"
+#include "encoding/films.h"
 #include "system/sha256.h"
 
 namespace poinsot {

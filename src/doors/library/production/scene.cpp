@@ -9,6 +9,8 @@
 #include "library/production/drawing_thread.h"
 #include "library/production/scene_access.h"
 #include "measured/departure.h"
+#include "orders/film.h"
+#include "orders/still.h"
 #include "production/sampling/sample_table.h"
 #include "production/session/files/open_session.h"
 #include "production/session/scene_summary.h"
@@ -16,8 +18,6 @@
 #include "system/interrupt.h"
 #include "text/json_text.h"
 #include "text/printable.h"
-#include "work/film.h"
-#include "work/still.h"
 
 namespace poinsot::library {
 

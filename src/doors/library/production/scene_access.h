@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "work/film.h"
-#include "work/options.h"
+#include "orders/film.h"
+#include "orders/options.h"
 
 namespace poinsot::library {
 

@@ -2,9 +2,9 @@
 
 #include <vector>
 
+#include "encoding/yuv.h"
 #include "error/error.h"
 #include "image/alpha.h"
-#include "output/yuv.h"
 #include "production/films/chapters.h"
 #include "production/films/subtitles.h"
 #include "production/records/record.h"

@@ -10,10 +10,10 @@
 #include <utility>
 #include <vector>
 
+#include "encoding/palette.h"
 #include "error/error.h"
 #include "image/alpha.h"
 #include "image/png.h"
-#include "output/palette.h"
 #include "production/session/still_moment.h"
 #include "production/stills/output_place.h"
 #include "production/vectors/vector_still.h"

@@ -10,7 +10,7 @@ import {joined_bytes} from './png_frames.js';
  * @typedef {{language: string, chapters: FilmChapter[], captions: string}} FilmTexts
  *   A language of ISO 639-2; captions as WebVTT, or ''.
  * @typedef {{packets: string, file: string}} FilmHashes
- *   Of the packets, and of the file around the record; see src/outputs/output/film_packets.h and film_file_hash.h.
+ *   Of the packets, and of the file around the record; see src/outputs/encoding/film_packets.h and film_file_hash.h.
  * @typedef {{kind: 'mp4'|'webm', codec: FilmCodec, shape: FilmShape, texts: FilmTexts, record: (hashes: FilmHashes) => string}} FilmContents
  * @typedef {{write: (chunk: any) => Promise<void>, close: () => Promise<void>, abort: () => Promise<void>}} FileSink
  */
@@ -49,7 +49,7 @@ function number_bytes(value, n_bytes) {
   return bytes;
 }
 
-/** The hash of a film's packets, as src/outputs/output/film_packets.h has it. */
+/** The hash of a film's packets, as src/outputs/encoding/film_packets.h has it. */
 class PacketHash {
   constructor() {
     /** @type {Uint8Array[]} */

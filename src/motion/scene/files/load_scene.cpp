@@ -7,8 +7,8 @@
 #include <system_error>
 #include <vector>
 
+#include "bodies/files/mesh_file.h"
 #include "image/files/png_files.h"
-#include "mesh/files/mesh_file.h"
 #include "scene/scene_error.h"
 #include "scene/toml/toml_document.h"
 #include "system/files/file_contents.h"

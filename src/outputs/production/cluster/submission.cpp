@@ -8,11 +8,11 @@
 #include <set>
 #include <system_error>
 
+#include "encoding/film_part.h"
+#include "encoding/film_parts.h"
+#include "encoding/frame_log.h"
+#include "encoding/frame_sink.h"
 #include "error/error.h"
-#include "output/film_part.h"
-#include "output/film_parts.h"
-#include "output/frame_log.h"
-#include "output/frame_sink.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
 #include "system/files/program_files.h"

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "drawing/style/picture_quality.h"
+#include "encoding/film_parts.h"
+#include "encoding/frame_name.h"
+#include "encoding/pipeline.h"
 #include "error/error.h"
 #include "image/alpha.h"
 #include "image/png.h"
-#include "output/film_parts.h"
-#include "output/frame_name.h"
-#include "output/pipeline.h"
 #include "production/films/chapters.h"
 #include "production/films/subtitles.h"
 #include "production/records/record.h"

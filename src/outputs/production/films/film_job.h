@@ -7,7 +7,7 @@
 #include <string>
 #include <utility>
 
-#include "output/frame_sink.h"
+#include "encoding/frame_sink.h"
 #include "production/session/session.h"
 #include "production/session/task.h"
 #include "production/stills/picture.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 
 #include "drawing/style/picture_quality.h"
-#include "output/film_part.h"
-#include "output/frame_sink.h"
-#include "output/quality.h"
+#include "encoding/film_part.h"
+#include "encoding/frame_sink.h"
+#include "encoding/quality.h"
 #include "scene/scene_error.h"
 #include "system/files/file_kind.h"
 #include "system/files/processor.h"

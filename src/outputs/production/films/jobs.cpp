@@ -14,11 +14,11 @@
 #include <utility>
 #include <vector>
 
+#include "encoding/film_part.h"
+#include "encoding/film_parts.h"
+#include "encoding/frame_log.h"
+#include "encoding/frame_name.h"
 #include "error/error.h"
-#include "output/film_part.h"
-#include "output/film_parts.h"
-#include "output/frame_log.h"
-#include "output/frame_name.h"
 #include "production/films/child.h"
 #include "production/films/job_choice.h"
 #include "production/films/join.h"

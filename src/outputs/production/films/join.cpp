@@ -8,9 +8,9 @@
 #include <system_error>
 #include <utility>
 
+#include "encoding/film_parts.h"
+#include "encoding/frame_name.h"
 #include "error/error.h"
-#include "output/film_parts.h"
-#include "output/frame_name.h"
 #include "production/films/chapters.h"
 #include "production/films/part_mismatch.h"
 #include "production/films/recovery.h"

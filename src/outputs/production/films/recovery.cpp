@@ -4,9 +4,9 @@
 
 #include <utility>
 
+#include "encoding/frame_name.h"
+#include "encoding/frame_sink.h"
 #include "error/error.h"
-#include "output/frame_name.h"
-#include "output/frame_sink.h"
 #include "production/films/chapters.h"
 #include "production/films/jobs.h"
 #include "production/films/subtitles.h"

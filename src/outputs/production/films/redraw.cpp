@@ -7,10 +7,10 @@
 #include <system_error>
 #include <utility>
 
+#include "encoding/film_metadata.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
-#include "output/film_metadata.h"
 #include "production/films/film_job.h"
 #include "production/records/record.h"
 #include "production/stills/output_place.h"

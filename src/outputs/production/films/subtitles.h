@@ -6,7 +6,7 @@
 #include <string>
 #include <vector>
 
-#include "output/frame_sink.h"
+#include "encoding/frame_sink.h"
 #include "production/session/session.h"
 
 namespace poinsot {

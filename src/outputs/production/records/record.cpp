@@ -4,8 +4,8 @@
 
 #include <map>
 
+#include "encoding/frame_sink.h"
 #include "error/error.h"
-#include "output/frame_sink.h"
 #include "production/records/record_fields.h"
 #include "scene/toml/toml_document.h"
 #include "scene/write_scene.h"

@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "drawing/stage/stage.h"
-#include "output/frame_sink.h"
+#include "encoding/frame_sink.h"
 #include "production/session/session.h"
 #include "render/context/offscreen_context.h"
 #include "scene/files/load_scene.h"

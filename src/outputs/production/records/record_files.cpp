@@ -6,10 +6,10 @@
 #include <cctype>
 
 #include "drawing/stage/stage_store.h"
+#include "encoding/film_metadata.h"
+#include "encoding/frame_sink.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
-#include "output/film_metadata.h"
-#include "output/frame_sink.h"
 #include "production/records/page_text.h"
 #include "production/records/record.h"
 #include "scene/files/load_scene.h"

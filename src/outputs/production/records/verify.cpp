@@ -5,12 +5,12 @@
 #include <optional>
 #include <system_error>
 
+#include "encoding/film_end.h"
+#include "encoding/film_file_hash.h"
+#include "encoding/film_packets.h"
+#include "encoding/video_reader.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
-#include "output/film_end.h"
-#include "output/film_file_hash.h"
-#include "output/film_packets.h"
-#include "output/video_reader.h"
 #include "production/records/page_text.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"

@@ -14,10 +14,10 @@
 
 #include "drawing/stage/framing.h"
 #include "drawing/stage/type/labels.h"
+#include "encoding/film_metadata.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
-#include "output/film_metadata.h"
 #include "production/records/record.h"
 #include "production/stills/prepared_still.h"
 #include "system/files/atomic_file.h"

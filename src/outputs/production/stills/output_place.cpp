@@ -4,7 +4,7 @@
 #include <string>
 #include <system_error>
 
-#include "output/frame_name.h"
+#include "encoding/frame_name.h"
 #include "system/files/atomic_file.h"
 
 namespace poinsot {

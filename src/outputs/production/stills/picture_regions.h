@@ -11,7 +11,7 @@
 #include <string_view>
 #include <vector>
 
-#include "image/compare.h"
+#include "image/picture_region.h"
 #include "production/records/record.h"
 
 namespace poinsot {

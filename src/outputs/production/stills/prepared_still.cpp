@@ -8,10 +8,10 @@
 #include <string>
 #include <utility>
 
+#include "encoding/film_metadata.h"
 #include "error/error.h"
 #include "image/pixels_xxh64.h"
 #include "image/png.h"
-#include "output/film_metadata.h"
 #include "production/records/record.h"
 #include "production/stills/banded_still.h"
 #include "production/stills/output_place.h"

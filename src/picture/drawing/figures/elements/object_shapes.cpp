@@ -6,10 +6,10 @@
 #include <span>
 #include <utility>
 
+#include "bodies/flat_face.h"
+#include "bodies/solid_meshes.h"
 #include "drawing/figures/elements/elements.h"
 #include "drawing/stage/drawing_primitives.h"
-#include "mesh/flat_face.h"
-#include "mesh/solid_meshes.h"
 #include "numerics/least_turn.h"
 #include "numerics/srgb.h"
 #include "scene/body_faces.h"

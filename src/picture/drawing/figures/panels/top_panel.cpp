@@ -11,6 +11,7 @@
 #include <utility>
 #include <vector>
 
+#include "bodies/solid_meshes.h"
 #include "construction/timed_path.h"
 #include "drawing/figures/elements/ghost.h"
 #include "drawing/figures/elements/trail.h"
@@ -20,7 +21,6 @@
 #include "drawing/stage/label_requests.h"
 #include "drawing/stage/possible_motions.h"
 #include "drawing/style/theme_contrast.h"
-#include "mesh/solid_meshes.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
