@@ -49,7 +49,7 @@ install(TARGETS poinsot_shared LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPO
 set(CMAKE_INSTALL_DEFAULT_COMPONENT_NAME development)
 file(GLOB headers CONFIGURE_DEPENDS ${PROJECT_SOURCE_DIR}/src/*/*/poinsot/*.h)
 if(NOT POINSOT_PARTS STREQUAL "all")
-    list(FILTER headers INCLUDE REGEX "/(error|motion|construction)\\.h$")
+    list(FILTER headers INCLUDE REGEX "/(error|torque|motion|construction)\\.h$")
 endif()
 install(FILES ${headers} DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/poinsot)
 set(config_folder ${CMAKE_INSTALL_LIBDIR}/cmake/poinsot)

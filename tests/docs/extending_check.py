@@ -21,6 +21,7 @@ EXISTING = {
     "A plot quantity": r'"wobble"|wobble_values',
     "A format": r"(open|recover|join)_gif",
     "A scene key": r"&Scene::labels\b|bool labels\b",
+    "A torque": r"\bDrag(?:::|[{>;]|& drag\b| \{)|linear_1_s",
     "An integrator": r"\bsplitting\(const MethodStart|make = splitting",
     "A command": r"explain_command",
     "An option of `still`": r"\bkeep_text\b",

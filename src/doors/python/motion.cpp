@@ -11,9 +11,12 @@
 #include <chrono>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "library/mechanics/given_torque.h"
 #include "python/bindings.h"
 
 namespace poinsot::python {
@@ -115,10 +118,14 @@ Eigen::Vector3d three(const char* name, const Doubles& values) {
     return {values.at(0), values.at(1), values.at(2)};
 }
 
+// The kind, and its numbers by name.
+using GivenTorque =
+    std::pair<std::string, std::vector<std::pair<std::string, std::vector<double>>>>;
+
 library::MotionOptions options_of(const Doubles& attitude, const std::string& method,
                                   std::optional<double> step_s, std::optional<double> tolerance,
                                   std::optional<int> order, std::pair<double, double> span_s,
-                                  bool allow_unphysical) {
+                                  const GivenTorque& torque, bool allow_unphysical) {
     if (attitude.ndim() != 1 || attitude.shape(0) != 4)
         throw InputError("attitude: give a quaternion (w, x, y, z)");
     library::MotionOptions options;
@@ -130,6 +137,8 @@ library::MotionOptions options_of(const Doubles& attitude, const std::string& me
     options.order = order;
     options.first_time_s = span_s.first;
     options.last_time_s = span_s.second;
+    options.torque =
+        library::given_torque(torque.first, {torque.second.begin(), torque.second.end()});
     options.allow_unphysical = allow_unphysical;
     return options;
 }
@@ -147,9 +156,10 @@ std::function<bool()> at_times(std::function<bool()> stop) {
 Motion motion_of(const Doubles& moments, const Doubles& omega, const Doubles& attitude,
                  const std::string& method, std::optional<double> step_s,
                  std::optional<double> tolerance, std::optional<int> order,
-                 std::pair<double, double> span_s, bool allow_unphysical) {
+                 std::pair<double, double> span_s, const GivenTorque& torque,
+                 bool allow_unphysical) {
     library::MotionOptions options =
-        options_of(attitude, method, step_s, tolerance, order, span_s, allow_unphysical);
+        options_of(attitude, method, step_s, tolerance, order, span_s, torque, allow_unphysical);
     const Eigen::Vector3d start = three("omega", omega);
     std::optional<Motion> made;
     const auto make = [&](const auto& body, auto maker) {

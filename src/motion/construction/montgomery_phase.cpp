@@ -26,7 +26,7 @@ int n_instants(const FreeRotationConstants& constants) {
 }  // namespace
 
 std::optional<MontgomeryPhase> montgomery_phase(const MotionProblem& problem) {
-    if (!std::holds_alternative<NoTorque>(problem.torque)) return std::nullopt;
+    if (!is_free(problem.torque)) return std::nullopt;
     const FreeRotation motion(problem.inertia, problem.start, problem.on_separatrix);
     const FreeRotationConstants& constants = motion.constants();
     if (!constants.polhode_period_s || !constants.advance_per_period_rad) return std::nullopt;

@@ -61,10 +61,7 @@ void put_euler_angles(Of of, At at, Values values) {
     values[2] = angles.psi_rad;
 }
 
-bool turns_freely(const Motion& motion) {
-    return std::holds_alternative<NoTorque>(motion.problem().torque) &&
-           !motion.problem().start.omega_body.isZero(0.0);
-}
+bool has_constants(const Motion& motion) { return turns_freely(motion.problem()); }
 
 constexpr Quantities no_attitude{.attitude = false};
 constexpr Quantities attitude{};
@@ -117,7 +114,7 @@ const Quantity rows[] = {
     {"contact_space", "", "the contact point ρ in space axes", contact_space_names, per_sqrt_kg_m2,
      attitude, [](Of of, At at, Values v) { put(space_of(at, contact_body(of, at)), v); }},
     {"residuals", "", "relative errors against Poinsot's construction; see render --certify",
-     residual_names, no_unit, attitude, put_residuals, turns_freely,
+     residual_names, no_unit, attitude, put_residuals, has_constants,
      "a body that turns without torque"},
 };
 

@@ -34,8 +34,7 @@ void keep_larger(DepartureAt& kept, const DepartureAt& other) {
 
 Departure::Departure(const Motion& motion)
     : motion_(&motion), tensor_body_(motion.problem().inertia.matrix_body()) {
-    is_free_ = std::holds_alternative<NoTorque>(motion.problem().torque) &&
-               !motion.problem().start.omega_body.isZero(0.0);
+    is_free_ = turns_freely(motion.problem());
     if (!is_free_) return;
     const FreeRotationConstants constants = motion.free_constants();
     energy_J_ = constants.kinetic_energy_J;

@@ -61,7 +61,7 @@ ScaledStart scaled_start(const InertiaTensor& inertia, const Eigen::Vector3d& om
         if (I[i] == I[axis]) aside[i] = 0.0;
     if (!(largest > 0.0) || !(aside.norm() > 1e-12))
         throw InputError(
-            "omega_rad_s: friction inside a body does not change a rotation exactly about a "
+            "omega_rad_s: internal friction does not change a rotation exactly about a "
             "principal axis; tilt omega a little, as by a hundredth in another component");
     ScaledStart body;
     const double I_max = I.maxCoeff();
@@ -206,8 +206,8 @@ double mean_burning(const Eigen::Vector3d& moments_kg_m2, double momentum, doubl
     return L2 * burning(rising, twice_T / L2 - 1.0 / rising[2], 1.0 / rising[0] - twice_T / L2);
 }
 
-double dissipation_rate_of_half_life(const InertiaTensor& inertia,
-                                     const Eigen::Vector3d& omega_body, double half_life_s) {
+double friction_rate_of_half_life(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body,
+                                  double half_life_s) {
     const ScaledStart body = scaled_start(inertia, omega_body);
     if (!(excess(body, body.momentum) > 1e-20))
         throw InputError(

@@ -7,13 +7,13 @@
 
 namespace poinsot {
 
-// Returns the DissipationTorque::rate_1_s for which the excess T − L²/(2 I_max), I_max the largest
+// Returns the InternalFriction::rate_1_s for which the excess T − L²/(2 I_max), I_max the largest
 // moment, falls to half of its initial value in half_life_s. Motions of up to some thousand turns
 // are integrated step by step; for longer ones, T falls at its mean rate over each polhode, with a
 // relative error below 1/(number of turns). Throws InputError for a start at rest or along a
 // principal axis, to 1e-12 of ω: such a motion does not change or has no energy to lose.
-double dissipation_rate_of_half_life(const InertiaTensor& inertia,
-                                     const Eigen::Vector3d& omega_body, double half_life_s);
+double friction_rate_of_half_life(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body,
+                                  double half_life_s);
 
 // Returns the mean of |L × ω|²/L² over one polhode of the free motion with this L and T, in
 // rad²/s²; with friction κ, dT/dt is −κ times this mean (RotationDynamics). `momentum` in kg m²/s

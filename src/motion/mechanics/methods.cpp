@@ -39,22 +39,6 @@ Propagator dmv(const MethodStart& start);
 
 namespace {
 
-// The bit of an alternative of a variant.
-template <typename Wanted, typename... Alternatives>
-constexpr unsigned bit_in(const std::variant<Alternatives...>* /*type*/) {
-    unsigned index = 0;
-    bool found = false;
-    ((found = found || std::is_same_v<Wanted, Alternatives>, index += found ? 0U : 1U), ...);
-    return 1U << index;
-}
-template <typename Wanted>
-constexpr unsigned bit = bit_in<Wanted>(static_cast<const Torque*>(nullptr));
-
-constexpr unsigned torque_free = bit<NoTorque>;
-constexpr unsigned potential = torque_free | bit<GravityTorque>;
-constexpr unsigned any_torque = potential | bit<ConstantBodyTorque> | bit<ConstantSpaceTorque> |
-                                bit<DissipationTorque> | bit<DragTorque>;
-
 constexpr std::array order_1{1};
 constexpr std::array order_2{2};
 constexpr std::array order_4{4};
@@ -66,33 +50,35 @@ constexpr std::array method_rows{
            .summary = "closed form; every instant has the same cost and is accurate to rounding",
            .source = "Jacobi 1849; Klein & Sommerfeld, Theorie des Kreisels",
            .conserves = "everything, to rounding",
-           .torques = potential},
-    Method{.name = "euler",
-           .summary = "Euler's explicit method, order 1: shows what a bad integrator does",
-           .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §I.7",
-           .conserves =
-               "nothing: T and L grow (with dissipation, L in space is conserved to rounding)",
-           .orders = order_1,
-           .takes_step = true,
-           .torques = any_torque,
-           .make = euler},
+           .torques = TorquesTaken::with_potential},
+    Method{
+        .name = "euler",
+        .summary = "Euler's explicit method, order 1: shows what a bad integrator does",
+        .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §I.7",
+        .conserves =
+            "nothing: T and L grow (with internal friction, L in space is conserved to rounding)",
+        .orders = order_1,
+        .takes_step = true,
+        .torques = TorquesTaken::all,
+        .make = euler},
     Method{.name = "rk4",
            .summary = "the classical Runge–Kutta method, order 4",
            .source = "Hairer, Nørsett & Wanner, Solving ODEs I, §II.1",
-           .conserves = "nothing exactly: T and L drift steadily (with dissipation, L in space is "
-                        "conserved to rounding)",
+           .conserves =
+               "nothing exactly: T and L drift steadily (with internal friction, L in space is "
+               "conserved to rounding)",
            .orders = order_4,
            .takes_step = true,
-           .torques = any_torque,
+           .torques = TorquesTaken::all,
            .make = rk4},
     Method{.name = "dopri5",
            .summary = "Dormand & Prince 5(4) with step control and dense output",
            .source = "Dormand & Prince, J. Comput. Appl. Math. 6 (1980) 19; Boost.odeint",
            .conserves = "nothing exactly: T and L drift by at most the tolerance in each step "
-                        "(with dissipation, L in space is conserved to rounding)",
+                        "(with internal friction, L in space is conserved to rounding)",
            .orders = order_5,
            .takes_tolerance = true,
-           .torques = any_torque,
+           .torques = TorquesTaken::all,
            .make = dopri5},
     Method{.name = "midpoint",
            .summary = "implicit midpoint rule with a Cayley update, order 2",
@@ -100,7 +86,7 @@ constexpr std::array method_rows{
            .conserves = "T and L in space, to rounding",
            .orders = order_2,
            .takes_step = true,
-           .torques = torque_free,
+           .torques = TorquesTaken::none,
            .make = midpoint},
     Method{
         .name = "splitting",
@@ -109,7 +95,7 @@ constexpr std::array method_rows{
         .conserves = "L in space to rounding without torque; the energy error stays bounded",
         .orders = order_2,
         .takes_step = true,
-        .torques = potential,
+        .torques = TorquesTaken::with_potential,
         .make = splitting},
     Method{.name = "dmv",
            .summary = "preprocessed discrete Moser–Veselov algorithm, orders 2 to 10",
@@ -117,7 +103,7 @@ constexpr std::array method_rows{
            .conserves = "T and L in space, to rounding",
            .orders = even_orders,
            .takes_step = true,
-           .torques = torque_free,
+           .torques = TorquesTaken::none,
            .make = dmv},
     Method{.name = "rkmk4",
            .summary = "Runge–Kutta–Munthe-Kaas on the rotation group, order 4",
@@ -125,7 +111,7 @@ constexpr std::array method_rows{
            .conserves = "L in space to rounding without torque; T drifts",
            .orders = order_4,
            .takes_step = true,
-           .torques = any_torque,
+           .torques = TorquesTaken::all,
            .make = rkmk4},
 };
 
@@ -180,8 +166,10 @@ const Method& find_method(std::string_view name) {
 }
 
 bool can_solve(const Method& method, const InertiaTensor& inertia, const Torque& torque) {
-    if ((method.torques >> torque.index() & 1U) == 0U) return false;
-    const auto* gravity = std::get_if<GravityTorque>(&torque);
+    if (method.torques == TorquesTaken::none && !is_free(torque)) return false;
+    if (method.torques == TorquesTaken::with_potential && !kind_of(torque).has_potential)
+        return false;
+    const auto* gravity = std::get_if<Gravity>(&torque);
     return !is_exact(method) || gravity == nullptr || gravity->mgl_N_m == 0.0 ||
            HeavyTop::accepts(inertia, *gravity);
 }
@@ -198,13 +186,12 @@ const Method& check_method(const MethodChoice& choice, const InertiaTensor& iner
                            const Torque& torque) {
     const Method& method = find_method(choice.name);
     if (!can_solve(method, inertia, torque)) {
-        const bool asymmetric_top =
-            is_exact(method) && std::holds_alternative<GravityTorque>(torque);
+        const bool asymmetric_top = is_exact(method) && has_weight(torque);
         throw InputError(fmt::format(
             "method \"{}\" has no solution for {}; choose one of {}", method.name,
             asymmetric_top ? std::string("gravity on a body that is not symmetric about the arm "
                                          "(not integrable)")
-                           : fmt::format("the torque \"{}\"", name_of(torque)),
+                           : fmt::format("the torque \"{}\"", kind_of(torque).name),
             methods_that_solve(inertia, torque)));
     }
     if (choice.order) check_order(method, *choice.order);

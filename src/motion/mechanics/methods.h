@@ -47,6 +47,9 @@ struct MethodStart {
     double tolerance = 0.0;  // methods that choose their steps; first step is step_s
 };
 
+// The torques that a method can follow: none, those of a potential, or all.
+enum class TorquesTaken { none, with_potential, all };
+
 // A row of the table.
 struct Method {
     std::string_view name{};
@@ -56,7 +59,7 @@ struct Method {
     std::span<const int> orders{};  // available orders; the last is the default. Empty: exact
     bool takes_step = false;
     bool takes_tolerance = false;
-    unsigned torques = 0;                              // bit i: handles alternative i of Torque
+    TorquesTaken torques = TorquesTaken::none;
     Propagator (*make)(const MethodStart&) = nullptr;  // null: exact
 };
 

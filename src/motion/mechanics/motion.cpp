@@ -16,7 +16,7 @@ using Solution = std::variant<FreeRotation, HeavyTop, IntegratedRotation>;
 Solution solve(const MotionProblem& problem, const StopCheck& stop) {
     const Method& method = check_method(problem.method, problem.inertia, problem.torque);
     if (method.make != nullptr) return IntegratedRotation(problem, stop);
-    const auto* gravity = std::get_if<GravityTorque>(&problem.torque);
+    const auto* gravity = std::get_if<Gravity>(&problem.torque);
     if (gravity != nullptr && HeavyTop::accepts(problem.inertia, *gravity)) {
         return HeavyTop(problem.inertia, *gravity, problem.start, problem.top_start);
     }
@@ -83,7 +83,7 @@ FreeRotationConstants Motion::free_constants() const {
 }
 
 std::optional<HeavyTop> Motion::closed_form_of_top() const {
-    const auto* gravity = std::get_if<GravityTorque>(&problem_.torque);
+    const auto* gravity = std::get_if<Gravity>(&problem_.torque);
     if (gravity == nullptr || !HeavyTop::accepts(problem_.inertia, *gravity)) return std::nullopt;
     return HeavyTop(problem_.inertia, *gravity, problem_.start, problem_.top_start);
 }

@@ -4,37 +4,12 @@
 #include <Eigen/Core>
 #include <optional>
 #include <string>
-#include <variant>
 
 #include "mechanics/inertia.h"
 #include "mechanics/rotation_state.h"
+#include "mechanics/torque_kinds.h"
 
 namespace poinsot {
-
-// Torque in the equations of motion, about the centre of mass or the fixed point.
-struct NoTorque {};
-struct GravityTorque {  // potential Mgl·(n·z): centre of mass at distance l along arm_body from the
-                        // fixed point
-    double mgl_N_m = 0.0;
-    Eigen::Vector3d arm_body{0.0, 0.0, 1.0};  // unit
-};
-struct ConstantBodyTorque {
-    Eigen::Vector3d torque_body_N_m = Eigen::Vector3d::Zero();
-};
-struct ConstantSpaceTorque {
-    Eigen::Vector3d torque_space_N_m = Eigen::Vector3d::Zero();
-};
-struct DissipationTorque {  // internal friction: L is kept, T decays (major-axis rule); rate in 1/s
-    double rate_1_s = 0.0;
-};
-// Of the air: −(linear_i + quadratic_i |ω_i|) e^(growth·t) I_i ω_i along the principal axes.
-struct DragTorque {
-    Eigen::Vector3d linear_1_s = Eigen::Vector3d::Zero();
-    Eigen::Vector3d quadratic_1_rad = Eigen::Vector3d::Zero();
-    double growth_1_s = 0.0;
-};
-using Torque = std::variant<NoTorque, GravityTorque, ConstantBodyTorque, ConstantSpaceTorque,
-                            DissipationTorque, DragTorque>;
 
 // How the motion is computed.
 struct MethodChoice {
@@ -68,5 +43,10 @@ struct MotionProblem {
     double overshoot_s = 0.0;  // stepped methods also cover this much more: a drawn history
                                // ends with a whole piece
 };
+
+// Nothing acts on the body, and it turns.
+inline bool turns_freely(const MotionProblem& problem) {
+    return is_free(problem.torque) && !problem.start.omega_body.isZero(0.0);
+}
 
 }  // namespace poinsot

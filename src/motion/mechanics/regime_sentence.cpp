@@ -80,7 +80,7 @@ std::string_view meaning_of(TopRegime regime) {
 
 std::string regime_sentence(const Motion& motion) {
     const MotionProblem& problem = motion.problem();
-    if (std::holds_alternative<NoTorque>(problem.torque))
+    if (is_free(problem.torque))
         return regime_in_words(problem, motion.regime(), motion.free_constants());
     const auto top = motion.closed_form_of_top();
     return top ? regime_sentence(*top) : std::string(name_of(motion.regime()));

@@ -6,15 +6,15 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <string_view>
 
 #include "mechanics/inertia.h"
 #include "mechanics/motion_problem.h"
 
 namespace poinsot {
 
-// "none", "gravity", "constant in the body", "constant in space", "internal dissipation", "drag".
-std::string_view name_of(const Torque& torque);
+// The potential in J, for gravity mgl (n·z) with a unit arm, else 0; `space_from_axes` turns the
+// axes of the torque's vectors.
+double potential_J(const Torque& torque, const Eigen::Quaterniond& space_from_axes);
 
 // The variables of a stepping method: momentum L in kg m²/s in principal axes, and the attitude.
 struct StepState {
@@ -33,7 +33,7 @@ struct RotationRates {
 //
 // Gravity: N = Mgl (z × n), z the upward vertical and n the arm, both in principal axes.
 // Drag of the air: N_i = −(a_i + b_i |ω_i|) e^(gt) L_i, so that both T and |L| fall, d|L|²/dt = 2
-// L·N and dT/dt = ω·N. Dissipation inside the body: no torque acts and L is kept in space, but the
+// L·N and dT/dt = ω·N. Internal friction: no torque acts and L is kept in space, but the
 // axes turn at Ω = ω + κ (L × ω)/L² with ω = I⁻¹L and κ = rate · tr(I)/3, so that dL/dt = L × ω + κ
 // L × (L × ω)/L² keeps |L| and dT/dt = −κ |L × ω|²/L²: the spin tends to the axis of the highest
 // moment. This is the double bracket of Bloch, Krishnaprasad, Marsden & Ratiu, Commun. Math. Phys.
@@ -41,16 +41,13 @@ struct RotationRates {
 class RotationDynamics {
  public:
     // Throws InputError if a number of the torque is not finite, the arm is zero, or the rate of
-    // dissipation or a rate of the drag is negative.
+    // internal friction or a rate of the drag is negative.
     RotationDynamics(const InertiaTensor& inertia, const Torque& torque);
 
     const Eigen::Vector3d& moments_kg_m2() const { return moments_; }
     const Torque& torque() const { return torque_; }  // in principal axes
     // Whether a torque acts; internal friction is not a torque.
-    bool has_torque() const {
-        return !std::holds_alternative<NoTorque>(torque_) &&
-               !std::holds_alternative<DissipationTorque>(torque_);
-    }
+    bool has_torque() const { return kind_of(torque_).acts; }
 
     // ω = I⁻¹L in principal axes, rad/s.
     Eigen::Vector3d omega(const Eigen::Vector3d& momentum) const {
@@ -78,7 +75,7 @@ class RotationDynamics {
     Eigen::Vector3d moments_;
     Eigen::Vector3d least_over_moments_;
     Torque torque_;
-    double dissipation_1_s_ = 0.0;  // κ over the least moment
+    double friction_1_s_ = 0.0;  // κ over the least moment
 };
 
 }  // namespace poinsot

@@ -245,13 +245,13 @@ void check_loop(SceneDraft& draft) {
     Scene& scene = draft.scene;
     FilmSpec& film = scene.film;
     const bool turns = scene.camera.motion == "co-precessing";
-    const bool is_free = std::holds_alternative<NoTorque>(scene.torque);
-    if (turns && !is_free) {
+    const bool nothing_acts = is_free(scene.torque);
+    if (turns && !nothing_acts) {
         refuse(scene, "camera.motion",
                "camera.motion is \"co-precessing\", but under a torque there is no herpolhode to "
                "turn with; set it to \"fixed\"");
     }
-    if (!film.loop.empty() && !is_free) {
+    if (!film.loop.empty() && !nothing_acts) {
         refuse(scene, "film.loop",
                "film.loop needs a torque-free body: under a torque no herpolhode closes; leave it "
                "out");

@@ -14,19 +14,13 @@
 #include "mechanics/methods.h"
 #include "scene/draft_checks.h"
 #include "scene/scene_error.h"
+#include "scene/scene_keys.h"
 
 namespace poinsot {
 
 namespace {
 
 // [torque]
-
-struct TorqueKind {
-    std::string_view name;
-    std::string needed;                 // what the kind has no meaning without, in words
-    std::vector<std::string> enough;    // the keys of which it needs one
-    std::vector<std::string> its_keys;  // all keys of the kind
-};
 
 // The friction for a half-life, which depends on the start.
 void complete_half_life(SceneDraft& draft) {
@@ -36,7 +30,7 @@ void complete_half_life(SceneDraft& draft) {
         refuse(scene, "torque.rate_1_s",
                "torque.half_life_s and torque.rate_1_s both set the friction; leave one out");
     try {
-        draft.dissipation.rate_1_s = dissipation_rate_of_half_life(
+        std::get<InternalFriction>(draft.torques).rate_1_s = friction_rate_of_half_life(
             scene.body.inertia, scene.start.omega_rad_s, *scene.half_life_s);
     } catch (const InputError& error) {
         const bool of_time = std::string_view(error.what()).starts_with("torque.half_life_s");
@@ -45,54 +39,48 @@ void complete_half_life(SceneDraft& draft) {
     }
 }
 
-void complete_torque(SceneDraft& draft) {
-    static const std::string mgl = "torque.mgl_N_m", in_body = "torque.torque_body_N_m",
-                             in_space = "torque.torque_space_N_m", half_life = "torque.half_life_s",
-                             rate = "torque.rate_1_s", linear = "torque.linear_1_s",
-                             quadratic = "torque.quadratic_1_rad", growth = "torque.growth_1_s";
-    static const std::array<TorqueKind, 6> kinds{{
-        {"none", "", {}, {}},
-        {"gravity", mgl, {mgl}, {mgl, "torque.arm_body"}},
-        {"constant_body", in_body, {in_body}, {in_body}},
-        {"constant_space", in_space, {in_space}, {in_space}},
-        {"dissipation", half_life, {half_life, rate}, {half_life, rate}},
-        {"drag", linear + " or " + quadratic, {linear, quadratic}, {linear, quadratic, growth}},
-    }};
-    Scene& scene = draft.scene;
-    for (const TorqueKind& kind : kinds) {
-        if (kind.name == draft.torque_kind) {
-            const bool is_given =
-                std::any_of(kind.enough.begin(), kind.enough.end(),
-                            [&draft](const std::string& key) { return draft.has(key); });
-            if (kind.enough.empty() || is_given) continue;
-            refuse(scene, "torque.kind",
-                   fmt::format("{} is missing; a torque of kind \"{}\" needs it", kind.needed,
-                               kind.name));
-        }
-        for (const std::string& key : kind.its_keys) {
-            if (!draft.has(key)) continue;
-            refuse(scene, key,
+// Refuses keys of other kinds, and a kind without the keys that make it.
+void check_torque_keys(const SceneDraft& draft, std::size_t kind) {
+    std::string needed;
+    bool is_made = false;
+    for (const SceneKey& key : scene_keys()) {
+        if (!key.torque_kind) continue;
+        const std::string path(key.path);
+        const bool is_given = draft.has(path);
+        if (*key.torque_kind != kind && is_given)
+            refuse(draft.scene, path,
                    fmt::format(
-                       "{} belongs to kind = \"{}\", but torque.kind is {}; remove one of "
-                       "them",
-                       key, kind.name,
+                       "{} belongs to kind = \"{}\", but torque.kind is {}; remove one of them",
+                       path, torque_kinds[*key.torque_kind].key,
                        draft.has("torque.kind") ? "\"" + draft.torque_kind + "\"" : "not given"));
-        }
+        if (*key.torque_kind != kind || !key.makes_torque) continue;
+        is_made = is_made || is_given;
+        needed += (needed.empty() ? "" : " or ") + path;
     }
+    if (!is_made && !needed.empty())
+        refuse(draft.scene, "torque.kind",
+               fmt::format("{} is missing; a torque of kind \"{}\" needs it", needed,
+                           torque_kinds[kind].key));
+}
 
-    if (draft.torque_kind == "gravity") {
-        draft.gravity.arm_body = unit(scene, "torque.arm_body", draft.gravity.arm_body);
-        scene.torque = draft.gravity;
-    } else if (draft.torque_kind == "constant_body") {
-        scene.torque = draft.constant_body;
-    } else if (draft.torque_kind == "constant_space") {
-        scene.torque = draft.constant_space;
-    } else if (draft.torque_kind == "dissipation") {
-        complete_half_life(draft);
-        scene.torque = draft.dissipation;
-    } else if (draft.torque_kind == "drag") {
-        scene.torque = draft.drag;
-    }
+// The draft's torque of the kind with this index.
+template <std::size_t... k>
+Torque torque_of(const TorqueOfEachKind& torques, std::size_t kind, std::index_sequence<k...>) {
+    Torque torque;
+    ((k == kind ? void(torque = std::get<k>(torques)) : void()), ...);
+    return torque;
+}
+
+void complete_torque(SceneDraft& draft) {
+    const auto row = std::find_if(torque_kinds.begin(), torque_kinds.end(),
+                                  [&](const auto& kind) { return kind.key == draft.torque_kind; });
+    const std::size_t kind = static_cast<std::size_t>(row - torque_kinds.begin());
+    check_torque_keys(draft, kind);
+    Scene& scene = draft.scene;
+    complete_half_life(draft);
+    scene.torque = torque_of(draft.torques, kind, std::make_index_sequence<torque_kinds.size()>());
+    if (auto* gravity = std::get_if<Gravity>(&scene.torque))
+        gravity->arm_body = unit(scene, "torque.arm_body", gravity->arm_body);
 }
 
 // The methods of [motion] and [beside].
@@ -106,7 +94,7 @@ void check_method_of(const SceneDraft& draft, const std::string& table,
     const Method& method =
         at_scene_key(scene, name, [&]() -> const Method& { return find_method(choice.name); });
     if (!can_solve(method, inertia, scene.torque)) {
-        const bool gravity = std::holds_alternative<GravityTorque>(scene.torque);
+        const bool gravity = has_weight(scene.torque);
         const bool exact = method.make == nullptr;
         const std::string torque =
             gravity && exact ? "gravity on a body that is not symmetric about the arm of its weight"

@@ -2,7 +2,6 @@
 #include <array>
 #include <numbers>
 #include <string_view>
-#include <variant>
 
 #include "scene/scene_key_rows.h"
 
@@ -10,8 +9,11 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::array<std::string_view, 6> torque_kinds{
-    "none", "gravity", "constant_body", "constant_space", "dissipation", "drag"};
+constexpr auto names_of_torques = [] {
+    std::array<std::string_view, torque_kinds.size()> names;
+    for (std::size_t k = 0; k < names.size(); ++k) names[k] = torque_kinds[k].key;
+    return names;
+}();
 constexpr Bounds not_negative{0.0, std::nullopt};
 using std::numbers::pi;
 
@@ -20,13 +22,10 @@ auto top_text(double TopStart::*member) {
     return key_rows::from(in(&Scene::start, &StartSpec::top, member));
 }
 
-// Writes a value of one kind of torque if the torque is of that kind.
+// A number of one kind of torque.
 template <typename Kind, typename Value>
-auto torque_text(Value Kind::*value) {
-    return [value](const Scene& scene, std::size_t) {
-        const auto* torque = std::get_if<Kind>(&scene.torque);
-        return torque != nullptr ? toml_text(torque->*value) : "";
-    };
+constexpr auto of(Value Kind::*member) {
+    return TorquePlace<Kind, Value>(member);
 }
 
 // ω, or what chooses it: its direction and the conserved quantities.
@@ -45,7 +44,7 @@ auto conserved_text(Value ConservedQuantities::*value) {
 }
 
 std::string torque_kind_text(const Scene& scene, std::size_t) {
-    return toml_text(torque_kinds.at(scene.torque.index()));
+    return toml_text(kind_of(scene.torque).key);
 }
 
 std::string attitude_text(const Scene& scene, std::size_t) {
@@ -118,56 +117,49 @@ std::span<const SceneKey> motion_keys() {
             .written_by(top_text(&TopStart::omega3_rad_s)),
 
         // The torque, one kind with its own keys.
-        one_of("torque.kind", &SceneDraft::torque_kind, torque_kinds, R"("gravity")",
+        one_of("torque.kind", &SceneDraft::torque_kind, names_of_torques, R"("gravity")",
                "kind of torque on the body")
             .written_by(torque_kind_text)
             .omitted_if_default(),
-        number("torque.mgl_N_m", in(&SceneDraft::gravity, &GravityTorque::mgl_N_m), no_bounds,
-               "N m", "1.0",
+        number("torque.mgl_N_m", of(&Gravity::mgl_N_m), no_bounds, "N m", "1.0",
                "gravity: weight times the distance of the centre of mass from the fixed point")
             .without_default()
-            .written_by(torque_text(&GravityTorque::mgl_N_m)),
-        numbers("torque.arm_body", in(&SceneDraft::gravity, &GravityTorque::arm_body), no_bounds,
-                "", "[0.0, 0.0, 1.0]",
+            .needed_by_torque(),
+        numbers("torque.arm_body", of(&Gravity::arm_body), no_bounds, "", "[0.0, 0.0, 1.0]",
                 "gravity: direction from the fixed point to the centre of mass, in body axes")
-            .default_is("e3")
-            .written_by(torque_text(&GravityTorque::arm_body)),
-        numbers("torque.torque_body_N_m",
-                in(&SceneDraft::constant_body, &ConstantBodyTorque::torque_body_N_m), no_bounds,
+            .default_is("e3"),
+        numbers("torque.torque_body_N_m", of(&ConstantTorqueInBody::torque_body_N_m), no_bounds,
                 "N m", "[0.0, 0.0, 0.1]", "constant_body: the torque in body axes")
             .without_default()
-            .written_by(torque_text(&ConstantBodyTorque::torque_body_N_m)),
-        numbers("torque.torque_space_N_m",
-                in(&SceneDraft::constant_space, &ConstantSpaceTorque::torque_space_N_m), no_bounds,
+            .needed_by_torque(),
+        numbers("torque.torque_space_N_m", of(&ConstantTorqueInSpace::torque_space_N_m), no_bounds,
                 "N m", "[0.0, 0.0, 0.1]", "constant_space: the torque in space axes")
             .without_default()
-            .written_by(torque_text(&ConstantSpaceTorque::torque_space_N_m)),
+            .needed_by_torque(),
         number("torque.half_life_s", &Scene::half_life_s, positive, "s", "8.0",
                "dissipation: time in which the energy that friction can take, T − L²/(2 I_max), "
-               "falls to one half; L is conserved"),
-        number("torque.rate_1_s", in(&SceneDraft::dissipation, &DissipationTorque::rate_1_s),
-               positive, "1/s", "0.05",
+               "falls to one half; L is conserved")
+            .of_torque(index_of_torque<InternalFriction>)
+            .needed_by_torque(),
+        number("torque.rate_1_s", of(&InternalFriction::rate_1_s), positive, "1/s", "0.05",
                "dissipation, instead of half_life_s: friction constant κ divided by (I1 + I2 + "
                "I3)/3; the rate at which T falls depends on the start")
             .without_default()
-            .written_by(torque_text(&DissipationTorque::rate_1_s))
+            .needed_by_torque()
             .written_if([](const Scene& scene) { return !scene.half_life_s; }),
-        numbers("torque.linear_1_s", in(&SceneDraft::drag, &DragTorque::linear_1_s), not_negative,
-                "1/s", "[0.2, 0.1, 0.1]",
+        numbers("torque.linear_1_s", of(&Drag::linear_1_s), not_negative, "1/s", "[0.2, 0.1, 0.1]",
                 "drag of the air: rates a_i of the torque −(a_i + b_i|ω_i|) I_i ω_i along the "
                 "principal axes e1, e2, e3")
             .default_is("0 if quadratic_1_rad is given")
-            .written_by(torque_text(&DragTorque::linear_1_s)),
-        numbers("torque.quadratic_1_rad", in(&SceneDraft::drag, &DragTorque::quadratic_1_rad),
-                not_negative, "1/rad", "[0.02, 0.01, 0.01]", "drag of the air: its b_i")
+            .needed_by_torque(),
+        numbers("torque.quadratic_1_rad", of(&Drag::quadratic_1_rad), not_negative, "1/rad",
+                "[0.02, 0.01, 0.01]", "drag of the air: its b_i")
             .default_is("0 if linear_1_s is given")
-            .written_by(torque_text(&DragTorque::quadratic_1_rad)),
-        number("torque.growth_1_s", in(&SceneDraft::drag, &DragTorque::growth_1_s), no_bounds,
-               "1/s", "1.5",
+            .needed_by_torque(),
+        number("torque.growth_1_s", of(&Drag::growth_1_s), no_bounds, "1/s", "1.5",
                "drag of the air: its torque grows as e^(growth·t), as that of a body that falls "
                "faster and faster; below 0 it falls")
-            .default_is("0")
-            .written_by(torque_text(&DragTorque::growth_1_s)),
+            .default_is("0"),
 
         // How the motion is computed.
         text("motion.method", method(&MethodChoice::name), R"("exact")",

@@ -56,9 +56,8 @@ MotionProblem problem_of(const Scene& scene) {
 
 std::vector<std::string> controls_of(const Scene& scene) {
     if (scene.page.controls) return *scene.page.controls;
-    const bool is_free = std::holds_alternative<NoTorque>(scene.torque) && !scene.start.top;
-    if (!is_free || !scene.film.loop.empty() || scene.measured.given() ||
-        !scene.construction.sweep.empty())
+    if (!is_free(scene.torque) || scene.start.top || !scene.film.loop.empty() ||
+        scene.measured.given() || !scene.construction.sweep.empty())
         return {};
     const ConservedStartSpec* conserved = scene.start.given_by_conserved();
     std::vector<std::string> controls{conserved != nullptr ? "start.energy_J"

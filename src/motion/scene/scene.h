@@ -285,7 +285,7 @@ struct Scene {
     std::vector<BodySurface> surfaces;  // of an object or a mesh; empty: the body has no surfaces
     StartSpec start;
     Torque torque;
-    std::optional<double> half_life_s;  // of a dissipation given by it; determines the rate
+    std::optional<double> half_life_s;  // of internal friction given by it; determines the rate
     MethodChoice method;
     std::optional<MethodChoice> beside;  // a second method, drawn beside the first as a ghost
     MeasuredSpec measured;

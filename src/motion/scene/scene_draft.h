@@ -5,12 +5,23 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <tuple>
+#include <variant>
 #include <vector>
 
 #include "scene/parse_scene.h"
 #include "scene/scene.h"
 
 namespace poinsot {
+
+// A tuple of the alternatives of a variant.
+template <typename Variant>
+struct OneOfEach;
+template <typename... Kinds>
+struct OneOfEach<std::variant<Kinds...>> {
+    using Tuple = std::tuple<Kinds...>;
+};
+using TorqueOfEachKind = OneOfEach<Torque>::Tuple;
 
 // The rows of the key table fill it; it holds values that are determined by several keys.
 struct SceneDraft {
@@ -32,11 +43,7 @@ struct SceneDraft {
 
     // [torque]
     std::string torque_kind = "none";
-    GravityTorque gravity;
-    ConstantBodyTorque constant_body;
-    ConstantSpaceTorque constant_space;
-    DissipationTorque dissipation;
-    DragTorque drag;
+    TorqueOfEachKind torques;  // of which torque_kind chooses one
 
     bool has(const std::string& key) const { return scene.locations.contains(key); }
 };

@@ -104,8 +104,36 @@ constexpr auto in(Value Root::*first, Members... members) {
     return Place<Root, Value Root::*, Members...>(first, members...);
 }
 
+// A number of one kind of torque.
+template <typename Kind, typename Value>
+class TorquePlace {
+ public:
+    static constexpr std::size_t kind = index_of_torque<Kind>;
+
+    explicit constexpr TorquePlace(Value Kind::*member) : member_(member) {}
+
+    Value& in(SceneDraft& draft, std::size_t /*item*/) const {
+        return std::get<Kind>(draft.torques).*member_;
+    }
+    const Value* in(const SceneDraft& draft, std::size_t /*item*/) const {
+        return &(std::get<Kind>(draft.torques).*member_);
+    }
+    // Null if the torque is of another kind.
+    const Value* in(const Scene& scene, std::size_t /*item*/) const {
+        const Kind* torque = std::get_if<Kind>(&scene.torque);
+        return torque != nullptr ? &(torque->*member_) : nullptr;
+    }
+
+ private:
+    Value Kind::*member_;
+};
+
 namespace key_rows {
 
+template <typename Kind, typename Value>
+constexpr auto place_of(const TorquePlace<Kind, Value>& place) {
+    return place;
+}
 template <typename Root, typename... Members>
 constexpr auto place_of(const Place<Root, Members...>& place) {
     return place;
@@ -175,7 +203,11 @@ SceneKey row(std::string_view path, Where where, const ValueType& type, std::str
         const auto* value = place.in(root, 0);
         return value != nullptr ? text_of(*value) : "";
     };
-    if constexpr (requires(const Scene& scene) { place.in(scene, 0); }) {
+    if constexpr (requires { decltype(place)::kind; }) {
+        key.value = from(place);
+        key.initial = initial(draft_by_default());
+        key.torque_kind = decltype(place)::kind;
+    } else if constexpr (requires(const Scene& scene) { place.in(scene, 0); }) {
         key.value = from(place);
         key.initial = initial(draft_by_default().scene);
     } else

@@ -4,6 +4,7 @@
 
 #include <cstddef>
 #include <functional>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -38,6 +39,10 @@ struct SceneKey {
     std::string_view default_words{};
     bool has_no_default = false;  // the initial value is not a default
     bool omits_initial = false;   // the writer leaves the initial value out
+    // The kind of torque to which the key belongs (torque_kinds), and whether this key, or another
+    // of which it is also said, must be given with this kind.
+    std::optional<std::size_t> torque_kind{};
+    bool makes_torque = false;
 
     // Further properties of a row, set in the tables of keys.
     SceneKey&& from_list(std::string_view list) && { return with(type.list, list); }
@@ -51,6 +56,8 @@ struct SceneKey {
     SceneKey&& default_is(std::string_view words) && { return with(default_words, words); }
     SceneKey&& without_default() &&;
     SceneKey&& omitted_if_default() && { return with(omits_initial, true); }
+    SceneKey&& of_torque(std::size_t kind) && { return with(torque_kind, kind); }
+    SceneKey&& needed_by_torque() && { return with(makes_torque, true); }
     SceneKey&& written_if_empty() && { return with(omits_initial, false); }
     SceneKey&& read_by(Reader reader) && { return with(read, std::move(reader)); }
     // `check` throws InputError for an unknown name, which is then refused at its own place.

@@ -82,7 +82,7 @@ MotionTrade measure(const MotionProblem& problem, const MethodChoice& choice, co
     row.evaluations_a_frame =
         stepped != nullptr ? static_cast<double>(stepped->counters().n_right_hand_sides) / n : 1.0;
     row.attitude_rad = errors.attitude_rad;
-    if (std::holds_alternative<NoTorque>(problem.torque)) {
+    if (is_free(problem.torque)) {
         row.energy = errors.energy_relative;
         row.momentum = errors.momentum_relative;
     }

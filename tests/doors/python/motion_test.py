@@ -12,6 +12,13 @@ import poinsot
 
 TRIAXIAL = [1.0, 2.0, 2.5]
 OMEGA = [0.7, 1.9, -0.4]
+TORQUES = [
+    {"kind": "gravity", "mgl_N_m": 1.5, "arm_body": [0.0, 3.0, 4.0]},
+    {"kind": "constant_body", "torque_body_N_m": [0.1, 0.2, 0.3]},
+    {"kind": "constant_space", "torque_space_N_m": [0.1, 0.2, 0.3]},
+    {"kind": "dissipation", "rate_1_s": 0.2},
+    {"kind": "drag", "linear_1_s": [0.2, 0.1, 0.1], "quadratic_1_rad": [0.02, 0.01, 0.01], "growth_1_s": 0.5},
+]
 TIMES = np.array([-50.0, -1.0, 0.0, 0.3, 7.0, 1234.5])
 
 
@@ -146,6 +153,13 @@ def test_a_body_at_rest_stays_and_has_no_plane():
     (TRIAXIAL, [[1], [2, 3]], {}, "omega: not an array of numbers"),
     (TRIAXIAL, OMEGA, {"attitude": [1, 0, 0]}, "attitude: give a quaternion"),
     (TRIAXIAL, OMEGA, {"method": "rk5"}, "rk4"),
+    (TRIAXIAL, OMEGA, {"torque": "gravity"}, "torque: give a dict with a kind"),
+    (TRIAXIAL, OMEGA, {"torque": {"kind": "wind"}}, 'torque: unknown kind "wind"; give one of none, gravity, '),
+    (TRIAXIAL, OMEGA, {"torque": {"kind": "drag"}}, "needs its numbers: linear_1_s, quadratic_1_rad, growth_1_s"),
+    (TRIAXIAL, OMEGA, {"torque": {"kind": "drag", "rate_1_s": 1.0}}, 'of kind "drag" has no rate_1_s; it takes linear_1_s'),
+    (TRIAXIAL, OMEGA, {"torque": {"kind": "drag", "linear_1_s": 1.0}}, "torque: linear_1_s is three numbers"),
+    (TRIAXIAL, OMEGA, {"torque": {"kind": "dissipation", "rate_1_s": -1.0}, "method": "rk4"}, "give a rate ≥ 0"),
+    (TRIAXIAL, OMEGA, {"torque": {"kind": "dissipation", "rate_1_s": 1.0}}, 'has no solution for the torque "internal friction"'),
 ])
 def test_a_wrong_motion_is_refused_with_one_line(moments, omega, options, sentence):
     with pytest.raises(poinsot.InputError, match=sentence) as caught:
@@ -186,6 +200,7 @@ def test_a_flip_is_where_omega_along_the_middle_axis_changes_its_sign():
     poinsot.Motion([1.0, 2.0, 9.0], [0.1, 2.0, 0.3], allow_unphysical=True),
     poinsot.Motion([1.0, 2.0, 2.5], [0.1, 2.0, 0.3], method="rk4", step_s=0.01, span_s=(0.0, 5.0)),
     poinsot.Motion.heavy_top(1.0, 0.5, 2.0, theta_rad=0.5, omega3_rad_s=20.0, phi_dot_rad_s=0.1),
+    *(poinsot.Motion([1.0, 2.0, 2.5], [0.1, 2.0, 0.3], method="rk4", step_s=0.01, span_s=(0.0, 5.0), torque=torque) for torque in TORQUES),
 ])
 def test_the_scene_of_a_motion_has_its_digits(motion):
     times = np.linspace(0.0, 5.0, 11)

@@ -226,6 +226,21 @@ test('the languages are those of the program', () => {
   assert.deepEqual(JSON.parse(`[${codes}]`), [...languages]);
 });
 
+// Of body, start, torque and method every key can be a slider or a field of the page.
+test('every key of the motion has a label', () => {
+  const schema = JSON.parse(execFileSync(process.argv[2], ['list', 'schema'], {encoding: 'utf8'}));
+  const without = [];
+  const visit = (properties, path) => {
+    for (const [name, value] of Object.entries(properties)) {
+      const inside = value.properties ?? value.items?.properties;
+      if (inside !== undefined) visit(inside, `${path}${name}.`);
+      else if (new Words('en').label(`${path}${name}`) === undefined) without.push(`${path}${name}`);
+    }
+  };
+  for (const table of ['body', 'start', 'torque', 'motion', 'beside', 'construction']) visit(schema.properties[table].properties, `${table}.`);
+  assert.deepEqual(without, []);
+});
+
 test('every word has six languages', () => {
   for (const [name, words] of [all_words, element_words, key_words].flatMap((table) => Object.entries(table))) {
     assert.equal(words.length, languages.length, name);

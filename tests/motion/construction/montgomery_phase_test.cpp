@@ -153,7 +153,7 @@ TEST(MontgomeryPhase, NeedsAPeriodAndNoTorque) {
     EXPECT_FALSE(
         montgomery_phase(problem_of_phase({1.0, 2.0, 2.25}, {1.5, 1.0, 2.0})));  // separatrix
     MotionProblem problem = problem_of_phase({1.0, 2.0, 2.9}, {1.4, 0.5, 1.6});
-    problem.torque = DissipationTorque{0.1};
+    problem.torque = InternalFriction{0.1};
     EXPECT_FALSE(montgomery_phase(problem));
 }
 

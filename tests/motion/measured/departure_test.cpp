@@ -81,7 +81,7 @@ TEST(Departure, OutlineKeepsEveryFaultOfALongTable) {
 
 TEST(Departure, OfAForcedMotionHasNoConstants) {
     MotionProblem problem = generic();
-    problem.torque = ConstantBodyTorque{{0.1, 0.0, 0.0}};
+    problem.torque = ConstantTorqueInBody{{0.1, 0.0, 0.0}};
     problem.method.name = "rkmk4";
     problem.last_time_s = 2.0;
     const Motion motion(problem);

@@ -38,7 +38,7 @@ MotionProblem random_problem(int k) {
     problem.start.omega_body = omega;
     problem.start.space_from_body =
         Eigen::Quaterniond(centred(), centred(), centred(), centred()).normalized();
-    problem.torque = DissipationTorque{std::exp(6.0 * centred() - 3.0)};
+    problem.torque = InternalFriction{std::exp(6.0 * centred() - 3.0)};
     return problem;
 }
 
@@ -63,7 +63,7 @@ std::vector<std::string> methods_with_friction() {
     for (const Method& method : methods())
         if (method.make != nullptr &&
             can_solve(method, InertiaTensor::from_principal_moments({1.0, 1.0, 1.0}),
-                      DissipationTorque{1.0}))
+                      InternalFriction{1.0}))
             names.emplace_back(method.name);
     return names;
 }
@@ -107,7 +107,7 @@ using Numbers = std::array<double, 7>;
 RotationState integrated_apart(const MotionProblem& problem, double time_s) {
     namespace odeint = boost::numeric::odeint;
     const Eigen::Vector3d I = problem.inertia.moments_kg_m2();
-    const double kappa = std::get<DissipationTorque>(problem.torque).rate_1_s * I.sum() / 3.0;
+    const double kappa = std::get<InternalFriction>(problem.torque).rate_1_s * I.sum() / 3.0;
     const Eigen::Vector3d L0 = I.cwiseProduct(problem.start.omega_body);
     const Eigen::Vector4d q0 = problem.start.space_from_body.coeffs();
     Numbers numbers{L0[0], L0[1], L0[2], q0[0], q0[1], q0[2], q0[3]};
@@ -179,8 +179,8 @@ TEST(Friction, HalvesTheEnergyThatItCanTakeAfterTheHalfLife) {
         MotionProblem problem = random_problem(k);
         const Eigen::Vector3d& I = problem.inertia.moments_kg_m2();
         const double half_life_s = 30.0 * (k % 4 + 1) / fastest_turning(problem);
-        problem.torque = DissipationTorque{
-            dissipation_rate_of_half_life(problem.inertia, problem.start.omega_body, half_life_s)};
+        problem.torque = InternalFriction{
+            friction_rate_of_half_life(problem.inertia, problem.start.omega_body, half_life_s)};
         const auto excess = [&](const Eigen::Vector3d& omega) {
             const Eigen::Vector3d L = I.cwiseProduct(omega);
             return L.dot(omega) - L.squaredNorm() / I.maxCoeff();
@@ -192,7 +192,7 @@ TEST(Friction, HalvesTheEnergyThatItCanTakeAfterTheHalfLife) {
 
 TEST(Friction, RefusesAStepThatDoesNotFollowIt) {
     MotionProblem problem = random_problem(5);
-    problem.torque = DissipationTorque{1e3};
+    problem.torque = InternalFriction{1e3};
     problem.last_time_s = 10.0;
     problem.method = {.name = "rk4", .step_s = 0.1, .tolerance = {}, .order = {}};
     try {

@@ -27,7 +27,7 @@ double share_left(const Eigen::Vector3d& moments, const Eigen::Vector3d& omega, 
     problem.inertia = InertiaTensor::from_principal_moments(moments);
     problem.start.omega_body = omega;
     problem.torque =
-        DissipationTorque{dissipation_rate_of_half_life(problem.inertia, omega, half_life_s)};
+        InternalFriction{friction_rate_of_half_life(problem.inertia, omega, half_life_s)};
     problem.method = {.name = "dopri5", .step_s = {}, .tolerance = 1e-11, .order = {}};
     problem.last_time_s = time_s;
     return excess_J(moments, Motion(problem).at(time_s).omega_body) / excess_J(moments, omega);
@@ -49,8 +49,8 @@ TEST(HalfLife, MatchesTheClosedFormsOfSymmetricBodies) {
             const double tan2_then = oblate ? left / (1.0 - left) : (1.0 - left) / left;
             const double friction = std::abs(std::log(tan2_then / tan2)) /
                                     (2.0 * std::abs(1.0 / I[0] - 1.0 / I[2]) * half_life_s);
-            const double rate = dissipation_rate_of_half_life(
-                InertiaTensor::from_principal_moments(I), omega, half_life_s);
+            const double rate = friction_rate_of_half_life(InertiaTensor::from_principal_moments(I),
+                                                           omega, half_life_s);
             // Measured 1e-11 at most.
             EXPECT_NEAR(rate * I.sum() / 3.0, friction, 1e-9 * friction) << I.transpose();
         }
@@ -75,7 +75,7 @@ TEST(HalfLife, OfThousandsOfTurnsUsesTheMean) {
     const Eigen::Vector3d omega(0.05, 0.02, 2.0);
     const auto product = [&](double turns) {
         const double half_life_s = turns * std::numbers::pi;  // ω turns once in π seconds
-        return half_life_s * dissipation_rate_of_half_life(inertia, omega, half_life_s);
+        return half_life_s * friction_rate_of_half_life(inertia, omega, half_life_s);
     };
     const double stepped = product(1400.0);
     EXPECT_NEAR(product(1600.0) / stepped, 1.0, 1e-3);  // measured 4e-5
@@ -86,13 +86,13 @@ TEST(HalfLife, ScalesWithBodyAndSpin) {
     const Eigen::Vector3d I(3.0, 2.0, 1.0);
     const Eigen::Vector3d omega(0.4, 1.0, -0.3);
     const double rate =
-        dissipation_rate_of_half_life(InertiaTensor::from_principal_moments(I), omega, 5.0);
+        friction_rate_of_half_life(InertiaTensor::from_principal_moments(I), omega, 5.0);
     // A body a thousand times as heavy, and one that spins and dissipates a hundred times as fast.
     EXPECT_NEAR(
-        dissipation_rate_of_half_life(InertiaTensor::from_principal_moments(1e3 * I), omega, 5.0),
+        friction_rate_of_half_life(InertiaTensor::from_principal_moments(1e3 * I), omega, 5.0),
         rate, 1e-12 * rate);
     EXPECT_NEAR(
-        dissipation_rate_of_half_life(InertiaTensor::from_principal_moments(I), 1e2 * omega, 0.05),
+        friction_rate_of_half_life(InertiaTensor::from_principal_moments(I), 1e2 * omega, 0.05),
         1e2 * rate, 1e-10 * rate);
 }
 
@@ -146,7 +146,7 @@ TEST(HalfLife, HoldsNearTheAxesAndForAlmostEqualMoments) {
                 std::log(ratio) /
                 (2.0 * std::abs(c.moments[2] - c.moments[0]) / (c.moments[0] * c.moments[2])) /
                 half_life_s;
-            const double rate = dissipation_rate_of_half_life(
+            const double rate = friction_rate_of_half_life(
                 InertiaTensor::from_principal_moments(c.moments, Physicality::waived), c.omega,
                 half_life_s);
             EXPECT_NEAR(rate * c.moments.sum() / 3.0 / friction, 1.0, 1e-7)
@@ -160,7 +160,7 @@ TEST(HalfLife, IsRefusedWhereNoDoubleIsTheFriction) {
     for (const double half_life_s : {5e-324, 1e-309, 1.7e308})
         for (const double spin : {1e-300, 1.0, 1e300}) {
             try {
-                const double rate = dissipation_rate_of_half_life(
+                const double rate = friction_rate_of_half_life(
                     inertia, spin * Eigen::Vector3d(0.4, 1.0, -0.3), half_life_s);
                 EXPECT_TRUE(std::isnormal(rate)) << half_life_s << " " << spin;
             } catch (const InputError& error) {
@@ -175,12 +175,12 @@ TEST(HalfLife, IsRefusedOnAPrincipalAxis) {
     for (const Eigen::Vector3d& omega :
          {Eigen::Vector3d(0.0, 0.0, 0.0), Eigen::Vector3d(1.0, 0.0, 0.0),
           Eigen::Vector3d(0.0, -2.0, 0.0), Eigen::Vector3d(0.0, 0.0, 3.0)})
-        EXPECT_THROW(dissipation_rate_of_half_life(inertia, omega, 1.0), InputError);
+        EXPECT_THROW(friction_rate_of_half_life(inertia, omega, 1.0), InputError);
     // In the plane of two equal moments ω is constant, too.
     const auto disc = InertiaTensor::from_principal_moments({1.0, 1.0, 2.0});
-    EXPECT_THROW(dissipation_rate_of_half_life(disc, {0.3, 0.4, 0.0}, 1.0), InputError);
-    EXPECT_THROW(dissipation_rate_of_half_life(
-                     InertiaTensor::from_principal_moments({2.0, 2.0, 2.0}), {0.1, 0.2, 0.3}, 1.0),
+    EXPECT_THROW(friction_rate_of_half_life(disc, {0.3, 0.4, 0.0}, 1.0), InputError);
+    EXPECT_THROW(friction_rate_of_half_life(InertiaTensor::from_principal_moments({2.0, 2.0, 2.0}),
+                                            {0.1, 0.2, 0.3}, 1.0),
                  InputError);
 }
 

@@ -130,7 +130,7 @@ TEST_F(HeavyTopReference, AgreesWhenStartedFromRoundedStates) {
     for_each_sample([](const HeavyTopProblem& p, const Json& sample) {
         const InertiaTensor inertia = InertiaTensor::from_principal_moments(
             {p.moment_transverse_kg_m2, p.moment_transverse_kg_m2, p.moment_axial_kg_m2});
-        const HeavyTop top(inertia, GravityTorque{.mgl_N_m = p.mgl_N_m}, start_of(p));
+        const HeavyTop top(inertia, Gravity{.mgl_N_m = p.mgl_N_m}, start_of(p));
         const MotionSample s = top.sample(reference::number(sample["t"]), {.euler_angles = true});
         const Difference d =
             difference(p, s.state, numbers<4>(sample["q"]), numbers<3>(sample["omega"]));
@@ -219,7 +219,7 @@ TEST(HeavyTop, StartsWithExactlyWhatItWasGiven) {
             start.time_s = 0.7;
             start.space_from_body = Eigen::Quaterniond(0.1, -0.7, 0.5, 0.5);
             start.omega_body = {p.theta_dot_rad_s, p.omega3_rad_s, -p.phi_dot_rad_s};
-            const GravityTorque gravity{.mgl_N_m = p.mgl_N_m, .arm_body = {0.0, -1.0, 0.0}};
+            const Gravity gravity{.mgl_N_m = p.mgl_N_m, .arm_body = {0.0, -1.0, 0.0}};
             const auto inertia =
                 InertiaTensor::from_principal_moments({A, C, A}, Physicality::waived);
             const HeavyTop turned(inertia, gravity, start);
@@ -455,7 +455,7 @@ TEST(HeavyTop, FollowsThePendulumsSeparatrix) {
     RotationState start;
     start.space_from_body = Eigen::Quaterniond(0.0, 1.0, 0.0, 0.0);
     start.omega_body = {2.0, 0.0, 0.0};
-    const HeavyTop top(inertia, GravityTorque{.mgl_N_m = 1.0}, start);
+    const HeavyTop top(inertia, Gravity{.mgl_N_m = 1.0}, start);
     EXPECT_EQ(top.regime(), TopRegime::separatrix);
     EXPECT_EQ(top.nutation().period_s, infinity);
     for (const double t : {0.0, 1e-9, 0.3, -2.0, 30.0, 300.0, -700.0}) {
@@ -474,7 +474,7 @@ TEST(HeavyTop, UsesUnroundedStartAnglesIfGiven) {
                                  .theta_dot_rad_s = given.theta_dot_rad_s};
     MotionProblem problem;
     problem.inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 0.5});
-    problem.torque = GravityTorque{.mgl_N_m = 1.0};
+    problem.torque = Gravity{.mgl_N_m = 1.0};
     problem.start = start_of(angles);
     problem.top_start = given;
     const HeavyTop exact(angles);
@@ -607,7 +607,7 @@ TEST(HeavyTop, AcceptsAnySymmetryAxisOfTheBody) {
     const RotationState start = start_of(p);
     const HeavyTop plain(p);
     const Eigen::Quaterniond to_first(0.5, 0.5, 0.5, 0.5);  // e3 → e1
-    const auto compare = [&](const Eigen::Vector3d& moments, const GravityTorque& gravity,
+    const auto compare = [&](const Eigen::Vector3d& moments, const Gravity& gravity,
                              const Eigen::Quaterniond& body_from_top, const HeavyTop& expected,
                              const RotationState& from) {
         RotationState turned = from;
@@ -636,8 +636,8 @@ TEST(HeavyTop, AcceptsAnySymmetryAxisOfTheBody) {
 TEST(HeavyTop, RefusesProblemsWithoutAnExactSolution) {
     const InertiaTensor asymmetric = InertiaTensor::from_principal_moments({1.0, 2.0, 2.5});
     const InertiaTensor symmetric = InertiaTensor::from_principal_moments({1.0, 1.0, 0.5});
-    const GravityTorque upright{.mgl_N_m = 1.0};
-    const GravityTorque oblique{.mgl_N_m = 1.0, .arm_body = {0.6, 0.0, 0.8}};
+    const Gravity upright{.mgl_N_m = 1.0};
+    const Gravity oblique{.mgl_N_m = 1.0, .arm_body = {0.6, 0.0, 0.8}};
     EXPECT_FALSE(HeavyTop::accepts(asymmetric, upright));
     EXPECT_FALSE(HeavyTop::accepts(symmetric, oblique));
     EXPECT_TRUE(HeavyTop::accepts(symmetric, upright));

@@ -75,8 +75,8 @@ TEST(InertialForce, IsMinusMassTimesTheAccelerationInSpace) {
 
 TEST(InertialForce, HoldsUnderATorque) {
     std::mt19937_64 random(12);
-    for (const Torque& torque : {Torque(ConstantBodyTorque{{0.3, -0.2, 0.5}}),
-                                 Torque(ConstantSpaceTorque{{0.3, -0.2, 0.5}})}) {
+    for (const Torque& torque : {Torque(ConstantTorqueInBody{{0.3, -0.2, 0.5}}),
+                                 Torque(ConstantTorqueInSpace{{0.3, -0.2, 0.5}})}) {
         const MassesInMotion body = masses_in_motion(random, torque, "dopri5");
         const RotationState state = body.motion.at(1.0);
         const Eigen::Vector3d rate = angular_acceleration(body.motion.problem(), state);

@@ -203,7 +203,7 @@ TEST(Methods, FollowTheHeavyTopWithTheirOrder) {
                               .omega3_rad_s = 4.0};
     const std::map<std::string_view, double> first_step{
         {"euler", 2e-4}, {"rk4", 0.02}, {"splitting", 0.02}, {"rkmk4", 0.02}};
-    const GravityTorque gravity{.mgl_N_m = top.mgl_N_m};
+    const Gravity gravity{.mgl_N_m = top.mgl_N_m};
     for (const auto& [name, step] : first_step) {
         double error[2];
         for (int i = 0; i < 2; ++i) {
@@ -226,7 +226,7 @@ TEST(Methods, KeepTheEnergyOfAnAsymmetricTop) {
     for (const Method& method : methods()) {
         MotionProblem problem = tumbling(std::string(method.name), 200.0);
         problem.torque =
-            GravityTorque{.mgl_N_m = 2.0, .arm_body = Eigen::Vector3d(1.0, 2.0, -0.5).normalized()};
+            Gravity{.mgl_N_m = 2.0, .arm_body = Eigen::Vector3d(1.0, 2.0, -0.5).normalized()};
         if (!can_solve(method, problem.inertia, problem.torque)) continue;
         if (method.name == "euler") continue;
         if (method.takes_step) problem.method.step_s = method.name == "splitting" ? 0.01 : 0.005;
@@ -261,7 +261,7 @@ TEST(Methods, FollowClosedFormsOfConstantTorques) {
     for (const Method& method : methods()) {
         MotionProblem problem = tumbling(std::string(method.name), 5.0);
         const Eigen::Vector3d torque(0.3, -0.2, 0.5);
-        problem.torque = ConstantSpaceTorque{torque};
+        problem.torque = ConstantTorqueInSpace{torque};
         if (!can_solve(method, problem.inertia, problem.torque)) continue;
         // L = L0 + N t in space, for every body.
         if (method.takes_step) problem.method.step_s = method.name == "euler" ? 1e-4 : 1e-2;
@@ -276,7 +276,7 @@ TEST(Methods, FollowClosedFormsOfConstantTorques) {
         // ω = ω0 + N t/I in the body of a sphere: linear, so that a method that steps in body axes
         // is exact; measured 2e-12, rkmk4 7e-11.
         problem.inertia = InertiaTensor::from_principal_moments({2.0, 2.0, 2.0});
-        problem.torque = ConstantBodyTorque{torque};
+        problem.torque = ConstantTorqueInBody{torque};
         const RotationState spun = IntegratedRotation(problem).at(5.0);
         EXPECT_LE((spun.omega_body - problem.start.omega_body - 2.5 * torque).norm(), 1e-9)
             << method.name;
@@ -288,7 +288,7 @@ TEST(Methods, DissipationKeepsMomentumAndEndsInTheMajorAxis) {
         MotionProblem problem = tumbling(name, 150.0);
         // Spins almost about the axis of the lowest moment, e2.
         problem.start.omega_body = {0.05, 1.0, -0.02};
-        problem.torque = DissipationTorque{0.5};
+        problem.torque = InternalFriction{0.5};
         const IntegratedRotation stepped(problem);
         const Eigen::Vector3d momentum = momentum_space(problem.inertia, problem.start);
         double energy = kinetic_energy(problem.inertia, problem.start);
@@ -308,7 +308,7 @@ TEST(Methods, DissipationKeepsMomentumAndEndsInTheMajorAxis) {
     }
     // dT/dt = −κ |L × ω|²/L² with κ = rate·tr(I)/3.
     const MotionProblem problem = tumbling("rk4", 1.0);
-    const RotationDynamics dynamics(problem.inertia, DissipationTorque{0.5});
+    const RotationDynamics dynamics(problem.inertia, InternalFriction{0.5});
     const Eigen::Vector3d L =
         problem.start.omega_body.cwiseProduct(problem.inertia.moments_kg_m2());
     const Eigen::Vector3d omega = problem.start.omega_body;
@@ -419,7 +419,7 @@ TEST(IntegratedRotation, ReturnsTheEulerAnglesOfItsAttitude) {
     MotionProblem problem;
     problem.inertia = InertiaTensor::from_principal_moments({1.0, 1.0, 0.5});
     problem.start = start_of(top);
-    problem.torque = GravityTorque{.mgl_N_m = 1.0};
+    problem.torque = Gravity{.mgl_N_m = 1.0};
     problem.method = stepping("rkmk4", 1e-3);
     problem.last_time_s = 6.0;
     const IntegratedRotation stepped(problem);
@@ -504,13 +504,13 @@ TEST(Methods, RefuseInvalidInputWithOneLine) {
     expect_in("has only one order", message_of(problem));
 
     problem = tumbling("exact", 1.0);
-    problem.torque = GravityTorque{.mgl_N_m = 1.0};
+    problem.torque = Gravity{.mgl_N_m = 1.0};
     expect_in("choose one of euler, rk4, dopri5, splitting, rkmk4", message_of(problem));
-    problem.torque = ConstantBodyTorque{{1.0, 0.0, 0.0}};
+    problem.torque = ConstantTorqueInBody{{1.0, 0.0, 0.0}};
     expect_in("choose one of euler, rk4, dopri5, rkmk4", message_of(problem));
     problem = tumbling("dmv", 1.0);
-    problem.torque = DissipationTorque{1.0};
-    expect_in("internal dissipation", message_of(problem));
+    problem.torque = InternalFriction{1.0};
+    expect_in("internal friction", message_of(problem));
 
     // A step so long that the implicit equation has no solution.
     problem = tumbling("dmv", 100.0);
@@ -522,11 +522,11 @@ TEST(Methods, RefuseInvalidInputWithOneLine) {
     expect_in("overflows", message_of(problem));
 
     problem = tumbling("rk4", 1.0);
-    problem.torque = GravityTorque{.mgl_N_m = std::nan("")};
+    problem.torque = Gravity{.mgl_N_m = std::nan("")};
     expect_in("mgl_N_m", message_of(problem));
-    problem.torque = GravityTorque{.mgl_N_m = 1.0, .arm_body = Eigen::Vector3d::Zero()};
+    problem.torque = Gravity{.mgl_N_m = 1.0, .arm_body = Eigen::Vector3d::Zero()};
     expect_in("arm of gravity is zero", message_of(problem));
-    problem.torque = DissipationTorque{-1.0};
+    problem.torque = InternalFriction{-1.0};
     expect_in("rate ≥ 0", message_of(problem));
     problem = tumbling("rk4", 1.0);
     problem.start.omega_body[1] = std::nan("");
@@ -541,7 +541,7 @@ TEST(Methods, RefuseInvalidInputWithOneLine) {
 TEST(Methods, ExactAcceptsZeroGravityAsNoTorque) {
     MotionProblem problem = tumbling("exact", 1.0);
     const RotationState free = Motion(problem).at(3.0);
-    problem.torque = GravityTorque{.mgl_N_m = 0.0};
+    problem.torque = Gravity{.mgl_N_m = 0.0};
     const Motion motion(problem);
     EXPECT_EQ(motion.at(3.0).omega_body, free.omega_body);
     EXPECT_NE(motion.free_rotation(), nullptr);
@@ -550,7 +550,7 @@ TEST(Methods, ExactAcceptsZeroGravityAsNoTorque) {
 // Neither stepped for ever nor to numbers that are none.
 TEST(IntegratedRotation, RefusesWhatNoStepAdvances) {
     for (const double spin : {1e150, 1e200, 1e300}) {
-        for (const Torque& torque : {Torque(NoTorque{}), Torque(DissipationTorque{1e-3})}) {
+        for (const Torque& torque : {Torque(NoTorque{}), Torque(InternalFriction{1e-3})}) {
             MotionProblem problem = tumbling("dopri5", 1e100);
             problem.start.omega_body *= spin;
             problem.torque = torque;

@@ -64,7 +64,7 @@ TEST(StepChoice, ReportsAnUnreachableTolerance) {
 
 MotionProblem damped_problem(const std::string& method) {
     MotionProblem problem = generic_problem(method);
-    problem.torque = DissipationTorque{0.01};
+    problem.torque = InternalFriction{0.01};
     return problem;
 }
 

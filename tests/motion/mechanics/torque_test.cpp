@@ -25,7 +25,7 @@ namespace {
 
 using Eigen::Vector3d;
 
-MotionProblem slowed(const Vector3d& moments, const Vector3d& omega, const DragTorque& drag,
+MotionProblem slowed(const Vector3d& moments, const Vector3d& omega, const Drag& drag,
                      const std::string& method = "dopri5", double last_time_s = 10.0) {
     MotionProblem problem;
     problem.inertia = InertiaTensor::from_principal_moments(moments, Physicality::waived);
@@ -74,7 +74,7 @@ TEST(Drag, OfAPermanentRotationTurnsTheBodyByItsClosedForm) {
     for (const std::string& method : precise_methods)
         for (int axis = 0; axis < 3; ++axis)
             for (const bool is_linear : {true, false}) {
-                DragTorque drag;
+                Drag drag;
                 (is_linear ? drag.linear_1_s : drag.quadratic_1_rad)[axis] = is_linear ? a : b;
                 const Motion motion(
                     slowed({3.0, 2.0, 1.5}, rate * Vector3d::Unit(axis), drag, method));
@@ -104,9 +104,9 @@ TEST(Drag, WithEqualRatesIsTheFreeMotionInSlowerTime) {
     }
 }
 
-DragTorque any_drag(std::mt19937& random) {
+Drag any_drag(std::mt19937& random) {
     std::uniform_real_distribution<double> part(0.0, 1.0);
-    DragTorque drag;
+    Drag drag;
     for (int i = 0; i < 3; ++i) drag.linear_1_s[i] = 0.3 * part(random);
     for (int i = 0; i < 3; ++i) drag.quadratic_1_rad[i] = 0.2 * part(random);
     drag.growth_1_s = 0.4 * (part(random) - 0.5);
@@ -119,13 +119,13 @@ MotionProblem any_problem(unsigned seed, const std::string& method = "dopri5") {
     Vector3d sides, omega;
     for (double& side : sides) side = 0.1 + part(random);
     for (double& w : omega) w = 4.0 * (part(random) - 0.5);
-    const DragTorque drag = any_drag(random);
+    const Drag drag = any_drag(random);
     return slowed(Vector3d::Constant(sides.sum()) - sides, omega, drag, method, 8.0);
 }
 
 // Torque in body axes by the formula of the scene reference.
 Vector3d torque_of(const MotionProblem& problem, const RotationState& state) {
-    const auto& drag = std::get<DragTorque>(problem.torque);
+    const auto& drag = std::get<Drag>(problem.torque);
     Vector3d torque;
     for (int i = 0; i < 3; ++i)
         torque[i] =
@@ -172,7 +172,7 @@ TEST(Drag, TakesOfEnergyAndMomentumWhatItsTorqueDoes) {
 RotationState by_another_method(const MotionProblem& problem, double time_s) {
     using Numbers = std::array<long double, 12>;
     namespace odeint = boost::numeric::odeint;
-    const auto& drag = std::get<DragTorque>(problem.torque);
+    const auto& drag = std::get<Drag>(problem.torque);
     const Vector3d& I = problem.inertia.moments_kg_m2();
     const auto slope = [&](const Numbers& x, Numbers& rate, long double t) {
         for (std::size_t i = 0; i < 3; ++i) {
@@ -259,15 +259,14 @@ TEST(Drag, KeepsTheDigitsOfASlowBody) {
 // No unit is special: a body a thousand times as heavy moves alike, and one that turns and is
 // slowed a thousand times as fast does in a thousandth of the time; at the ends of the range, too.
 TEST(Drag, DoesNotDependOnUnits) {
-    const DragTorque drag{{0.2, 0.1, 0.3}, {0.05, 0.2, 0.1}, 0.1};
+    const Drag drag{{0.2, 0.1, 0.3}, {0.05, 0.2, 0.1}, 0.1};
     const Vector3d moments(3.0, 2.0, 1.5), omega(0.4, 1.7, 0.6);
     const RotationState plain = Motion(slowed(moments, omega, drag)).at(10.0);
     for (const int power : {10, -300, 300}) {
         const double unit = std::ldexp(1.0, power);
         const RotationState heavy = Motion(slowed(unit * moments, omega, drag)).at(10.0);
         EXPECT_EQ(heavy.omega_body, plain.omega_body) << power;
-        const DragTorque quick{unit * drag.linear_1_s, drag.quadratic_1_rad,
-                               unit * drag.growth_1_s};
+        const Drag quick{unit * drag.linear_1_s, drag.quadratic_1_rad, unit * drag.growth_1_s};
         MotionProblem problem = slowed(moments, unit * omega, quick, "dopri5", 10.0 / unit);
         const RotationState state = Motion(problem).at(10.0 / unit);
         EXPECT_LT((state.omega_body / unit - plain.omega_body).norm(), 1e-9) << power;
@@ -305,7 +304,7 @@ TEST(Drag, RefusesWhatItCannotFollow) {
                     "choose one of euler, rk4, dopri5, rkmk4");
     MotionProblem exact = slowed(moments, omega, {{0.1, 0.1, 0.1}});
     exact.method = {};
-    expect_said(refusal(exact), "has no solution for the torque \"drag\"");
+    expect_said(refusal(exact), "has no solution for the torque \"drag of the air\"");
 }
 
 }  // namespace

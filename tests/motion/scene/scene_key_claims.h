@@ -184,22 +184,20 @@ inline const Claims claims_of_rows{
           return s.start.top->omega3_rad_s == 8.0 && s.start.omega_rad_s[2] == 8.0;
       }}},
     {"torque.kind",
-     {a_top + gravity,
-      [](const Scene& s) { return std::holds_alternative<GravityTorque>(torque(s)); }}},
+     {a_top + gravity, [](const Scene& s) { return std::holds_alternative<Gravity>(torque(s)); }}},
     {"torque.mgl_N_m",
-     {a_top + gravity,
-      [](const Scene& s) { return std::get<GravityTorque>(torque(s)).mgl_N_m == 2.5; }}},
+     {a_top + gravity, [](const Scene& s) { return std::get<Gravity>(torque(s)).mgl_N_m == 2.5; }}},
     {"torque.arm_body",
      {a_top + gravity + "arm_body = [0, 0, -2]\n",
       [](const Scene& s) {
-          return std::get<GravityTorque>(torque(s)).arm_body == Eigen::Vector3d(0.0, 0.0, -1.0);
+          return std::get<Gravity>(torque(s)).arm_body == Eigen::Vector3d(0.0, 0.0, -1.0);
       }}},
     {"torque.torque_body_N_m",
      {with("torque",
            "kind = \"constant_body\"\ntorque_body_N_m = [1, 2, 3]\n[motion]\nmethod = "
            "\"rk4\""),
       [](const Scene& s) {
-          return std::get<ConstantBodyTorque>(torque(s)).torque_body_N_m ==
+          return std::get<ConstantTorqueInBody>(torque(s)).torque_body_N_m ==
                  Eigen::Vector3d(1.0, 2.0, 3.0);
       }}},
     {"torque.torque_space_N_m",
@@ -207,28 +205,28 @@ inline const Claims claims_of_rows{
            "kind = \"constant_space\"\ntorque_space_N_m = [1, 2, 3]\n[motion]\nmethod = "
            "\"rk4\""),
       [](const Scene& s) {
-          return std::get<ConstantSpaceTorque>(torque(s)).torque_space_N_m ==
+          return std::get<ConstantTorqueInSpace>(torque(s)).torque_space_N_m ==
                  Eigen::Vector3d(1.0, 2.0, 3.0);
       }}},
     {"torque.half_life_s",
      {with("torque", "kind = \"dissipation\"\nhalf_life_s = 3\n[motion]\nmethod = \"rk4\""),
       [](const Scene& s) {
-          return s.half_life_s == 3.0 && std::get<DissipationTorque>(torque(s)).rate_1_s > 0.0;
+          return s.half_life_s == 3.0 && std::get<InternalFriction>(torque(s)).rate_1_s > 0.0;
       }}},
     {"torque.rate_1_s",
      {with("torque", "kind = \"dissipation\"\nrate_1_s = 0.5\n[motion]\nmethod = \"rk4\""),
-      [](const Scene& s) { return std::get<DissipationTorque>(torque(s)).rate_1_s == 0.5; }}},
+      [](const Scene& s) { return std::get<InternalFriction>(torque(s)).rate_1_s == 0.5; }}},
     {"torque.linear_1_s",
      {with("torque", "kind = \"drag\"\nlinear_1_s = [1, 2, 3]\n[motion]\nmethod = \"rk4\""),
       [](const Scene& s) {
-          const auto& drag = std::get<DragTorque>(torque(s));
+          const auto& drag = std::get<Drag>(torque(s));
           return drag.linear_1_s == Eigen::Vector3d(1.0, 2.0, 3.0) &&
                  drag.quadratic_1_rad.isZero(0.0);
       }}},
     {"torque.quadratic_1_rad",
      {with("torque", "kind = \"drag\"\nquadratic_1_rad = [1, 2, 3]\n[motion]\nmethod = \"rk4\""),
       [](const Scene& s) {
-          const auto& drag = std::get<DragTorque>(torque(s));
+          const auto& drag = std::get<Drag>(torque(s));
           return drag.quadratic_1_rad == Eigen::Vector3d(1.0, 2.0, 3.0) &&
                  drag.linear_1_s.isZero(0.0) && drag.growth_1_s == 0.0;
       }}},
@@ -236,7 +234,7 @@ inline const Claims claims_of_rows{
      {with("torque",
            "kind = \"drag\"\nlinear_1_s = [1, 2, 3]\ngrowth_1_s = -0.5\n[motion]\nmethod = "
            "\"rk4\""),
-      [](const Scene& s) { return std::get<DragTorque>(torque(s)).growth_1_s == -0.5; }}},
+      [](const Scene& s) { return std::get<Drag>(torque(s)).growth_1_s == -0.5; }}},
     {"measured.file",
      {with("measured", "file = \"gyro.csv\""),
       [](const Scene& s) {

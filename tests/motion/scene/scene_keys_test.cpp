@@ -11,6 +11,8 @@
 #include <limits>
 #include <set>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 #include "mesh_folder.h"
@@ -262,6 +264,30 @@ TEST(SceneKeys, EveryNameOfAFixedListIsReadAndNoOther) {
         EXPECT_NE(said_of(key, "\"\""), "") << key.path;
     }
     EXPECT_GT(n_names, 60);
+}
+
+// The numbers of a torque have one name, here and in Python.
+TEST(SceneKeys, EveryNumberOfATorqueIsAKeyOfItsKind) {
+    std::set<std::pair<std::size_t, std::string>> numbers, keys;
+    std::size_t kind = 0;
+    const auto add = [&](const auto& row_of_kind) {
+        std::apply(
+            [&](const auto&... number) {
+                (numbers.insert({kind, "torque." + std::string(number.name)}), ...);
+            },
+            row_of_kind);
+        ++kind;
+    };
+    [&]<std::size_t... k>(std::index_sequence<k...>) {
+        (add(KindOfTorque<std::variant_alternative_t<k, Torque>>::numbers), ...);
+    }
+    (std::make_index_sequence<std::variant_size_v<Torque>>());
+    for (const SceneKey& key : scene_keys())
+        if (key.torque_kind) keys.insert({*key.torque_kind, std::string(key.path)});
+    // The half-life depends on the start too.
+    EXPECT_EQ(keys.erase({index_of_torque<InternalFriction>, "torque.half_life_s"}), 1u);
+    EXPECT_EQ(keys, numbers);
+    EXPECT_EQ(numbers.size(), 8u);
 }
 
 TEST(SceneKeys, EveryDefaultIsTheValueOfASceneWithoutTheKey) {

@@ -55,7 +55,7 @@ TEST(SteppingEstimate, IsBoundedWhateverTheMotion) {
     fast.start.omega_body.setConstant(1e20);
     EXPECT_GT(stepping_estimate_s(fast), longest_stepping_s);
     MotionProblem stiff = problem_of(stepped_scene());
-    stiff.torque = DissipationTorque{1e12};
+    stiff.torque = InternalFriction{1e12};
     EXPECT_GT(stepping_estimate_s(stiff), longest_stepping_s);
     MotionProblem fine = problem_of(stepped_scene());
     fine.method = {.name = "rk4", .step_s = 1e-200, .tolerance = {}, .order = {}};

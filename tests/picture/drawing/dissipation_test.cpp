@@ -20,8 +20,7 @@ constexpr double stepping_tolerance = 1e-11;
 
 Scene burning(const std::string& panel) {
     Scene scene = free_scene(moments, omega, panel);
-    scene.torque =
-        DissipationTorque{dissipation_rate_of_half_life(scene.body.inertia, omega, 10.0)};
+    scene.torque = InternalFriction{friction_rate_of_half_life(scene.body.inertia, omega, 10.0)};
     scene.method = {.name = "dopri5", .step_s = {}, .tolerance = stepping_tolerance, .order = {}};
     scene.film.duration_s = 30.0;
     scene.trail.polhode = "history";
@@ -142,7 +141,7 @@ TEST(Dissipation, IsShownByPanelsThatAllowIt) {
 // A body that the air slows most about its longest axis.
 Scene slowed(const std::string& panel) {
     Scene scene = free_scene(moments, Eigen::Vector3d(0.6, 1.5, 2.0), panel);
-    scene.torque = DragTorque{{0.02, 0.05, 0.1}, {0.0, 0.0, 0.02}, 0.03};
+    scene.torque = Drag{{0.02, 0.05, 0.1}, {0.0, 0.0, 0.02}, 0.03};
     scene.method = {.name = "dopri5", .step_s = {}, .tolerance = stepping_tolerance, .order = {}};
     scene.film.duration_s = 20.0;
     scene.trail.polhode = "history";
@@ -227,7 +226,7 @@ TEST(Drag, IsShownByPanelsThatAllowIt) {
     scene.panels.clear();
     EXPECT_EQ(StagedScene(scene, 5.0).stage.at(1.0).views[0].planes.size(), 1u);
     // Nothing is left of ω that a construction could be drawn from.
-    scene.torque = DragTorque{{20.0, 30.0, 40.0}};
+    scene.torque = Drag{{20.0, 30.0, 40.0}};
     EXPECT_THROW(StagedScene(scene, 20.0), InputError);
 }
 

@@ -103,7 +103,7 @@ TEST(Evaluations, WithoutTorqueNoTorqueIsEvaluated) {
         const Motion free(problem_of(scene));
         EXPECT_GT(free.integrated()->counters().n_steps, 0) << method;
         EXPECT_EQ(free.integrated()->counters().n_torques, 0) << method;
-        scene.torque = GravityTorque{1.0, {0.0, 0.0, 1.0}};
+        scene.torque = Gravity{1.0, {0.0, 0.0, 1.0}};
         EXPECT_GE(Motion(problem_of(scene)).integrated()->counters().n_torques, 100) << method;
     }
     scene.method = {"dopri5", {}, 1e-6, {}};

@@ -405,7 +405,7 @@ TEST(FigureElements, InertialForcesNeedPointMassesWithoutFriction) {
               "disc.toml:3:1: show: inertial-forces needs a body of point masses; give it as "
               "[[body.masses]], or leave this element out");
     Scene damped = disc_scene();
-    damped.torque = DissipationTorque{0.1};
+    damped.torque = InternalFriction{0.1};
     damped.method.name = "dopri5";
     EXPECT_EQ(refusal_of(damped),
               "disc.toml:3:1: show: inertial-forces cannot show a body with internal friction; "

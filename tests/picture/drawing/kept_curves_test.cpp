@@ -28,8 +28,8 @@ Scene generic(const std::string& panel) { return free_scene(moments, omega, pane
 
 Scene burning(const std::string& panel) {
     Scene scene = free_scene({3.0, 2.0, 1.0}, {0.05, 0.02, 2.0}, panel);
-    scene.torque = DissipationTorque{
-        dissipation_rate_of_half_life(scene.body.inertia, scene.start.omega_rad_s, 10.0)};
+    scene.torque = InternalFriction{
+        friction_rate_of_half_life(scene.body.inertia, scene.start.omega_rad_s, 10.0)};
     scene.method = {.name = "dopri5", .step_s = {}, .tolerance = 1e-9, .order = {}};
     scene.film.duration_s = 30.0;
     scene.trail.polhode = "history";

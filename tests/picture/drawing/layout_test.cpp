@@ -203,7 +203,7 @@ TEST(Layout, InsetsFadeByNameAndNeedAFreeBody) {
     fade.opacity = 0.0;
     scene.fades.clear();
     EXPECT_FALSE(StagedScene(scene, 5.0).stage.at(5.0).views.at(1).curves.empty());
-    scene.torque = DissipationTorque{0.1};
+    scene.torque = InternalFriction{0.1};
     scene.method.name = "dopri5";
     try {
         const StagedScene staged(scene, 5.0);

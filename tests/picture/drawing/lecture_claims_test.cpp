@@ -265,7 +265,7 @@ TEST(LectureClaims, EnergyAndMomentumStayExceptByEulersMethod) {  // page 8
 TEST(LectureClaims, TorqueAlongAPrincipalAxisChangesThatRateEvenly) {  // page 7
     for (const std::string name : {"torque_axis", "torque_symmetric"}) {
         const Lecture lecture(name);
-        const auto& torque = std::get<ConstantBodyTorque>(lecture.scene.torque);
+        const auto& torque = std::get<ConstantTorqueInBody>(lecture.scene.torque);
         const double rate = torque.torque_body_N_m[0] / lecture.moments()[0];
         for (const double t : lecture.instants()) {
             const Vector3d omega = lecture.staged.motion.at(t).omega_body;
@@ -626,7 +626,7 @@ TEST(LectureClaims, MomentaAndEnergyOfATopStay) {  // page 22
     const TopStart& start = *lecture.scene.start.top;
     const double A = lecture.moments()[0];
     const double C = lecture.moments()[2];
-    const auto& gravity = std::get<GravityTorque>(lecture.scene.torque);
+    const auto& gravity = std::get<Gravity>(lecture.scene.torque);
     // From the Lagrangian, at the start: p_ψ = Cω₃, p_φ = A φ̇ sin²θ + p_ψ cos θ, E = T + Mgl cos
     // θ.
     const double p_psi = C * start.omega3_rad_s;

@@ -23,8 +23,8 @@ TEST(Plots, FirstInstantsThatWidenTheRangeTooMuchAreExcluded) {
     Scene scene = free_scene({0.1, 1.0, 1.05}, {20.0, 0.4, 0.2}, "plot");
     scene.film.duration_s = 60.0;
     scene.panels[0].quantity = "omega";
-    scene.torque = DissipationTorque{
-        dissipation_rate_of_half_life(scene.body.inertia, scene.start.omega_rad_s, 0.05)};
+    scene.torque = InternalFriction{
+        friction_rate_of_half_life(scene.body.inertia, scene.start.omega_rad_s, 0.05)};
     scene.method = {.name = "dopri5", .step_s = {}, .tolerance = 1e-9, .order = {}};
     const StagedScene staged(scene, 60.0);
     const View view = staged.stage.at(30.0).views.at(0);

@@ -46,7 +46,7 @@ inline Scene top_scene(const TopStart& top, const std::string& panel, double mgl
     scene.start.omega_rad_s = start.omega_body;
     scene.start.space_from_body = start.space_from_body;
     scene.start.top = top;
-    scene.torque = GravityTorque{mgl_N_m, {0.0, 0.0, 1.0}};
+    scene.torque = Gravity{mgl_N_m, {0.0, 0.0, 1.0}};
     return scene;
 }
 

@@ -69,7 +69,7 @@ TEST(ThingNames, OfAPlaneThatTurnsIsTheTangentPlane) {
         return names_of(scene).at("invariable-plane").mask->source.text;
     };
     EXPECT_EQ(name_of_plane(), "invariable plane");
-    scene.torque = DragTorque{{0.02, 0.05, 0.1}, {0.0, 0.0, 0.0}, 0.0};
+    scene.torque = Drag{{0.02, 0.05, 0.1}, {0.0, 0.0, 0.0}, 0.0};
     scene.method = {.name = "dopri5", .step_s = {}, .tolerance = 1e-9, .order = {}};
     EXPECT_EQ(name_of_plane(), "tangent plane");
     scene.language = "de";

@@ -12,28 +12,6 @@ namespace poinsot::library {
 
 namespace {
 
-poinsot::Torque torque_in(const Torque& torque) {
-    struct Visitor {
-        poinsot::Torque operator()(const NoTorque&) const { return poinsot::NoTorque{}; }
-        poinsot::Torque operator()(const Gravity& gravity) const {
-            return GravityTorque{gravity.mgl_N_m, gravity.arm_body.stableNormalized()};
-        }
-        poinsot::Torque operator()(const ConstantTorqueInBody& constant) const {
-            return ConstantBodyTorque{constant.torque_body_N_m};
-        }
-        poinsot::Torque operator()(const ConstantTorqueInSpace& constant) const {
-            return ConstantSpaceTorque{constant.torque_space_N_m};
-        }
-        poinsot::Torque operator()(const InternalFriction& friction) const {
-            return DissipationTorque{friction.rate_1_s};
-        }
-        poinsot::Torque operator()(const Drag& drag) const {
-            return DragTorque{drag.linear_1_s, drag.quadratic_1_rad, drag.growth_1_s};
-        }
-    };
-    return std::visit(Visitor{}, torque);
-}
-
 Physicality physicality_of(const MotionOptions& options) {
     return options.allow_unphysical ? Physicality::waived : Physicality::required;
 }
@@ -54,7 +32,8 @@ poinsot::Motion free_or_driven(const InertiaTensor& inertia, const Eigen::Vector
     MotionProblem problem = problem_of(inertia, options);
     problem.start.omega_body = omega_body;
     problem.start.space_from_body = options.start_attitude;
-    problem.torque = torque_in(options.torque);
+    problem.torque = options.torque;
+    if (auto* gravity = std::get_if<Gravity>(&problem.torque)) gravity->arm_body.stableNormalize();
     return poinsot::Motion(problem, options.stop);
 }
 
@@ -108,7 +87,7 @@ Motion Motion::heavy_top(double moment_transverse_kg_m2, double moment_axial_kg_
                                              .omega3_rad_s = start.omega3_rad_s});
     problem.top_start = {start.theta_rad, start.theta_dot_rad_s, start.phi_dot_rad_s,
                          start.omega3_rad_s};
-    problem.torque = GravityTorque{.mgl_N_m = mgl_N_m};
+    problem.torque = Gravity{.mgl_N_m = mgl_N_m};
     return MotionAccess::of(poinsot::Motion(problem, options.stop));
 }
 

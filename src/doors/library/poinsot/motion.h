@@ -10,6 +10,8 @@
 // functions that do not change an object may be called by several threads at once.
 #pragma once
 
+#include <poinsot/torque.h>
+
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <functional>
@@ -18,7 +20,6 @@
 #include <span>
 #include <string>
 #include <string_view>
-#include <variant>
 
 namespace poinsot::library {
 
@@ -45,32 +46,14 @@ struct EulerAngles {
     double psi_rad = 0.0;
 };
 
-// What acts on the body, about its centre of mass or its fixed point.
-struct NoTorque {};
-struct Gravity {
-    double mgl_N_m = 0.0;  // weight times the distance of the centre of mass from the fixed point
-    Eigen::Vector3d arm_body{0.0, 0.0, 1.0};  // the direction of the centre of mass, body axes
-};
-struct ConstantTorqueInBody {
-    Eigen::Vector3d torque_body_N_m = Eigen::Vector3d::Zero();
-};
-struct ConstantTorqueInSpace {
-    Eigen::Vector3d torque_space_N_m = Eigen::Vector3d::Zero();
-};
-// Friction inside the body: L is conserved, and T decreases until the body turns about the axis of
-// the largest moment.
-struct InternalFriction {
-    double rate_1_s = 0.0;
-};
-// The drag of the air: the torque −(linear_i + quadratic_i |ω_i|) e^(growth·t) I_i ω_i along the
-// principal axes.
-struct Drag {
-    Eigen::Vector3d linear_1_s = Eigen::Vector3d::Zero();       // ≥ 0
-    Eigen::Vector3d quadratic_1_rad = Eigen::Vector3d::Zero();  // ≥ 0
-    double growth_1_s = 0.0;
-};
-using Torque = std::variant<NoTorque, Gravity, ConstantTorqueInBody, ConstantTorqueInSpace,
-                            InternalFriction, Drag>;
+// What acts on the body.
+using poinsot::ConstantTorqueInBody;
+using poinsot::ConstantTorqueInSpace;
+using poinsot::Drag;
+using poinsot::Gravity;
+using poinsot::InternalFriction;
+using poinsot::NoTorque;
+using poinsot::Torque;
 
 struct MotionOptions {
     Quaternion start_attitude = Quaternion::Identity();  // space_from_body at t = 0; any length

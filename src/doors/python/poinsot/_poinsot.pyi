@@ -28,6 +28,7 @@ class Motion:
         tolerance: Optional[float],
         order: Optional[int],
         span_s: Tuple[float, float],
+        torque: Tuple[str, Sequence[Tuple[str, Sequence[float]]]],
         allow_unphysical: bool,
     ) -> Motion: ...
     @staticmethod

@@ -1,14 +1,15 @@
-"""The motion of a rigid body that turns without torque, without a scene."""
+"""The motion of a rigid body, without a scene."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Dict, List, NamedTuple, Optional, Tuple, Type
+from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple, Type
 
 from numpy.typing import ArrayLike
 
 from . import _poinsot
 from .arrays import Numbers, number, numbers, w_first
+from .errors import InputError
 
 
 class Constants(NamedTuple):
@@ -103,8 +104,21 @@ class Claim:
     holds: bool
 
 
+_GivenTorque = Tuple[str, Tuple[Tuple[str, Tuple[float, ...]], ...]]
+
+
+def _given_torque(torque: Optional[Mapping[str, Any]]) -> _GivenTorque:
+    """The kind of a torque, and its numbers by name."""
+    if torque is None:
+        return "none", ()
+    if not isinstance(torque, Mapping) or not isinstance(torque.get("kind"), str):
+        raise InputError('torque: give a dict with a kind and its numbers: {"kind": "dissipation", "rate_1_s": 0.05}')
+    given = ((name, tuple(numbers(f"torque: {name}", value).ravel().tolist())) for name, value in torque.items() if name != "kind")
+    return torque["kind"], tuple(given)
+
+
 class Motion:
-    """The free motion of a body, exact at any instant (Jacobi's solution by theta functions).
+    """The motion of a body: free and exact at any instant (Jacobi's solution by theta functions), or under a torque.
 
     moments: the principal moments I1, I2, I3 in kg m², shape (3,), or the inertia tensor in body
     axes, shape (3, 3). omega: ω at t = 0 in body axes, rad/s, shape (3,). attitude: space_from_body
@@ -113,7 +127,11 @@ class Motion:
     method: "exact", or the name of a stepping method (`poinsot list methods`), with step_s,
     tolerance and order as for the scene's [motion]; span_s: the interval that it covers, in s.
 
-    The error of ω is at most 8e-16 of its norm and that of the attitude 1.1e-15 rad, up to 1e15 rad
+    torque: what acts, as the table [torque] of a scene: {"kind": "dissipation", "rate_1_s": 0.05}, or gravity,
+    constant_body, constant_space or drag with their numbers in SI units. All but gravity on a symmetric body need a
+    stepping method and span_s.
+
+    The error of a free ω is at most 8e-16 of its norm and that of the attitude 1.1e-15 rad, up to 1e15 rad
     of turning. Raises InputError for moments that no body has (unless allow_unphysical), for values
     that are not finite, and for options that the method does not have.
 
@@ -148,12 +166,13 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         tolerance: Optional[float] = None,
         order: Optional[int] = None,
         span_s: Tuple[float, float] = (0.0, 0.0),
+        torque: Optional[Mapping[str, Any]] = None,
         allow_unphysical: bool = False,
     ) -> None:
         # Copies, so that the caller's later changes do not reach a copy of the motion.
         arrays = (numbers("moments", moments), numbers("omega", omega), numbers("attitude", w_first(attitude)))
         copies = tuple(array.copy() for array in arrays)
-        self._make(False, (*copies, method, step_s, tolerance, order, span_s, allow_unphysical))
+        self._make(False, (*copies, method, step_s, tolerance, order, span_s, _given_torque(torque), allow_unphysical))
 
     def _make(self, is_top: bool, arguments: Tuple[Any, ...]) -> None:
         self._native = _poinsot.Motion.heavy_top(*arguments) if is_top else _poinsot.Motion.of_body(*arguments)
@@ -213,13 +232,15 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
                 "start": dict(zip(names, start)),
                 "panels": [{"kind": "top"}],
             }
-        moments, omega, attitude, method, step_s, tolerance, order, _, allow_unphysical = given
+        moments, omega, attitude, method, step_s, tolerance, order, _, (kind, of_torque), allow_unphysical = given
         scene: Dict[str, Any] = {
             "body": {"tensor_kg_m2" if moments.ndim == 2 else "moments_kg_m2": moments.tolist()},
             "start": {"omega_rad_s": omega.tolist(), "attitude": attitude.tolist()},
         }
         if allow_unphysical:
             scene["body"]["allow_unphysical"] = True
+        if kind != "none":
+            scene["torque"] = {"kind": kind, **{name: list(values) if len(values) > 1 else values[0] for name, values in of_torque}}
         chosen = {"method": method, "step_s": step_s, "tolerance": tolerance, "order": order}
         if method != "exact":
             scene["motion"] = {key: value for key, value in chosen.items() if value is not None}

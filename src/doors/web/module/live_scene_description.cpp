@@ -30,7 +30,7 @@ namespace {
 // flip alone, both in seconds of the motion; null for any other motion.
 std::string flips_text(const Motion& motion) {
     const MotionProblem& problem = motion.problem();
-    if (!std::holds_alternative<NoTorque>(problem.torque)) return "null";
+    if (!is_free(problem.torque)) return "null";
     const auto flips = flips_of(problem, motion.free_constants());
     if (!flips) return "null";
     return JsonObject()

@@ -40,7 +40,7 @@ class Dopri5 {
                     : std::sqrt(torque) * std::sqrt(dynamics_.moments_kg_m2().maxCoeff());
         if (!(unit_ > 0.0)) unit_ = 1.0;
         first_time_s_ = start.state.time_s;
-        is_slowed_ = std::holds_alternative<DragTorque>(dynamics_.torque());
+        is_slowed_ = is_slowed(dynamics_.torque());
     }
 
     StepNode next(const StepNode& node, StepCounters& counters) const {

@@ -71,7 +71,7 @@ Vector3d descended(const Vector3d& weight, const Vector3d& start, const Vector3d
 }  // namespace
 
 Friction::Friction(const MethodStart& start) : backwards_(start.step_s < 0.0) {
-    acts_ = std::holds_alternative<DissipationTorque>(start.dynamics.torque());
+    acts_ = has_friction(start.dynamics.torque());
     if (!acts_) return;
     momentum_ = start.state.momentum.stableNorm();
     direction_space_ = start.state.space_from_principal * start.state.momentum.stableNormalized();

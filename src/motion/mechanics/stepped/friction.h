@@ -1,4 +1,4 @@
-// Motion under friction inside the body: L is constant in space, so only the attitude is integrated
+// Motion under internal friction: L is constant in space, so only the attitude is integrated
 // and ω follows from it. The energy is integrated separately, and never grows.
 #pragma once
 
@@ -18,7 +18,7 @@ class Friction {
     // The direction of time is that of start.step_s.
     explicit Friction(const MethodStart& start);
 
-    // Whether the torque is internal dissipation; the rest is meaningless otherwise.
+    // Whether there is internal friction; the rest is meaningless otherwise.
     bool acts() const { return acts_; }
 
     // L in principal axes of an attitude, a quaternion of any length but 0, in kg m²/s.

@@ -21,7 +21,7 @@ double default_step_s(const RotationDynamics& dynamics, const Eigen::Vector3d& m
     const double torque = dynamics.greatest_torque_N_m();
     const double least_moment = dynamics.moments_kg_m2().minCoeff();
     // A pendulum's rate under gravity; under a constant torque the rate that the body can reach.
-    const bool swings = std::holds_alternative<GravityTorque>(dynamics.torque());
+    const bool swings = has_weight(dynamics.torque());
     const double gained =
         swings ? 2.0 * std::sqrt(torque / least_moment) : torque * span_s / least_moment;
     const double rate = dynamics.greatest_free_omega(momentum) + gained +

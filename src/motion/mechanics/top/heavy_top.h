@@ -88,11 +88,11 @@ class HeavyTop {
     // angles are those of that axis. If the state was rounded from Euler angles, give these as
     // well: the motion is then exact for them. They are used where the third body axis is the
     // symmetry axis.
-    HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity, const RotationState& start,
+    HeavyTop(const InertiaTensor& inertia, const Gravity& gravity, const RotationState& start,
              const std::optional<TopStart>& unrounded = std::nullopt);
 
     // True if the second constructor accepts this body and arm.
-    static bool accepts(const InertiaTensor& inertia, const GravityTorque& gravity);
+    static bool accepts(const InertiaTensor& inertia, const Gravity& gravity);
 
     // State at a time, in the body axes of the start. Throws InputError if the phase overflows.
     RotationState at(double time_s) const;

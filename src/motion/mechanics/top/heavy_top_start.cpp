@@ -111,8 +111,8 @@ HeavyTop::HeavyTop(const HeavyTopProblem& problem) {
     check_momentum(true);
 }
 
-HeavyTop::HeavyTop(const InertiaTensor& inertia, const GravityTorque& gravity,
-                   const RotationState& start, const std::optional<TopStart>& unrounded) {
+HeavyTop::HeavyTop(const InertiaTensor& inertia, const Gravity& gravity, const RotationState& start,
+                   const std::optional<TopStart>& unrounded) {
     const Symmetry symmetry = symmetry_of(inertia, gravity.arm_body);
     if (!symmetry.found) {
         throw InputError(
@@ -166,7 +166,7 @@ void HeavyTop::check_momentum(bool from_angles) const {
         "{}: the angular momentum of the top overflows; choose other units", too_large));
 }
 
-bool HeavyTop::accepts(const InertiaTensor& inertia, const GravityTorque& gravity) {
+bool HeavyTop::accepts(const InertiaTensor& inertia, const Gravity& gravity) {
     return symmetry_of(inertia, gravity.arm_body).found;
 }
 

@@ -15,7 +15,7 @@ namespace {
 
 // The drag of a fit as a scene says it, or why the scene leaves it out.
 struct SceneDrag {
-    std::optional<DragTorque> torque;
+    std::optional<Drag> torque;
     std::string_view left_out{};
 };
 
@@ -36,7 +36,7 @@ SceneDrag drag_of(const FittedScene& scene) {
     if (fit.drag == DragModel::none) return {};
     if (!is_noticed(fit, scene.last_time_s - fit.first_time_s))
         return {{}, "it does not differ from 0"};
-    DragTorque drag;
+    Drag drag;
     Eigen::Vector3d& rates =
         fit.drag == DragModel::quadratic ? drag.quadratic_1_rad : drag.linear_1_s;
     if (fit.drag == DragModel::growing) {
@@ -61,7 +61,7 @@ SceneDrag drag_of(const FittedScene& scene) {
     return {drag, {}};
 }
 
-std::string text_of(const DragTorque& drag) {
+std::string text_of(const Drag& drag) {
     std::string text = "\n[torque]\nkind = \"drag\"\n";
     if (!drag.linear_1_s.isZero(0.0))
         text += fmt::format("linear_1_s = {}\n", toml_text(drag.linear_1_s));

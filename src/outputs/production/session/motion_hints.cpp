@@ -44,7 +44,7 @@ std::string json_times(const std::vector<double>& times) {
 std::string motion_in_words(const Motion& motion) {
     std::string kind = regime_sentence(motion);
     const MotionProblem& problem = motion.problem();
-    if (!std::holds_alternative<NoTorque>(problem.torque)) return kind;
+    if (!is_free(problem.torque)) return kind;
     const FreeRotationConstants constants = motion.free_constants();
     const auto flips = flips_of(problem, constants);
     const bool is_elliptic = motion.regime() == Regime::elliptic_about_lowest ||

@@ -42,14 +42,14 @@ PlanLine motion_line(const Session& session) {
 }
 
 PlanLine torque_line(const Session& session) {
-    if (std::holds_alternative<NoTorque>(session.motion.problem().torque)) {
+    if (is_free(session.motion.problem().torque)) {
         return {"torque", "none", "the scene has no [torque]"};
     }
     const IntegratedRotation* stepped = session.motion.integrated();
     if (stepped == nullptr) return {"torque", "none", "the closed form includes gravity"};
     const std::int64_t n_torques = stepped->counters().n_torques;
     return {"torque", fmt::format("evaluated {} times", n_torques),
-            n_torques > 0 ? "the scene has [torque]" : "friction inside the body is not a torque"};
+            n_torques > 0 ? "the scene has [torque]" : "internal friction is not a torque"};
 }
 
 PlanLine frames_line(const char* what, bool asked, std::int64_t n_frames, const char* why,

@@ -204,7 +204,7 @@ void add_motion(const Session& session, std::vector<SummaryLine>& lines) {
                      problem.inertia.planar() ? " (planar: one is the sum of the others)" : "")});
     add_principal_axes(problem.inertia, lines);
     lines.push_back({"method", json_string(problem.method.name), "method", problem.method.name});
-    if (std::holds_alternative<NoTorque>(problem.torque)) {
+    if (is_free(problem.torque)) {
         add_free_motion(session, lines);
     } else {
         lines.push_back({"regime", json_string(name_of(session.motion.regime())), "regime",

@@ -43,11 +43,7 @@ double motion_error_px(const Session& session) {
            session.accuracy.px_per_rad;
 }
 
-bool can_certify(const Session& session) {
-    const MotionProblem& problem = session.motion.problem();
-    return std::holds_alternative<NoTorque>(problem.torque) &&
-           !problem.start.omega_body.isZero(0.0);
-}
+bool can_certify(const Session& session) { return turns_freely(session.motion.problem()); }
 
 Certificate certify_film(const Session& session, const FilmPlan& film, const Task& task) {
     std::optional<SlowWorkNotice> notice;

@@ -34,6 +34,6 @@ inline constexpr std::string_view needs_measured = "a measured motion, in [measu
 inline constexpr std::string_view needs_heavy_top = "a heavy symmetric top";
 inline constexpr std::string_view needs_free_turning = "a torque-free body that turns";
 inline constexpr std::string_view needs_turning =
-    "a body that turns without torque; friction inside is allowed, and drag without [beside]";
+    "a body that turns without torque; internal friction is allowed, and drag without [beside]";
 
 }  // namespace poinsot

@@ -29,21 +29,14 @@ StageContext::StageContext(const Scene& scene_, const Theme& theme_, const Motio
 
 void StageContext::make_construction() {
     const MotionProblem& problem = motion.motion().problem();
-    const bool is_slowed = std::holds_alternative<DragTorque>(problem.torque);
-    const bool dissipates = is_slowed || std::holds_alternative<DissipationTorque>(problem.torque);
-    if (!(dissipates || std::holds_alternative<NoTorque>(problem.torque)) ||
-        problem.start.omega_body.isZero(0.0)) {
-        return;
-    }
+    if (!rolls(problem.torque) || problem.start.omega_body.isZero(0.0)) return;
     // A second motion would have an L of its own, and no plane in axes that turn with the first.
-    if (is_slowed && comparison) {
-        return;
-    }
+    if (is_slowed(problem.torque) && comparison) return;
     rolling.emplace(problem, scene.construction.plane);
-    if (dissipates) {
+    if (dissipates(problem.torque)) {
         rolling->dissipates = true;
-        rolling->is_slowed = is_slowed;
-        if (is_slowed) check_turning();
+        rolling->is_slowed = is_slowed(problem.torque);
+        if (rolling->is_slowed) check_turning();
         rolling->cones.reset();  // their angles change
         widen_herpolhode();
         return;
@@ -132,7 +125,7 @@ double StageContext::quickest_rate_rad_s() const {
     // In units of the least moment, so that T neither overflows nor underflows.
     const Eigen::Vector3d weights = (problem.inertia.moments_kg_m2() / I_least).cwiseSqrt();
     double rate = weights.cwiseProduct(omega).stableNorm();
-    if (const auto* gravity = std::get_if<GravityTorque>(&problem.torque)) {
+    if (const auto* gravity = std::get_if<Gravity>(&problem.torque)) {
         rate = std::hypot(rate, 2.0 * std::sqrt(std::abs(gravity->mgl_N_m) / I_least));
     }
     return rate;

@@ -103,12 +103,8 @@ constexpr PlotCurve energy_curves[] = {
 };
 PlotValues energy_values(const StageContext& stage, const FrameInput& instant) {
     const double kinetic = kinetic_energy_J(inertia_of(stage), instant);
-    double potential = 0.0;
-    const Torque& torque = stage.motion.motion().problem().torque;
-    if (const auto* gravity = std::get_if<GravityTorque>(&torque)) {
-        const Eigen::Vector3d arm = instant.state.space_from_body * gravity->arm_body;
-        potential = gravity->mgl_N_m * arm.z();
-    }
+    const double potential =
+        potential_J(stage.motion.motion().problem().torque, instant.state.space_from_body);
     return {kinetic, potential, kinetic + potential};
 }
 
@@ -166,7 +162,7 @@ constexpr PlotCurve conserved_curves[] = {
 // top's axis; both, and E = T + V with V = Mgl cos θ, are computed from the state at the instant.
 // Source: Landau & Lifshitz §35, problem 1.
 PlotValues conserved_values(const StageContext& stage, const FrameInput& instant) {
-    const auto& gravity = std::get<GravityTorque>(stage.motion.motion().problem().torque);
+    const auto& gravity = std::get<Gravity>(stage.motion.motion().problem().torque);
     const Eigen::Vector3d momentum = momentum_body(inertia_of(stage), instant);
     const double along_axis = momentum.dot(gravity.arm_body);
     const double along_vertical = (instant.state.space_from_body * momentum).z();
@@ -435,8 +431,7 @@ const PlotQuantity& plot_quantity_of(const StageContext& stage, std::string_view
         const int axis = stage.rolling->cones->symmetry_axis;
         if (axis != 2) return axis == 0 ? wobble_across<1, 2>(*row) : wobble_across<0, 2>(*row);
     }
-    const bool falls =
-        std::holds_alternative<GravityTorque>(stage.motion.motion().problem().torque);
+    const bool falls = has_weight(stage.motion.motion().problem().torque);
     return row->values == energy_values && !falls ? without_potential(*row) : *row;
 }
 

@@ -25,10 +25,10 @@ InertialForces::InertialForces(const StageContext& stage, double reach_m)
         throw InputError(
             "show: inertial-forces needs a body of point masses; give it as [[body.masses]], or "
             "leave this element out");
-    if (std::holds_alternative<DissipationTorque>(problem.torque))
+    if (has_friction(problem.torque))
         throw InputError(
             "show: inertial-forces cannot show a body with internal friction; leave the element or "
-            "the dissipation out");
+            "the friction out");
     // Instants that are close enough for the short flips of a long film.
     constexpr int n = 1024;
     double most_N = 0.0;

@@ -27,10 +27,7 @@ bool shows_element(const Scene& scene, std::string_view name) {
 
 class UnusedKeys {
  public:
-    explicit UnusedKeys(const Scene& scene)
-        : scene_(scene),
-          dissipates_(std::holds_alternative<DissipationTorque>(scene.torque) ||
-                      std::holds_alternative<DragTorque>(scene.torque)) {
+    explicit UnusedKeys(const Scene& scene) : scene_(scene), dissipates_(dissipates(scene.torque)) {
         // Without a motion a heavy top is not known. "object", the panel of other falling bodies,
         // uses every key that "top" uses, except trail.axis.
         if (scene.panels.empty()) kinds_ = {&panel_kind_named(default_panel(scene, false))};
@@ -110,8 +107,7 @@ class UnusedKeys {
                                 any(uses_herpolhode) || has_inset();
         if (!polhode) add("trail.polhode", "no panel here draws the polhode as a trail");
         const bool axis =
-            any(uses_axis_path) ||
-            (scene_.panels.empty() && std::holds_alternative<GravityTorque>(scene_.torque));
+            any(uses_axis_path) || (scene_.panels.empty() && has_weight(scene_.torque));
         if (!herpolhode)
             add("trail.herpolhode",
                 axis

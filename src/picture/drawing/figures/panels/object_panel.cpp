@@ -81,7 +81,7 @@ class TorqueScale {
           dynamics_(stage.motion.motion().problem().inertia,
                     stage.motion.motion().problem().torque),
           most_N_m_(dynamics_.has_torque() ? dynamics_.greatest_torque_N_m() : 0.0) {
-        if (!std::holds_alternative<DragTorque>(dynamics_.torque())) return;
+        if (!is_slowed(dynamics_.torque())) return;
         constexpr int n = 64;
         for (int k = 0; k <= n; ++k) {
             const double t = stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n;

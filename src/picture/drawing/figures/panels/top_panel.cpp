@@ -362,7 +362,7 @@ void make_top_panel(Panel& panel, StageStore& store) {
     points.emplace_back(0.0, 0.0, vertical_length);
     aim_around(panel, std::move(points), 0.7 * label_em_px(panel) + 24.0 * panel.px);
 
-    const auto& gravity = std::get<GravityTorque>(panel.stage->motion.motion().problem().torque);
+    const auto& gravity = std::get<Gravity>(panel.stage->motion.motion().problem().torque);
     const bool hangs = gravity.mgl_N_m < 0.0;
     const Stand stand = stand_of(panel, top.nutation());
     const Locus locus = locus_of(panel, store);

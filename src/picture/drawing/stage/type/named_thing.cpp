@@ -113,8 +113,7 @@ double NameSpan::presence(double film_s) const {
 std::string_view words_of_plane(const Scene& scene, std::string_view thing, const Phrase& words) {
     static constexpr Phrase tangent_plane{"tangent plane",  "Tangentialebene", "plan tangent",
                                           "plano tangente", "piano tangente",  "接平面"};
-    const bool moves =
-        thing == "invariable-plane" && std::holds_alternative<DragTorque>(scene.torque);
+    const bool moves = thing == "invariable-plane" && is_slowed(scene.torque);
     return phrase_in(scene.language, moves ? tangent_plane : words);
 }
 
