@@ -2,30 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
+#include <initializer_list>
+
+#include "error/error.h"
 
 namespace poinsot {
 
+namespace {
+
+// Each step of the means halves the difference of the exponents, or at least doubles the digits
+// that agree (Carlson's gains two bits): even exponents of 2^20 take fewer. More steps are those of
+// arguments outside of a function's domain.
+constexpr int most_steps = 64;
+
+[[noreturn]] void refuse_arguments() {
+    throw InputError(
+        "an elliptic integral of this motion has no value: the motion's numbers lie beyond the "
+        "range of double-precision numbers; choose other units");
+}
+
+// Of NaN no comparison ends a loop.
+void require_finite(std::initializer_list<WideDouble> arguments) {
+    for (const WideDouble& x : arguments)
+        if (!x.is_finite()) refuse_arguments();
+}
+
+}  // namespace
+
 WideDouble complete_first_kind(const WideDouble& complementary_modulus) {
+    require_finite({complementary_modulus});
     WideDouble a = 1.0;
     WideDouble g = complementary_modulus;
-    // Each step squares the relative difference: once it is below 2^−54, the next step is exact.
-    while ((a - g).exponent() > a.exponent() - 54 && !(a - g).is_zero()) {
+    for (int step = 0; step < most_steps; ++step) {
+        // Each step squares the relative difference: once it is below 2^−54, the next step is
+        // exact.
+        const WideDouble gap = a - g;
+        if (gap.is_zero() || gap.exponent() <= a.exponent() - 54)
+            return WideDouble(pi_dd) / (a + g);
         const WideDouble mean = ldexp(a + g, -1);
         g = sqrt(a * g);
         a = mean;
     }
-    return WideDouble(pi_dd) / (a + g);
+    refuse_arguments();
 }
 
 WideDouble bulirsch_cel(const WideDouble& complementary_modulus, const WideDouble& p,
                         const WideDouble& a, const WideDouble& b) {
+    require_finite({complementary_modulus, p, a, b});
     WideDouble kc = complementary_modulus;
     WideDouble e = kc;
     WideDouble m = 1.0;
     WideDouble p_n = sqrt(p);
     WideDouble a_n = a;
     WideDouble b_n = b / p_n;
-    while (true) {
+    for (int step = 0; step < most_steps; ++step) {
         const WideDouble f = a_n;
         a_n = a_n + b_n / p_n;
         const WideDouble g = e / p_n;
@@ -34,16 +64,18 @@ WideDouble bulirsch_cel(const WideDouble& complementary_modulus, const WideDoubl
         const WideDouble m_before = m;
         m = m + kc;
         const WideDouble gap = m_before - kc;
-        if (gap.is_zero() || gap.exponent() < m_before.exponent() - 54) break;
+        if (gap.is_zero() || gap.exponent() < m_before.exponent() - 54)
+            return ldexp(WideDouble(pi_dd), -1) * (b_n + a_n * m) / (m * (m + p_n));
         kc = ldexp(sqrt(e), 1);
         e = kc * m;
     }
-    return ldexp(WideDouble(pi_dd), -1) * (b_n + a_n * m) / (m * (m + p_n));
+    refuse_arguments();
 }
 
 WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z) {
+    require_finite({x, y, z});
     const WideDouble third = WideDouble(1.0) / 3.0;
-    while (true) {
+    for (int step = 0; step < most_steps; ++step) {
         const WideDouble mean = (x + y + z) * third;
         const WideDouble X = (mean - x) / mean;
         const WideDouble Y = (mean - y) / mean;
@@ -67,6 +99,7 @@ WideDouble carlson_rf(WideDouble x, WideDouble y, WideDouble z) {
         y = ldexp(y + lambda, -2);
         z = ldexp(z + lambda, -2);
     }
+    refuse_arguments();
 }
 
 DoubleDouble exp(DoubleDouble x) {

@@ -1,6 +1,7 @@
 // Elliptic integrals in wide double-double, and the elementary functions that theta series need.
 // Every integral takes the complementary modulus k′, or arguments computed from it, so that no
-// digits cancel near k = 1. Relative errors are below 1e-29.
+// digits cancel near k = 1. Relative errors are below 1e-29. Integrals throw InputError for
+// arguments that are not finite, and for those of their domain's edge, where they are infinite.
 #pragma once
 
 #include "numerics/wide_double.h"

@@ -4,9 +4,9 @@
 #include <Eigen/Core>
 #include <Eigen/Geometry>
 #include <array>
-#include <cmath>
 
 #include "numerics/double_double.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -49,10 +49,7 @@ inline QuaternionDD conjugate(const QuaternionDD& q) { return {q.w, {-q.v[0], -q
 
 // The unit quaternion of q, with w ≥ 0. Precondition: q is finite and not zero.
 inline QuaternionDD unit(const Eigen::Quaterniond& q) {
-    int exponent = 0;
-    std::frexp(q.coeffs().cwiseAbs().maxCoeff(), &exponent);
-    const Eigen::Vector4d c =
-        q.coeffs().unaryExpr([=](double x) { return std::ldexp(x, -exponent); });
+    const Eigen::Vector4d c = ldexp(q.coeffs(), -exponent_of(q.coeffs()));
     DoubleDouble square;
     for (const double x : c) square = square + two_product(x, x);
     DoubleDouble length = sqrt(square);

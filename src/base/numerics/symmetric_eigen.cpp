@@ -3,50 +3,57 @@
 #include <Eigen/LU>
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <utility>
 
 namespace poinsot {
 
 namespace {
 
+using WideTensor = std::array<std::array<WideDouble, 3>, 3>;
+
+constexpr std::pair<int, int> planes[] = {{0, 1}, {0, 2}, {1, 2}};
+
 // One Jacobi rotation in the plane (p, q), by the smaller angle, that makes a[p][q] zero.
-void rotate(TensorDD& a, TensorDD& v, int p, int q) {
-    if (a[p][q].hi == 0.0) return;
-    const DoubleDouble theta = (a[q][q] - a[p][p]) / (a[p][q] * 2.0);
-    const DoubleDouble size = abs(theta);
-    // Beyond 2^500 the square would overflow; t = 1/(2θ) is then exact to all digits.
-    DoubleDouble t = size.hi > 0x1p500 ? DoubleDouble(0.5) / size
-                                       : DoubleDouble(1.0) / (size + sqrt(size * size + 1.0));
-    if (theta.hi < 0.0) t = -t;
-    const DoubleDouble c = DoubleDouble(1.0) / sqrt(t * t + 1.0);
-    const DoubleDouble s = t * c;
-    const DoubleDouble apq = a[p][q];
+void rotate(WideTensor& a, WideTensor& v, int p, int q) {
+    if (a[p][q].is_zero()) return;
+    const WideDouble theta = (a[q][q] - a[p][p]) / ldexp(a[p][q], 1);
+    const WideDouble size = abs(theta);
+    WideDouble t = WideDouble(1.0) / (size + sqrt(square(size) + 1.0));
+    if (theta.sign() < 0) t = -t;
+    const WideDouble c = WideDouble(1.0) / sqrt(square(t) + 1.0);
+    const WideDouble s = t * c;
+    const WideDouble apq = a[p][q];
     a[p][p] = a[p][p] - t * apq;
     a[q][q] = a[q][q] + t * apq;
     a[p][q] = a[q][p] = 0.0;
     const int r = 3 - p - q;
-    const DoubleDouble arp = a[r][p];
-    const DoubleDouble arq = a[r][q];
+    const WideDouble arp = a[r][p];
+    const WideDouble arq = a[r][q];
     a[r][p] = a[p][r] = c * arp - s * arq;
     a[r][q] = a[q][r] = s * arp + c * arq;
     for (auto& row : v) {
-        const DoubleDouble x = row[p];
-        const DoubleDouble y = row[q];
+        const WideDouble x = row[p];
+        const WideDouble y = row[q];
         row[p] = c * x - s * y;
         row[q] = s * x + c * y;
     }
 }
 
-// True once the off-diagonal elements are below the rounding of double-double.
-bool diagonal(const TensorDD& a) {
-    for (const auto& [p, q] : {std::pair{0, 1}, std::pair{0, 2}, std::pair{1, 2}}) {
-        const double off = std::abs(a[p][q].hi);
-        const double least = std::min(std::abs(a[p][p].hi), std::abs(a[q][q].hi));
-        const double most =
-            std::max({std::abs(a[0][0].hi), std::abs(a[1][1].hi), std::abs(a[2][2].hi)});
-        if (off > 0x1p-104 * least && off > 0x1p-140 * most) return false;
-    }
-    return true;
+WideDouble greatest_on_diagonal(const WideTensor& a) {
+    return std::max({abs(a[0][0]), abs(a[1][1]), abs(a[2][2])});
+}
+
+// True once the off-diagonal elements are below the rounding of double-double, or so small that no
+// double beside the greatest is.
+bool diagonal(const WideTensor& a) {
+    constexpr int rounding = -104, ratio_of_doubles = -2200;
+    const WideDouble negligible = ldexp(greatest_on_diagonal(a), ratio_of_doubles);
+    return std::all_of(std::begin(planes), std::end(planes), [&](const auto& plane) {
+        const auto [p, q] = plane;
+        const WideDouble off = abs(a[p][q]);
+        return off <= ldexp(std::min(abs(a[p][p]), abs(a[q][q])), rounding) || off <= negligible;
+    });
 }
 
 // Permutes the columns and chooses their signs so that the trace is largest among proper rotations.
@@ -79,25 +86,42 @@ void arrange_nearest_identity(SymmetricEigen& eigen) {
     }
 }
 
+// How far the rounding of the tensor's elements moves the eigenvalue of column i, in units of that
+// rounding: Σ|v_j||v_k||T_jk|. Of a turned body this is near the largest eigenvalue.
+WideDouble sensitivity(const SymmetricEigen& eigen, const TensorDD& tensor, int i) {
+    WideDouble sum;
+    for (int j = 0; j < 3; ++j)
+        for (int k = 0; k < 3; ++k)
+            sum = sum + abs(WideDouble(tensor[j][k]) * eigen.vectors(j, i) * eigen.vectors(k, i));
+    return sum;
+}
+
 // The axes of a repeated eigenvalue are not unique: turns them in their plane as near as possible
-// to the input's.
-void turn_repeated(SymmetricEigen& eigen, double tolerance) {
+// to the input's. Where two eigenvalues are much smaller than the third, rounding need not move
+// them by as much as their difference, however small that is beside the third.
+void turn_repeated(SymmetricEigen& eigen, const TensorDD& tensor, double tolerance) {
+    constexpr double margin = 4.0;
     const auto close = [&](int i, int j) {
-        return std::abs((eigen.values[i] - eigen.values[j]).hi) <= tolerance;
+        const WideDouble apart = abs(eigen.values[i] - eigen.values[j]);
+        if (apart.is_zero()) return true;
+        const auto& [first, second, third] = eigen.values;
+        const WideDouble most = std::max({abs(first), abs(second), abs(third)});
+        return apart <= most * tolerance &&
+               apart <= std::max(sensitivity(eigen, tensor, i), sensitivity(eigen, tensor, j)) *
+                            (margin * tolerance);
     };
     const int n_pairs = int{close(0, 1)} + int{close(1, 2)} + int{close(0, 2)};
     if (n_pairs >= 2) {
-        const DoubleDouble mean =
-            (eigen.values[0] + eigen.values[1] + eigen.values[2]) / DoubleDouble(3.0);
-        eigen.values = {mean.rounded(), mean.rounded(), mean.rounded()};
+        const WideDouble sum = eigen.values[0] + eigen.values[1] + eigen.values[2];
+        eigen.values.fill((sum / 3.0).rounded_to_53_bits());
         eigen.vectors.setIdentity();
         return;
     }
     for (int i = 0; i < 3; ++i) {
         const int j = (i + 1) % 3;
         if (!close(i, j)) continue;
-        const double mean = ((eigen.values[i] + eigen.values[j]) * 0.5).rounded();
-        eigen.values[i] = eigen.values[j] = mean;
+        eigen.values[i] = eigen.values[j] =
+            ldexp(eigen.values[i] + eigen.values[j], -1).rounded_to_53_bits();
         // Maximises x·e_i + y·e_j over rotations of (x, y) in their plane.
         const Eigen::Vector3d x = eigen.vectors.col(i);
         const Eigen::Vector3d y = eigen.vectors.col(j);
@@ -113,24 +137,24 @@ void turn_repeated(SymmetricEigen& eigen, double tolerance) {
 }  // namespace
 
 SymmetricEigen symmetric_eigen(const TensorDD& tensor, double repeated_tolerance) {
-    TensorDD a = tensor;
-    TensorDD v{{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, 0.0, 1.0}}};
-    // Convergence is quadratic: a few sweeps reach the rounding of double-double.
-    for (int sweep = 0; sweep < 40 && !diagonal(a); ++sweep) {
-        rotate(a, v, 0, 1);
-        rotate(a, v, 0, 2);
-        rotate(a, v, 1, 2);
+    WideTensor a;
+    WideTensor v;
+    for (std::size_t i = 0; i < 3; ++i) {
+        v[i][i] = 1.0;
+        for (std::size_t j = 0; j < 3; ++j) a[i][j] = WideDouble(tensor[i][j]);
     }
+    // Convergence is quadratic: a few sweeps reach the rounding of double-double.
+    constexpr int most_sweeps = 40;
+    for (int sweep = 0; sweep < most_sweeps && !diagonal(a); ++sweep)
+        for (const auto& [p, q] : planes) rotate(a, v, p, q);
 
     SymmetricEigen eigen;
-    double most = 0.0;
     for (int i = 0; i < 3; ++i) {
         eigen.values[i] = a[i][i];
-        most = std::max(most, std::abs(a[i][i].hi));
-        for (int j = 0; j < 3; ++j) eigen.vectors(i, j) = v[i][j].rounded();
+        for (int j = 0; j < 3; ++j) eigen.vectors(i, j) = v[i][j].rounded() + 0.0;  // no −0
     }
     arrange_nearest_identity(eigen);
-    turn_repeated(eigen, repeated_tolerance * most);
+    turn_repeated(eigen, tensor, repeated_tolerance);
     return eigen;
 }
 

@@ -11,6 +11,8 @@ std::optional<double> marks_until_gap(double alpha, double gap) {
     // marks the gaps have these two lengths.
     double right = alpha - std::floor(alpha), left = 1.0 - right;
     double n_right = 1.0, n_left = 1.0;
+    // The two lengths are rests of Euclid's algorithm, so that the marks multiply from step to
+    // step. NaN ends it.
     while (std::max(right, left) > gap) {
         double& longer = right > left ? right : left;
         double& n_longer = right > left ? n_right : n_left;
@@ -32,6 +34,7 @@ std::optional<std::int64_t> returning_mark(
     const std::function<bool(std::int64_t k, double distance)>& accept) {
     double rest = alpha - std::floor(alpha);
     std::int64_t before = 0, k = 1;
+    // Denominators of convergents grow at least as Fibonacci's numbers; NaN ends at `rest`.
     while (k <= most) {
         const double distance = std::abs(std::remainder(static_cast<double>(k) * alpha, 1.0));
         if (accept(k, distance)) return k;

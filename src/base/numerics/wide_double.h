@@ -24,6 +24,7 @@ class WideDouble {
         exponent_ = exponent + shift;
     }
 
+    bool is_finite() const { return std::isfinite(significand_.hi); }
     bool is_zero() const { return significand_.hi == 0.0; }
     int sign() const { return (significand_.hi > 0.0) - (significand_.hi < 0.0); }
     // The exponent e with 2^(e−1) ≤ |value| < 2^e; 0 for zero.
@@ -36,6 +37,10 @@ class WideDouble {
     }
     DoubleDouble double_double() const { return over_power_of_two(0); }
     double rounded() const { return std::ldexp(significand_.rounded(), exponent_); }
+    // The value rounded to double's 53 bits, without double's range.
+    WideDouble rounded_to_53_bits() const {
+        return WideDouble(DoubleDouble(significand_.rounded()), exponent_);
+    }
 
     friend WideDouble operator-(const WideDouble& a) {
         return from_parts(-a.significand_, a.exponent_);

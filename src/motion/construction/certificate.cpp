@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <optional>
 
+#include "construction/polhode.h"
 #include "mechanics/motion_errors.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -29,12 +32,35 @@ ContactSpeeds contact_speeds(const PoinsotConstruction& construction, const Moti
     return {body.norm() / (12.0 * step_s), space.norm() / (12.0 * step_s)};
 }
 
+// The fastest rate of the contact point's motion, rad/s: |ω| where the polhode is farthest from the
+// centre, or the rate of Jacobi's functions, λ² = ω_a²(I_a − I_b)(I_a − I_c)/(I_b I_c), where ω_a
+// is the largest ω along the axis that the polhode encircles. Neither is much more than |ω| at the
+// start for a body that some mass distribution has; for others both may be, by orders of magnitude.
+double fastest_rate(const InertiaTensor& inertia, const PoinsotConstruction& construction,
+                    const MotionProblem& problem) {
+    const Eigen::Vector3d& omega = problem.start.omega_body;
+    const Polhode polhode(inertia, omega, problem.on_separatrix);
+    const double omega_per_rho = omega.stableNorm() / construction.contact_body(omega).stableNorm();
+    const Eigen::Vector3d side = polhode.at(0.0);
+    const int a = polhode.encircled_axis();
+    const double along = std::abs(inertia.body_from_principal().col(a).dot(side));
+    const Eigen::Vector3d& I = inertia.moments_kg_m2();
+    const double Ib = I[(a + 1) % 3], Ic = I[(a + 2) % 3];
+    const double jacobi =
+        along * std::sqrt(std::abs(I[a] - Ib) / Ic) * std::sqrt(std::abs(I[a] - Ic) / Ib);
+    const double farthest =
+        std::max(side.stableNorm(), polhode.at(0.5 * std::numbers::pi).stableNorm());
+    return omega_per_rho * std::max(farthest, jacobi);
+}
+
 // Chooses where speeds are measured. The step is a power of two near a five-hundredth of a radian
-// at the present rate, which keeps the difference's own error near 1e-12.
+// at |ω| of the start, which keeps the difference's own error near 1e-12, or near a hundredth at
+// the motion's fastest rate, if that is shorter.
 class Differences {
  public:
-    explicit Differences(const Motion& motion)
-        : motion_(motion), rate_(motion.problem().start.omega_body.stableNorm()) {
+    Differences(const Motion& motion, double fastest_rad_s)
+        : motion_(motion),
+          rate_(std::max(motion.problem().start.omega_body.stableNorm(), 0.25 * fastest_rad_s)) {
         const double step = 2e-3 / rate_;
         if (std::isfinite(step) && step > 0.0) step_s_ = std::exp2(std::round(std::log2(step)));
     }
@@ -69,13 +95,11 @@ class Differences {
 // motion does not depend on that unit, and T and L keep their digits.
 InertiaTensor lifted(const InertiaTensor& inertia) {
     constexpr int least_exponent = -900, most_exponent = 1000;
-    int least = 0, most = 0;
-    std::frexp(inertia.moments_kg_m2().minCoeff(), &least);
-    std::frexp(inertia.moments_kg_m2().maxCoeff(), &most);
+    const int least = exponent_of(inertia.moments_kg_m2().minCoeff());
+    const int most = exponent_of(inertia.moments_kg_m2());
     if (least >= least_exponent) return inertia;
     const int up = std::min(least_exponent - least, most_exponent - most);
-    const Eigen::Vector3d moments =
-        inertia.moments_kg_m2().unaryExpr([up](double I) { return std::ldexp(I, up); });
+    const Eigen::Vector3d moments = ldexp(inertia.moments_kg_m2(), up);
     return inertia.body_axes_are_principal()
                ? InertiaTensor::from_principal_moments(moments, Physicality::waived)
                : InertiaTensor::from_principal_axes(moments, inertia.body_from_principal(),
@@ -180,7 +204,8 @@ bool Certificate::holds() const {
 
 Certificate certify(const Motion& motion, std::span<const double> times_s, double bound) {
     const MotionProblem& problem = motion.problem();
-    const PoinsotConstruction construction(lifted(problem.inertia), problem.start);
+    const InertiaTensor inertia = lifted(problem.inertia);
+    const PoinsotConstruction construction(inertia, problem.start);
 
     Certificate certificate;
     certificate.claims = rolling_claims();
@@ -198,7 +223,7 @@ Certificate certify(const Motion& motion, std::span<const double> times_s, doubl
         for (std::size_t i = 0; i < n_gaps; ++i) certificate.claims[i].bound *= reach;
     }
 
-    const Differences differences(motion);
+    const Differences differences(motion, fastest_rate(inertia, construction, problem));
     SpeedCheck check;
     for (const double time_s : times_s) {
         const RotationState state = motion.at(time_s);

@@ -16,6 +16,7 @@ std::vector<Closure> convergents(double turns, int most_periods) {
     if (!(std::abs(turns) < most_turns)) return found;
     double p = 1.0, q = 0.0, p_before = 0.0, q_before = 1.0;
     double rest = turns;
+    // Denominators grow at least as Fibonacci's numbers, beyond any `most_periods`.
     for (;;) {
         const double quotient = std::floor(rest);
         const double p_next = quotient * p + p_before;

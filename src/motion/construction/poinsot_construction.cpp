@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "error/error.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -11,7 +12,9 @@ namespace {
 
 // Angle between two vectors in rad, accurate at 0 and π (no acos).
 double angle_between(const Eigen::Vector3d& a, const Eigen::Vector3d& b) {
-    return std::atan2(a.cross(b).norm(), a.dot(b));
+    const Eigen::Vector3d x = ldexp(a, -exponent_of(a));
+    const Eigen::Vector3d y = ldexp(b, -exponent_of(b));
+    return std::atan2(norm_of(x.cross(y)), x.dot(y));
 }
 
 }  // namespace
@@ -27,9 +30,8 @@ PoinsotConstruction::PoinsotConstruction(const InertiaTensor& inertia, const Rot
 
     // Scaling by a power of two brings ω to order one, so that T and L neither overflow nor
     // underflow.
-    std::frexp(largest, &omega_exponent_);
-    const Eigen::Vector3d omega =
-        start.omega_body.unaryExpr([this](double w) { return std::ldexp(w, -omega_exponent_); });
+    omega_exponent_ = exponent_of(largest);
+    const Eigen::Vector3d omega = ldexp(start.omega_body, -omega_exponent_);
     const Eigen::Vector3d momentum = tensor_ * omega;
     sqrt_2T_scaled_ = std::sqrt(omega.dot(momentum));
     momentum_scaled_space_ = start.space_from_body * momentum;
@@ -50,8 +52,7 @@ double PoinsotConstruction::momentum_kg_m2_s() const {
 }
 
 Eigen::Vector3d PoinsotConstruction::contact_body(const Eigen::Vector3d& omega_body) const {
-    return omega_body.unaryExpr(
-        [this](double w) { return std::ldexp(w, -omega_exponent_) / sqrt_2T_scaled_; });
+    return ldexp(omega_body, -omega_exponent_) / sqrt_2T_scaled_;
 }
 
 Eigen::Vector3d PoinsotConstruction::contact_space(const RotationState& state) const {
@@ -73,8 +74,7 @@ Eigen::Vector3d PoinsotConstruction::tangency_point_space(
 }
 
 RollingResiduals PoinsotConstruction::residuals(const RotationState& state) const {
-    const Eigen::Vector3d omega =
-        state.omega_body.unaryExpr([this](double w) { return std::ldexp(w, -omega_exponent_); });
+    const Eigen::Vector3d omega = ldexp(state.omega_body, -omega_exponent_);
     const Eigen::Vector3d momentum = state.space_from_body * (tensor_ * omega);
     const double twice_T = omega.dot(tensor_ * omega);
     const double twice_T_start = sqrt_2T_scaled_ * sqrt_2T_scaled_;
@@ -109,9 +109,12 @@ std::optional<RollingCones> rolling_cones(const InertiaTensor& inertia,
     const double largest = omega_body.cwiseAbs().maxCoeff();
     const Eigen::Vector3d omega =
         inertia.body_from_principal().transpose() * (omega_body / largest);
-    const Eigen::Vector3d momentum = I.cwiseProduct(omega);
-    const double I1 = I[(axis + 1) % 3];
-    const double I3 = I[axis];
+    // Only ratios of the moments matter; those of bodies that nature has are doubles.
+    const Eigen::Vector3d moments = ldexp(I, -exponent_of(I));
+    const Eigen::Vector3d momentum = moments.cwiseProduct(omega);
+    const double I1 = moments[(axis + 1) % 3];
+    const double I3 = moments[axis];
+    if (!std::isnormal(I1)) return std::nullopt;
 
     // The cones are drawn about the half of the symmetry axis on ω's side.
     const Eigen::Vector3d symmetry = std::copysign(1.0, omega[axis]) * Eigen::Vector3d::Unit(axis);
@@ -120,7 +123,7 @@ std::optional<RollingCones> rolling_cones(const InertiaTensor& inertia,
     cones.body_half_angle_rad = angle_between(omega, symmetry);
     cones.space_half_angle_rad = angle_between(omega, momentum);
     cones.body_precession_rad_s = (I3 - I1) / I1 * omega[axis] * largest;
-    cones.space_precession_rad_s = momentum.norm() / I1 * largest;
+    cones.space_precession_rad_s = norm_of(momentum) / I1 * largest;
     cones.body_cone_outside = I3 < I1;
     return cones;
 }

@@ -7,6 +7,7 @@
 
 #include "construction/adaptive_curve.h"
 #include "mechanics/free/jacobi_solution.h"
+#include "numerics/power_of_two.h"
 #include "numerics/wide_double.h"
 
 namespace poinsot {
@@ -66,9 +67,13 @@ Polhode::Polhode(const InertiaTensor& inertia, const Eigen::Vector3d& omega_body
     }
 
     // Amplitudes of ρ_i = L_i/(I_i √(2T)): L_a² = I_aΔ_c/(I_a−I_c), L_b² = I_bΔ_a/(I_b−I_a), L_c² =
-    // I_cΔ_a/(I_c−I_a).
+    // I_cΔ_a/(I_c−I_a). The unit of I enters last, by the root of an even power of two: products
+    // with the moments of a needle could underflow in it.
+    const int half_exponent = exponent_of(I_largest) / 2;
+    const double largest_near_one = std::ldexp(I_largest, -2 * half_exponent);
     const auto amplitude = [&](int i, double root_delta, double difference) {
-        return root_delta / std::sqrt(std::abs(I[i] * difference) * (twice_T * I_largest));
+        const double square = std::abs(I[i] * difference) * (twice_T * largest_near_one);
+        return std::ldexp(root_delta / std::sqrt(square), -half_exponent);
     };
     // Δ_c underflows where ω nearly lies in the plane of two equal moments.
     const bool vanishes = delta_c == 0.0;

@@ -6,6 +6,7 @@
 
 #include "error/error.h"
 #include "mechanics/euler_angles.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -30,10 +31,7 @@ Eigen::Vector3d contact_body(Of of, At at) {
     const double largest = omega.cwiseAbs().maxCoeff();
     if (!(largest > 0.0))
         throw InputError("a body at rest touches no invariable plane; leave contact out");
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    const Eigen::Vector3d scaled =
-        omega.unaryExpr([exponent](double w) { return std::ldexp(w, -exponent); });
+    const Eigen::Vector3d scaled = ldexp(omega, -exponent_of(largest));
     return scaled / std::sqrt(scaled.dot(of.inertia.matrix_body() * scaled));
 }
 

@@ -72,9 +72,12 @@ void check_finite(const Eigen::Matrix3d& tensor) {
     }
 }
 
-// The symmetric part in double-double; notes a small asymmetry and refuses a large one.
+// The symmetric part in double-double. Elements of a tensor that was computed (R diag(I) Rᵀ, a sum
+// over masses) differ by roundings of the largest one, however small they are: this is noted, and
+// more is refused.
 TensorDD symmetric_part(const Eigen::Matrix3d& tensor, std::string& note) {
-    const double least_diagonal = tensor.diagonal().cwiseAbs().minCoeff();
+    constexpr double most_asymmetry = 1e-12;
+    const double largest = tensor.cwiseAbs().maxCoeff();
     TensorDD symmetric;
     double worst = 0.0;
     for (int i = 0; i < 3; ++i) {
@@ -82,23 +85,32 @@ TensorDD symmetric_part(const Eigen::Matrix3d& tensor, std::string& note) {
         for (int j = 0; j < i; ++j) {
             const double x = tensor(i, j);
             const double y = tensor(j, i);
-            symmetric[i][j] = symmetric[j][i] = two_sum(0.5 * x, 0.5 * y);
+            symmetric[i][j] = symmetric[j][i] = x;
             if (x == y) continue;
-            const double largest = std::max(std::abs(x), std::abs(y));
-            const double n_ulps = std::abs(x - y) / ulp(largest);
-            // Elements smaller than the rounding of the diagonal are noise, whatever their ratio.
-            const bool noise = largest <= epsilon * least_diagonal;
-            if (n_ulps > 8.0 && !noise) {
+            symmetric[i][j] = symmetric[j][i] = two_sum(0.5 * x, 0.5 * y);
+            const double asymmetry = std::abs(0.5 * x - 0.5 * y) / (0.5 * largest);
+            if (!(asymmetry <= most_asymmetry)) {
                 throw InputError(fmt::format(
                     "tensor_kg_m2 is not symmetric: [{0}][{1}] = {2} but [{1}][{0}] = {3}; an "
                     "inertia tensor is symmetric, so give both the same value",
                     j, i, y, x));
             }
-            worst = std::max(worst, noise ? 1.0 : n_ulps);
+            worst = std::max(worst, asymmetry);
         }
     }
-    if (worst > 0.0) note = fmt::format("asymmetry of {:.0f} ulp averaged away", worst);
+    if (worst > 0.0)
+        note = fmt::format("asymmetry of {:.1g} of its largest element averaged away", worst);
     return symmetric;
+}
+
+// A principal moment in double. Throws InputError if it has no double.
+double moment_of(const WideDouble& value, int i) {
+    const double moment = value.rounded();
+    if (moment > 0.0 && std::isfinite(moment)) return moment;
+    throw InputError(
+        fmt::format("tensor_kg_m2: its principal moment I{} lies beyond the range of "
+                    "double-precision numbers; choose other units",
+                    i + 1));
 }
 
 }  // namespace
@@ -151,23 +163,17 @@ InertiaTensor InertiaTensor::from_matrix(const Eigen::Matrix3d& tensor_kg_m2_bod
     const bool is_diagonal =
         symmetric[0][1].hi == 0.0 && symmetric[0][2].hi == 0.0 && symmetric[1][2].hi == 0.0;
 
-    // A power of two brings the tensor to order one, so that nothing over- or underflows.
-    int exponent = 0;
-    std::frexp(tensor_kg_m2_body.cwiseAbs().maxCoeff(), &exponent);
-    TensorDD scaled = symmetric;
-    for (auto& row : scaled) {
-        for (DoubleDouble& element : row) element = ldexp(element, -exponent);
-    }
     // Rounding a tensor's elements moves its eigenvalues by a few ulp; closer ones are repeated.
-    const SymmetricEigen eigen = symmetric_eigen(scaled, is_diagonal ? 0.0 : 4.0 * epsilon);
-    Eigen::Vector3d moments;
-    for (int i = 0; i < 3; ++i) moments[i] = std::ldexp(eigen.values[i].rounded(), exponent);
-    if (!(moments.minCoeff() > 0.0)) {
+    const SymmetricEigen eigen = symmetric_eigen(symmetric, is_diagonal ? 0.0 : 4.0 * epsilon);
+    const auto& [first, second, third] = eigen.values;
+    if (std::min({first, second, third}).sign() <= 0) {
         throw InputError(
             fmt::format("tensor_kg_m2 is not positive definite: its eigenvalues (principal "
                         "moments) are {}, {}, {}; each must be positive, as it is a sum of m r^2",
-                        moments[0], moments[1], moments[2]));
+                        first.rounded(), second.rounded(), third.rounded()));
     }
+    Eigen::Vector3d moments;
+    for (int i = 0; i < 3; ++i) moments[i] = moment_of(eigen.values[i], i);
 
     InertiaTensor inertia;
     if (is_diagonal) moments = tensor_kg_m2_body.diagonal();

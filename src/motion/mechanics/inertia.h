@@ -30,13 +30,13 @@ class InertiaTensor {
                                              const Eigen::Matrix3d& body_from_principal,
                                              Physicality physicality = Physicality::required);
 
-    // A full symmetric tensor in kg m², in body axes. Asymmetry of at most 8 ulp is averaged away
-    // and noted; more is refused. An exactly diagonal tensor keeps its moments exactly. The
-    // elements of other tensors are taken as exact; moments that differ by at most 4 epsilon of the
-    // largest are set equal (with the axes nearest the body's), and the body is a lamina if the
-    // triangle equality holds to 16 ulp: rounding the elements moves a moment by as much. Throws
-    // InputError with the eigenvalues printed if it is not positive definite or breaks the triangle
-    // inequality.
+    // A full symmetric tensor in kg m², in body axes. Asymmetry of at most 1e-12 of the largest
+    // element is averaged away and noted; more is refused. An exactly diagonal tensor keeps its
+    // moments exactly. The elements of other tensors are taken as exact; moments that differ by at
+    // most 4 epsilon of the largest are set equal (with the axes nearest the body's), and the body
+    // is a lamina if the triangle equality holds to 16 ulp: rounding the elements moves a moment by
+    // as much. Throws InputError with the eigenvalues printed if it is not positive definite or
+    // breaks the triangle inequality, and if a moment lies beyond the range of double.
     static InertiaTensor from_matrix(const Eigen::Matrix3d& tensor_kg_m2_body,
                                      Physicality physicality = Physicality::required);
 
@@ -55,7 +55,8 @@ class InertiaTensor {
     // True if one moment is the sum of the others to 4 ulp: a lamina.
     bool planar() const { return planar_; }
 
-    // The correction made to the input ("asymmetry of 2 ulp averaged away"), or empty.
+    // The correction made to the input ("asymmetry of 2e-16 of its largest element averaged away"),
+    // or empty.
     const std::string& note() const { return note_; }
 
  private:

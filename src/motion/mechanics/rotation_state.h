@@ -3,7 +3,8 @@
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>
-#include <cmath>
+
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -36,10 +37,7 @@ inline Eigen::Vector3d omega_across_momentum(const Eigen::Vector3d& momentum,
                                              const Eigen::Vector3d& omega) {
     const double largest = momentum.cwiseAbs().maxCoeff();
     if (!(largest > 0.0)) return Eigen::Vector3d::Zero();
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    const Eigen::Vector3d scaled =
-        momentum.unaryExpr([exponent](double L) { return std::ldexp(L, -exponent); });
+    const Eigen::Vector3d scaled = ldexp(momentum, -exponent_of(largest));
     return scaled.cross(omega).cross(scaled) / scaled.squaredNorm();
 }
 

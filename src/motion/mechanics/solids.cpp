@@ -9,6 +9,7 @@
 #include <string>
 
 #include "error/error.h"
+#include "numerics/power_of_two.h"
 #include "numerics/symmetric_eigen.h"
 #include "text/nearest.h"
 
@@ -97,13 +98,6 @@ void check_mass(double mass_kg, std::string_view what) {
 
 // The difference of a double and a double-double, rounded to two doubles.
 DoubleDouble difference(double a, DoubleDouble b) { return DoubleDouble(a) - b; }
-
-// A power of two near the largest coordinate or mass: scaling by it rounds nothing.
-int exponent_of(double largest) {
-    int exponent = 0;
-    std::frexp(largest, &exponent);
-    return exponent;
-}
 
 struct ScaledMass {
     double mass;
@@ -213,8 +207,7 @@ MassDistribution inertia_of_masses(std::span<const PointMass> masses) {
     const int exponent = exponent_of(largest_coordinate);
     std::vector<ScaledMass> scaled;
     for (const PointMass& m : masses) {
-        scaled.push_back({std::ldexp(m.mass_kg, -mass_exponent),
-                          m.at_m.unaryExpr([=](double x) { return std::ldexp(x, -exponent); })});
+        scaled.push_back({std::ldexp(m.mass_kg, -mass_exponent), ldexp(m.at_m, -exponent)});
     }
     const SecondMoments sum = second_moments(scaled);
     bool axes_are_principal = true;

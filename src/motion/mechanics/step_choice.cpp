@@ -125,6 +125,7 @@ StepChoice choose_step(const MotionProblem& problem, double attitude_tolerance_r
     constexpr double any_number = std::numeric_limits<double>::infinity();
     choice.method = coarsest_choice(problem);
     Motion motion(with(problem, choice.method), stop);
+    // Each rung has half the step or a tenth of the tolerance, and `finer_than` knows the finest.
     while (true) {
         const std::optional<MethodChoice> finer = finer_than(choice.method, problem, most_steps);
         std::optional<Motion> next;  // reference where no exact motion exists

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <random>
 
+#include "error/error.h"
 #include "numerics/expansion.h"
 
 namespace poinsot {
@@ -147,6 +148,34 @@ TEST(EllipticIntegrals, ElementaryFunctionsAgreeWithMpfr) {
     }
     EXPECT_EQ(exp(DoubleDouble(-800.0)).hi, 0.0);
     EXPECT_EQ(exp(DoubleDouble(0.0)).hi, 1.0);
+}
+
+// Of NaN, and at the edge of the domain, no sequence of means converges.
+TEST(EllipticIntegrals, RefuseArgumentsWithoutAValue) {
+    const WideDouble nan = std::nan(""), infinite = HUGE_VAL, one = 1.0, zero = 0.0;
+    for (const WideDouble& bad : {nan, infinite}) {
+        EXPECT_THROW(complete_first_kind(bad), InputError);
+        EXPECT_THROW(bulirsch_cel(bad, one, one, one), InputError);
+        EXPECT_THROW(bulirsch_cel(one, bad, one, one), InputError);
+        EXPECT_THROW(carlson_rf(bad, one, one), InputError);
+        EXPECT_THROW(carlson_rf(one, bad, one), InputError);
+        EXPECT_THROW(carlson_rf(one, one, bad), InputError);
+    }
+    EXPECT_THROW(complete_first_kind(zero), InputError);
+    EXPECT_THROW(bulirsch_cel(zero, one, one, one), InputError);
+    EXPECT_THROW(carlson_rf(zero, zero, one), InputError);
+    EXPECT_THROW(carlson_rf(zero, zero, zero), InputError);
+}
+
+// K = R_F(0, k′², 1) = ln(4/k′) for k′ far below double's range.
+TEST(EllipticIntegrals, ConvergeFarBelowTheSmallestDouble) {
+    for (const int exponent : {-1000, -4000, -100000}) {
+        const WideDouble tiny = ldexp(WideDouble(1.0), exponent);
+        const Real expected = log(Real(4)) - exponent * log(Real(2));
+        EXPECT_LE(relative_error(exact(complete_first_kind(tiny)), expected), 1e-29) << exponent;
+        EXPECT_LE(relative_error(exact(carlson_rf(0.0, square(tiny), 1.0)), expected), 1e-29)
+            << exponent;
+    }
 }
 
 }  // namespace

@@ -137,6 +137,21 @@ def test_a_body_at_rest_stays_and_has_no_plane():
             ask()
 
 
+def test_tensors_out_of_computations_are_taken():
+    """R diag(I) R^T as NumPy computes it is not symmetric to the last bit."""
+    random = np.random.default_rng(8)
+    for _ in range(200):
+        axes = np.linalg.qr(random.normal(size=(3, 3)))[0]
+        motion = poinsot.Motion(axes @ np.diag(TRIAXIAL) @ axes.T, OMEGA)
+        np.testing.assert_allclose(sorted(np.asarray(motion.constants.half_axes) ** -2.0), TRIAXIAL, rtol=1e-14)
+
+
+def test_the_largest_omega_in_turned_axes_ends():
+    tensor = [[3, 0.1, 0], [0.1, 2, 0], [0, 0, 2]]
+    fast, slow = poinsot.Motion(tensor, [0, 2.0**999, 2.0**999]), poinsot.Motion(tensor, [0, 0.5, 0.5])
+    np.testing.assert_array_equal(fast.at(3 * 2.0**-1000).space_from_body, slow.at(3.0).space_from_body)
+
+
 @pytest.mark.parametrize("moments, omega, options, sentence", [
     ([1, 2], OMEGA, {}, "moments: give the three principal moments"),
     (1.0, OMEGA, {}, "moments: give the three principal moments"),

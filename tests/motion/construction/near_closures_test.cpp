@@ -49,6 +49,11 @@ TEST(NearClosures, AreTheNearestFractions) {
     }
 }
 
+TEST(NearClosures, OfNoNumberAreNone) {
+    for (const double turns : {std::nan(""), HUGE_VAL, -HUGE_VAL, 1e300})
+        EXPECT_TRUE(convergents(turns, 1000).empty()) << turns;
+}
+
 TEST(NearClosures, EndWithTheFractionItself) {
     const std::vector<Closure> found = convergents(5.0 / 3.0, 12);
     ASSERT_FALSE(found.empty());

@@ -340,6 +340,30 @@ TEST(RollingCones, TouchAlongOmega) {
     }
 }
 
+// Angles and rates do not depend on the unit of mass, nor rates over |ω| on that of time.
+TEST(RollingCones, HaveTheSameRatesInEveryUnit) {
+    const Eigen::Vector3d moments{2.0, 2.0, 1.0}, omega{0.1, 0.0, 1.0};
+    const double precession = std::hypot(2.0 * 0.1, 1.0) / 2.0;
+    const double half_angle = std::atan(0.1) - std::atan(2.0 * 0.1);
+    for (const double kg_m2 : {1e-300, 1e-200, 1e-160, 1.0, 1e155, 1e200, 1e300}) {
+        for (const double rad_s : {1e-300, 1e-160, 1.0, 1e160, 1e300}) {
+            const auto cones = rolling_cones(InertiaTensor::from_principal_moments(kg_m2 * moments),
+                                             rad_s * omega);
+            ASSERT_TRUE(cones);
+            EXPECT_NEAR(cones->space_precession_rad_s / rad_s, precession, 1e-15) << kg_m2;
+            EXPECT_NEAR(cones->body_precession_rad_s / rad_s, -0.5, 1e-15) << kg_m2;
+            EXPECT_NEAR(cones->space_half_angle_rad, std::abs(half_angle), 1e-15) << kg_m2;
+            EXPECT_NEAR(cones->body_half_angle_rad, std::atan(0.1), 1e-15) << kg_m2;
+        }
+    }
+    // A wobble whose square underflows.
+    const auto small = rolling_cones(InertiaTensor::from_principal_moments({1.0, 1.0, 1e-200}),
+                                     {1e-200, 0.0, 1.0});
+    ASSERT_TRUE(small);
+    EXPECT_NEAR(small->space_precession_rad_s / 1e-200, std::sqrt(2.0), 1e-15);
+    EXPECT_NEAR(small->space_half_angle_rad, std::atan(1.0), 1e-15);
+}
+
 TEST(Separatrices, LieOnTheEllipsoidWithTheMiddleRatio) {
     const Eigen::Vector3d moments{2.25, 1.0, 2.0};
     const auto curves = separatrices(InertiaTensor::from_principal_moments(moments), 1e-3);

@@ -5,6 +5,7 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/LU>
+#include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
@@ -150,21 +151,123 @@ TEST(InertiaTensor, RepeatedMomentsGiveAxesNearestTheBodyAxes) {
 }
 
 TEST(InertiaTensor, AveragesASmallAsymmetryAndRefusesALargeOne) {
-    Matrix3d tensor =
+    const Matrix3d tensor =
         turned({1.0, 2.0, 2.5},
                Eigen::AngleAxisd(0.4, Vector3d(1.0, 2.0, 3.0).normalized()).toRotationMatrix());
-    const double ulp = std::nextafter(std::abs(tensor(0, 1)), infinity) - std::abs(tensor(0, 1));
-    Matrix3d slight = tensor;
-    slight(0, 1) += 8.0 * ulp;
-    EXPECT_NE(InertiaTensor::from_matrix(slight).note().find("averaged"), std::string::npos);
-    Matrix3d gross = tensor;
-    gross(0, 1) += 16.0 * ulp;
-    EXPECT_NE(refusal_of_tensor(gross).find("[0][1]"), std::string::npos);
-    // Noise smaller than the rounding of the diagonal has no meaningful ratio.
+    const double largest = tensor.cwiseAbs().maxCoeff();
+    for (const double unit : {1e-300, 1.0, 1e300}) {
+        Matrix3d slight = tensor;
+        slight(0, 1) += 0.9e-12 * largest;
+        const InertiaTensor averaged = InertiaTensor::from_matrix(unit * slight);
+        EXPECT_EQ(averaged.note(), "asymmetry of 9e-13 of its largest element averaged away");
+        slight(0, 1) = slight(1, 0) = 0.5 * slight(0, 1) + 0.5 * slight(1, 0);
+        EXPECT_EQ(InertiaTensor::from_matrix(unit * slight).note(), "");
+        EXPECT_LE(
+            (averaged.moments_kg_m2() - InertiaTensor::from_matrix(unit * slight).moments_kg_m2())
+                .cwiseAbs()
+                .maxCoeff(),
+            4.0 * epsilon * unit);
+        Matrix3d gross = tensor;
+        gross(0, 1) += 1.1e-12 * largest;
+        EXPECT_NE(refusal_of_tensor(unit * gross).find("[0][1]"), std::string::npos);
+    }
+    // Elements that are roundings alone.
     Matrix3d noisy = Vector3d(1.0, 2.0, 2.5).asDiagonal();
     noisy(0, 1) = 1e-17;
     noisy(1, 0) = -3e-17;
     EXPECT_EQ(refusal_of_tensor(noisy), "");
+    Matrix3d smallest = std::numeric_limits<double>::denorm_min() * Matrix3d::Identity();
+    smallest(0, 1) = smallest(0, 0);
+    EXPECT_NE(refusal_of_tensor(smallest).find("not symmetric"), std::string::npos);
+}
+
+// R D Rᵀ and sums of m (r² 1 − r rᵀ), as programs compute them: not symmetric to the last bit.
+TEST(InertiaTensor, TakesTensorsOutOfComputations) {
+    std::mt19937_64 random(13);
+    std::normal_distribution<double> normal;
+    int n_asymmetric = 0;
+    for (int n = 0; n < 2000; ++n) {
+        const Vector3d moments(1.0 + 0.5 * std::abs(std::sin(n)), 1.7, 2.2);
+        const Matrix3d rotation =
+            Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+                .normalized()
+                .toRotationMatrix();
+        const Matrix3d scaled = rotation * moments.asDiagonal();
+        const Matrix3d tensor = scaled * rotation.transpose();
+        n_asymmetric += tensor != tensor.transpose() ? 1 : 0;
+        Vector3d found = InertiaTensor::from_matrix(tensor).moments_kg_m2();
+        std::sort(found.data(), found.data() + 3);
+        EXPECT_LE((found - moments).cwiseAbs().maxCoeff(), 4e-15);
+
+        Matrix3d sum = Matrix3d::Zero();
+        for (int k = 0; k < 50; ++k) {
+            const Vector3d at(normal(random), normal(random), normal(random));
+            const Matrix3d of_mass = at.squaredNorm() * Matrix3d::Identity() - at * at.transpose();
+            sum += std::abs(normal(random)) * of_mass;
+        }
+        const Matrix3d turned_sum = rotation * sum * rotation.transpose();
+        n_asymmetric += turned_sum != turned_sum.transpose() ? 1 : 0;
+        EXPECT_EQ(refusal_of_tensor(turned_sum), "");
+    }
+    EXPECT_GT(n_asymmetric, 2000);
+}
+
+// One element of any size beside others of order one: its square alone enters the moments.
+TEST(InertiaTensor, DoesNotMindATinyElement) {
+    const Matrix3d without{{3.0, 0.1, 0.0}, {0.1, 2.0, 0.0}, {0.0, 0.0, 2.5}};
+    const InertiaTensor expected = InertiaTensor::from_matrix(without);
+    for (const double tiny : {1e-20, 1e-150, 1e-160, 1e-295, 1e-300, 1e-305, 1e-310, 5e-324}) {
+        Matrix3d tensor = without;
+        tensor(0, 2) = tensor(2, 0) = tiny;
+        const InertiaTensor inertia = InertiaTensor::from_matrix(tensor);
+        EXPECT_LE((inertia.moments_kg_m2() - expected.moments_kg_m2()).cwiseAbs().maxCoeff(), 1e-15)
+            << tiny;
+        EXPECT_LE(
+            (inertia.body_from_principal() - expected.body_from_principal()).cwiseAbs().maxCoeff(),
+            1e-15)
+            << tiny;
+    }
+}
+
+// D A D with any D: the invariants of the tensor, in long double, are those of the moments, to the
+// digits of the smallest one. Only moments that rounding tells apart are asked for.
+TEST(InertiaTensor, KeepsMomentsOfEverySize) {
+    std::mt19937_64 random(14);
+    std::uniform_real_distribution<double> decades(-90.0, 90.0), moment(0.3, 1.0);
+    std::normal_distribution<double> normal;
+    for (int n = 0; n < 3000; ++n) {
+        const Matrix3d rotation =
+            Eigen::Quaterniond(normal(random), normal(random), normal(random), normal(random))
+                .normalized()
+                .toRotationMatrix();
+        const Matrix3d core = turned({moment(random), moment(random), moment(random)}, rotation);
+        const Vector3d sizes(std::pow(10.0, decades(random)), std::pow(10.0, decades(random)),
+                             std::pow(10.0, decades(random)));
+        Matrix3d tensor = sizes.asDiagonal() * core * sizes.asDiagonal();
+        for (int i = 0; i < 3; ++i)
+            for (int j = 0; j < i; ++j) tensor(i, j) = tensor(j, i);
+        const InertiaTensor inertia = InertiaTensor::from_matrix(tensor, Physicality::waived);
+        using LongMatrix = Eigen::Matrix<long double, 3, 3>;
+        const LongMatrix T = tensor.cast<long double>();
+        const Eigen::Matrix<long double, 3, 1> I = inertia.moments_kg_m2().cast<long double>();
+        const auto minor = [&](int i, int j) { return T(i, i) * T(j, j) - T(i, j) * T(i, j); };
+        const long double minors = minor(0, 1) + minor(0, 2) + minor(1, 2);
+        const long double products = I[0] * I[1] + I[0] * I[2] + I[1] * I[2];
+        EXPECT_LE(std::abs(static_cast<double>(I.sum() / T.trace() - 1.0L)), 1e-14);
+        EXPECT_LE(std::abs(static_cast<double>(products / minors - 1.0L)), 1e-14) << tensor;
+        EXPECT_LE(std::abs(static_cast<double>(I.prod() / T.determinant() - 1.0L)), 1e-14)
+            << tensor;
+    }
+}
+
+TEST(InertiaTensor, RefusesMomentsBeyondDoubles) {
+    const Matrix3d large{{1.5e308, 1e308, 0.0}, {1e308, 1.5e308, 0.0}, {0.0, 0.0, 1e308}};
+    const std::string message =
+        refusal_message([&] { InertiaTensor::from_matrix(large, Physicality::waived); });
+    EXPECT_EQ(message.find("tensor_kg_m2: its principal moment I"), 0U) << message;
+    const Matrix3d indefinite = large - 1e308 * Matrix3d::Identity();
+    EXPECT_NE(refusal_of_tensor(indefinite).find("not positive definite"), std::string::npos);
+    EXPECT_EQ(refusal_of_tensor(indefinite).find("nan"), std::string::npos);
 }
 
 TEST(InertiaTensor, RefusesAnIndefiniteTensorWithItsEigenvalues) {

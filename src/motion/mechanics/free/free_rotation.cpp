@@ -1,10 +1,13 @@
 #include "mechanics/free/free_rotation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 
 #include "error/error.h"
 #include "numerics/elliptic_integrals.h"
+#include "numerics/power_of_two.h"
 #include "numerics/quaternion_dd.h"
 
 namespace poinsot {
@@ -36,13 +39,45 @@ void check_start(const Vector3d& omega, const Quaterniond& attitude, double time
     if (!std::isfinite(time_s)) throw InputError("the start's time must be a finite number");
 }
 
-// ω along the principal axes.
+// ω along the principal axes. Throws where a component overflows.
 Vector3d principal(const InertiaTensor& inertia, const Vector3d& omega_body) {
     if (inertia.body_axes_are_principal()) return omega_body;
+    // Double-double multiplies numbers below 2^996. No smaller ones are scaled, because the
+    // smallest doubles would lose digits.
+    constexpr int most_exponent = 990;
+    const int down = std::max(0, exponent_of(omega_body) - most_exponent);
     VectorDD w;
-    for (int i = 0; i < 3; ++i) w[static_cast<std::size_t>(i)] = omega_body[i];
-    const VectorDD result = times(inertia.body_from_principal().transpose(), w);
-    return rounded(result);
+    for (int i = 0; i < 3; ++i) w[static_cast<std::size_t>(i)] = std::ldexp(omega_body[i], -down);
+    const Vector3d omega =
+        ldexp(rounded(times(inertia.body_from_principal().transpose(), w)), down);
+    if (!omega.allFinite())
+        throw InputError(
+            "omega_rad_s: the angular velocity along a principal axis overflows; choose other "
+            "units");
+    return omega;
+}
+
+// The exponent of the unit of ω, near its greatest component: products with it are normal numbers.
+int exponent_of_unit(const Vector3d& omega) {
+    constexpr int farthest = 1000;
+    return std::clamp(exponent_of(omega), -farthest, farthest);
+}
+
+// Throws where the motion is faster, in the unit of ω, than doubles can follow: the directions of L
+// that belong to such rates would underflow. No body is whose
+// moments differ by less than 1e297.
+void check_rates(const JacobiSolution& j, int exponent) {
+    const auto is_too_fast = [=](const WideDouble& rate) {
+        constexpr int most_exponent = 990;
+        return !rate.is_zero() && rate.exponent() - exponent > most_exponent;
+    };
+    bool is_fast = is_too_fast(j.rate) || is_too_fast(j.mean_turn_rate);
+    for (const WideDouble& I : j.moments) is_fast = is_fast || is_too_fast(j.momentum / I);
+    if (!is_fast) return;
+    throw InputError(fmt::format(
+        "omega_rad_s: a body whose moments {}, {}, {} differ so much moves faster than "
+        "double-precision numbers can follow; choose moments that are nearer to each other",
+        j.moments[0].rounded(), j.moments[1].rounded(), j.moments[2].rounded()));
 }
 
 // √(x² + y²).
@@ -58,7 +93,10 @@ FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& st
     const JacobiSolution solution =
         solve_free_rotation(inertia.moments_kg_m2(), omega, on_separatrix);
     regime_ = solution.regime;
-    set_constants(solution, inertia, start);
+    const int exponent = exponent_of_unit(start.omega_body);
+    unit_rad_s_ = std::ldexp(1.0, exponent);
+    if (regime_ != Regime::at_rest && regime_ != Regime::permanent) check_rates(solution, exponent);
+    set_constants(solution, inertia, omega);
     DoubleDouble kappa = 1.0;
     if (regime_ == Regime::permanent) {
         series_ = Series::permanent;
@@ -72,22 +110,21 @@ FreeRotation::FreeRotation(const InertiaTensor& inertia, const RotationState& st
         hyperbolic_ = hyperbolic_series(solution);
         kappa = hyperbolic_.kappa;
     }
-    set_output(solution, inertia, start, kappa);
-    if (regime_ != Regime::at_rest) set_rates(solution, start.time_s);
+    set_output(solution, inertia, kappa, exponent);
+    if (regime_ != Regime::at_rest) set_rates(solution, exponent);
 }
 
 void FreeRotation::set_constants(const JacobiSolution& j, const InertiaTensor& inertia,
-                                 const RotationState& start) {
+                                 const Vector3d& omega) {
     FreeRotationConstants& k = constants_;
     k.kinetic_energy_J = ldexp(j.twice_energy, -1).rounded();
     k.momentum_kg_m2_s = j.momentum.rounded();
-    if (!std::isfinite(k.momentum_kg_m2_s)) {
-        throw InputError("omega_rad_s: the angular momentum I omega overflows; choose other units");
-    }
-    const Vector3d omega = principal(inertia, start.omega_body);
     const Vector3d momentum =
         inertia.body_from_principal() * inertia.moments_kg_m2().cwiseProduct(omega);
-    k.momentum_space = start.space_from_body.normalized() * momentum;
+    k.momentum_space = start_.space_from_body.normalized() * momentum;
+    if (!std::isfinite(k.momentum_kg_m2_s) || !k.momentum_space.allFinite()) {
+        throw InputError("omega_rad_s: the angular momentum I omega overflows; choose other units");
+    }
     k.encircled_axis = j.axis[0];
     if (regime_ == Regime::at_rest || regime_ == Regime::permanent) return;
 
@@ -106,7 +143,7 @@ void FreeRotation::set_constants(const JacobiSolution& j, const InertiaTensor& i
         const WideDouble half =
             regime_ == Regime::separatrix ? WideDouble(1.0) : ldexp(j.quarter_period, 1);
         const double before_s = (j.start_phase * half / j.rate).rounded();
-        k.middle_axis_crossing_s = start.time_s - before_s;
+        k.middle_axis_crossing_s = start_.time_s - before_s;
     }
 
     // In a polhode period ω turns once about a, backwards for s = +1, in the axes that follow a.
@@ -121,10 +158,7 @@ void FreeRotation::set_constants(const JacobiSolution& j, const InertiaTensor& i
     k.mean_advance_rate_rad_s = advance.rounded();
 }
 
-void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
-    const int exponent =
-        std::clamp(WideDouble(start_.omega_body.cwiseAbs().maxCoeff()).exponent(), -1022, 1023);
-    time_scale_ = std::ldexp(1.0, exponent);
+void FreeRotation::set_rates(const JacobiSolution& j, int exponent) {
     // Permanent: |ω|/2 in quarter turns is |ω|/π a second; otherwise Ω/2.
     WideDouble turn = j.mean_turn_rate;
     if (regime_ == Regime::permanent) {
@@ -145,9 +179,9 @@ void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
     }
     DoubleDouble phase_at_0 = phase_start.double_double();
     DoubleDouble turn_at_0;
-    if (start_time_s != 0.0) {
+    if (start_.time_s != 0.0) {
         // The phases at the start's time are subtracted, with whole revolutions kept separate.
-        const WideDouble t = start_time_s;
+        const WideDouble t = start_.time_s;
         const auto reduced = [](const WideDouble& x) {
             const DoubleDouble value = x.double_double();
             return DoubleDouble(std::fmod(value.hi, 4.0)) + std::fmod(value.lo, 4.0);
@@ -156,24 +190,27 @@ void FreeRotation::set_rates(const JacobiSolution& j, double start_time_s) {
         phase_at_0 = regime_ == Regime::separatrix ? (phase_start - phase * t).double_double()
                                                    : phase_at_0 - reduced(phase * t);
     }
+    if (!std::isfinite(turn_at_0.hi) || !std::isfinite(phase_at_0.hi))
+        throw InputError("the start's time: omega t overflows; choose a time nearer zero");
     phases_.set(series_phase, phase.over_power_of_two(exponent), phase_at_0);
     phases_.set(mean_turn, turn.over_power_of_two(exponent), turn_at_0);
 }
 
 void FreeRotation::set_output(const JacobiSolution& j, const InertiaTensor& inertia,
-                              const RotationState& start, DoubleDouble kappa) {
-    const QuaternionDD attitude = unit(start.space_from_body);
+                              DoubleDouble kappa, int exponent) {
+    const QuaternionDD attitude = unit(start_.space_from_body);
     start_.space_from_body = rounded(attitude);
+    const auto in_units = [=](const WideDouble& rate) { return ldexp(rate, -exponent).rounded(); };
     QuaternionDD axes_at_start{1.0, {0.0, 0.0, 0.0}};
     Matrix3d body_from_axes = Matrix3d::Identity();  // a, b, c
     if (regime_ != Regime::at_rest && regime_ != Regime::permanent) {
         for (std::size_t n = 0; n < 3; ++n) {
             const Vector3d axis = j.sign[n] * inertia.body_from_principal().col(j.axis[n]);
             body_from_axes.col(static_cast<int>(n)) = axis;
-            omega_from_direction_.set(n, (j.momentum / j.moments[n]).rounded() * axis);
+            omega_from_direction_.set(n, in_units(j.momentum / j.moments[n]) * axis);
         }
         const auto herpolhode = [&](std::size_t n) {
-            return (j.delta[n] / (j.moments[n] * j.momentum)).rounded();
+            return in_units(j.delta[n] / (j.moments[n] * j.momentum));
         };
         herpolhode_a_ = herpolhode(0);
         herpolhode_bc_ = Pair{herpolhode(1), herpolhode(2)};

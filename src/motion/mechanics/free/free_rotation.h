@@ -42,8 +42,8 @@ struct FreeRotationConstants {
 class FreeRotation {
  public:
     // Constructs the motion through a state at start.time_s. `on_separatrix`: see MotionProblem.
-    // Throws InputError if ω, the attitude or the time is not finite, if the attitude is zero, or
-    // if L overflows.
+    // Throws InputError if ω, the attitude or the time is not finite, if the attitude is zero, if L
+    // overflows, or if the moments differ by so much (1e297) that the motion cannot be followed.
     FreeRotation(const InertiaTensor& inertia, const RotationState& start,
                  bool on_separatrix = false);
 
@@ -73,16 +73,18 @@ class FreeRotation {
     void evaluate_series(double time, const Quantities& wanted, MotionSample& out) const;
     void finish(const SeriesPoint& point, const Quantities& wanted, MotionSample& out) const;
     void set_constants(const JacobiSolution& solution, const InertiaTensor& inertia,
-                       const RotationState& start);
-    void set_rates(const JacobiSolution& solution, double start_time_s);
+                       const Eigen::Vector3d& omega_principal);
+    // The last two with rates in units of 2^exponent rad/s.
     void set_output(const JacobiSolution& solution, const InertiaTensor& inertia,
-                    const RotationState& start, DoubleDouble kappa);
+                    DoubleDouble kappa, int exponent);
+    void set_rates(const JacobiSolution& solution, int exponent);
 
     Regime regime_ = Regime::at_rest;
     Series series_ = Series::none;
 
-    // Times are taken in units of 2^−n s near 1/|ω|, so that no product over- or underflows.
-    double time_scale_ = 1.0;
+    // Rates are taken in this unit, a power of two near |ω|, and times in its inverse, so that no
+    // product over- or underflows.
+    double unit_rad_s_ = 1.0;
     static constexpr int series_phase = 0;
     static constexpr int mean_turn = 1;
     PhasePair phases_;  // v or u, see the series (u/ln 2 on the separatrix), and Ωt/2
@@ -91,7 +93,7 @@ class FreeRotation {
 
     RotationState start_;  // as given, the attitude of unit length
     Eigen::Vector3d steady_axis_body_ = Eigen::Vector3d::Zero();  // ω/|ω| of permanent rotation
-    // Linear maps from the evaluated directions to the output.
+    // Linear maps from the evaluated directions to the output, in the unit of rates.
     ThreeRows<3> omega_from_direction_;  // of the momentum, along a, b, c: (L/I)·(the axis)
     QuaternionRows attitude_from_turn_;
     ThreeRows<2> plane_space_;      // the invariable plane's two directions over κ

@@ -9,7 +9,7 @@ namespace poinsot {
 
 // The scaled time. Throws where ω t overflows.
 inline double FreeRotation::scaled_time(double time_s) const {
-    const double time = time_s * time_scale_;
+    const double time = time_s * unit_rad_s_;
     if (!std::isfinite(time)) {
         throw InputError(
             "time_s: omega t overflows or the time is not finite; choose a time nearer the start");
@@ -71,7 +71,8 @@ inline double FreeRotation::scaled_time(double time_s) const {
     const double p0 = weight + a;
     // The processor computes the terms that need no quotient while the divisions run.
     const double g = 1.0 / (weight * p0);
-    omega_from_direction_.product({a, point.b_c[0], point.b_c[1]}, g * p0, out.state.omega_body);
+    omega_from_direction_.product({a, point.b_c[0], point.b_c[1]}, g * (p0 * unit_rad_s_),
+                                  out.state.omega_body);
     if (wanted.attitude || wanted.euler_angles) {
         const Pair across =
             both(point.b_c[1]) * point.rotor - both(point.b_c[0]) * times_i(point.rotor);
@@ -83,7 +84,8 @@ inline double FreeRotation::scaled_time(double time_s) const {
         // h = ω_i(L² − 2T·I_i)/L² has no component along L: in the turned axes none along a.
         const Pair h = point.b_c * (herpolhode_bc_ * p0 - herpolhode_a_ * a);
         const Pair turned = complex_product(complex_product(point.rotor, point.rotor), h);
-        plane_space_.product({turned[0], turned[1]}, g * g * weight, out.herpolhode_space);
+        plane_space_.product({turned[0], turned[1]}, g * g * (weight * unit_rad_s_),
+                             out.herpolhode_space);
     }
 }
 

@@ -147,14 +147,18 @@ SteppingProbe IntegratedRotation::probe(const MotionProblem& problem, std::int64
     return probe;
 }
 
+// NaN does not advance.
+void IntegratedRotation::require_advance(const StepNode& node, const StepNode& next) const {
+    if (std::abs(next.time_s) > std::abs(node.time_s)) return;
+    throw InputError(
+        fmt::format("method \"{}\" needs steps so short that the time of {} s does not advance; "
+                    "give a slower motion, weaker torque or larger tolerance",
+                    method_->name, start_time_s_ + node.time_s));
+}
+
 StepNode IntegratedRotation::advanced(const Propagator& propagator, const StepNode& node) {
     StepNode next = propagator.next(node, counters_);
-    if (!(std::abs(next.time_s) > std::abs(node.time_s))) {
-        throw InputError(fmt::format(
-            "method \"{}\" needs steps so short that the time of {} s does not advance; "
-            "give a slower motion, weaker torque or larger tolerance",
-            method_->name, start_time_s_ + node.time_s));
-    }
+    require_advance(node, next);
     if (!next.state.momentum.allFinite()) {
         throw InputError(fmt::format(
             "method \"{}\" overflows at t = {} s with a step of {} s; give {}", method_->name,
@@ -234,6 +238,7 @@ RotationState IntegratedRotation::at(double time_s, StepCounters& counters) cons
         if (std::abs(node.time_s) == distance) break;
         const StepNode next = branch.propagator.next(node, counters);
         if (std::abs(next.time_s) > distance) break;
+        require_advance(node, next);
         node = next;
     }
     const StepState found = branch.propagator.within(node, elapsed_s, counters);

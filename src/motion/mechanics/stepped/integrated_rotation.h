@@ -63,6 +63,8 @@ class IntegratedRotation {
     void cover(Branch& branch, const MethodStart& start, double end_s, const StopCheck& stop);
     // One step on, checked.
     StepNode advanced(const Propagator& propagator, const StepNode& node);
+    // Throws if the time after a step is not beyond that before it.
+    void require_advance(const StepNode& node, const StepNode& next) const;
 
     const Method* method_ = nullptr;
     InertiaTensor inertia_ = InertiaTensor::from_principal_moments({1.0, 1.0, 1.0});

@@ -33,7 +33,8 @@ Complex quarter_turns(std::int64_t n) {
     }
 }
 
-// e^{iφ}; the whole turns are subtracted in double-double.
+// e^{iφ}; the whole turns are subtracted in double-double: each pass takes fifty bits off the
+// phase, and of NaN there is one.
 Complex unit_phase(DoubleDouble phase) {
     DoubleDouble rest = phase;
     do {
@@ -76,8 +77,8 @@ HeavyTop::Phase HeavyTop::phase_at(double time_s) const {
     if (series_.steady) return phase;
     DoubleDouble u = series_.lambda * elapsed + series_.u_start;
     if (std::isfinite(series_.quarter_u.hi)) {
-        // One pass, or more if the number of quarters approaches 2^53: the series are those of the
-        // nearest turning point.
+        // One pass, or more if the number of quarters approaches 2^53, since each takes fifty bits
+        // off u: the series are those of the nearest turning point. Of NaN there is one.
         constexpr double half_a_quarter = 0.5 + 0x1p-10;
         do {
             const double quarters = std::round(u.hi / series_.quarter_u.hi);

@@ -145,6 +145,10 @@ HeavyTop::HeavyTop(const InertiaTensor& inertia, const Gravity& gravity, const R
     given_.space_from_body = rounded(unit(start.space_from_body));
     const Eigen::Quaterniond q = start.space_from_body * body_from_top_;
     const Eigen::Vector3d omega = body_from_top_.conjugate() * start.omega_body;
+    if (!omega.allFinite())
+        throw InputError(
+            "omega_rad_s: the angular velocity in the axes of the top overflows; choose other "
+            "units");
     const WideDouble norm = sqrt(square(WideDouble(q.w())) + square(WideDouble(q.x())) +
                                  square(WideDouble(q.y())) + square(WideDouble(q.z())));
     TopSetup(*this).solve({transverse, axial, mgl, q.w() / norm, q.x() / norm, q.y() / norm,
