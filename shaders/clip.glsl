@@ -1,3 +1,3 @@
-uniform vec4 picture;  // width, height and their inverses, px
+uniform mat4 projection;  // of the picture's pixels
 
-vec4 clip_from_pixel(vec2 pixel) { return vec4(2.0 * pixel * picture.zw - 1.0, 0.0, 1.0); }
+vec4 clip_from_pixel(vec2 pixel) { return projection * vec4(pixel, 0.0, 1.0); }

@@ -8,5 +8,5 @@ out float darkness;
 void main() {
     tint = deepest;
     darkness = corner.w;
-    gl_Position = vec4(2.0 * corner.xy * picture.zw - corner.z, 0.0, corner.z);
+    gl_Position = projection * vec4(corner.xy, 0.0, corner.z);
 }

@@ -38,8 +38,8 @@ target_compile_definitions(poinsot_options INTERFACE FMT_HEADER_ONLY BOOST_DISAB
     _LIBCPP_ENABLE_CXX17_REMOVED_UNARY_BINARY_FUNCTION)
 
 set(TOMLPLUSPLUS_INCLUDE ${page_headers})
-foreach(library Eigen3::Eigen Boost::headers fmt::fmt fmt::fmt-header-only tomlplusplus::tomlplusplus CLI11::CLI11 PNG::PNG Threads::Threads
-        PkgConfig::DEFLATE PkgConfig::MD PkgConfig::XXHASH PkgConfig::FREETYPE PkgConfig::HARFBUZZ PkgConfig::HARFBUZZ_SUBSET
+foreach(library Eigen3::Eigen Boost::headers fmt::fmt fmt::fmt-header-only tomlplusplus::tomlplusplus CLI11::CLI11 glm::glm PNG::PNG
+        Threads::Threads PkgConfig::DEFLATE PkgConfig::MD PkgConfig::XXHASH PkgConfig::FREETYPE PkgConfig::HARFBUZZ PkgConfig::HARFBUZZ_SUBSET
         PkgConfig::CAIRO PkgConfig::SLEEF)
     add_library(${library} INTERFACE IMPORTED)
 endforeach()

@@ -5,10 +5,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/to_glm.h"
+
 namespace poinsot {
 
 void PixelPolygon::add(const Eigen::Vector2d& corner) {
-    corners[static_cast<std::size_t>(n_corners++)] = corner.cast<float>();
+    corners[static_cast<std::size_t>(n_corners++)] = glm::vec2(to_glm(corner));
     box.add(corner);
 }
 

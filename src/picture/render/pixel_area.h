@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 #include <array>
+#include <glm/vec2.hpp>
+#include <span>
 
 #include "shapes/pixel_box.h"
 #include "shapes/projection.h"
@@ -12,10 +14,13 @@ namespace poinsot {
 // A convex polygon in pixels, drawn as a triangle fan.
 struct PixelPolygon {
     static constexpr int most_corners = 16;
-    std::array<Eigen::Vector2f, most_corners> corners;
+    std::array<glm::vec2, most_corners> corners;
     int n_corners = 0;
     PixelBox box;
     void add(const Eigen::Vector2d& corner);
+    std::span<const glm::vec2> added() const {
+        return std::span(corners).first(static_cast<std::size_t>(n_corners));
+    }
 };
 
 PixelPolygon polygon_of(const PixelBox& box);

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "render/to_glm.h"
 #include "shapes/soft_shadow.h"
 
 namespace poinsot {
@@ -60,7 +61,7 @@ ShadowWeb shadow_web(const Plane& plane, const Quadric& caster, const Light& lig
                 projection.centre.y() * depth + projection.focal * projection.down.dot(from_eye);
             // The rim has darkness zero, whatever accuracy the search for it had.
             const double darkness = ring == n_rings ? 0.0 : shade.darkness(point);
-            web.corners.push_back(Eigen::Vector4d(x, y, depth, darkness).cast<float>());
+            web.corners.emplace_back(x, y, depth, darkness);
         }
     }
     return web;
@@ -68,15 +69,15 @@ ShadowWeb shadow_web(const Plane& plane, const Quadric& caster, const Light& lig
 
 void ShadowWeb::mark(const Projection& projection, TileMask& marks) const {
     if (corners.empty()) return;
-    const auto pixel = [](const Eigen::Vector4f& corner) {
-        return (corner.head<2>() / corner.z()).cast<double>().eval();
+    const auto pixel = [](const glm::vec4& corner) {
+        return to_eigen(glm::vec2(corner) / corner.z);
     };
-    const auto at = [&](int ring, int spoke) -> const Eigen::Vector4f& {
+    const auto at = [&](int ring, int spoke) -> const glm::vec4& {
         const int corner = ring * n_spokes + spoke % n_spokes;
         return corners[static_cast<std::size_t>(corner)];
     };
     for (int spoke = 0; spoke < n_spokes; ++spoke) {
-        if (projection.perspective && std::min(at(0, 0).z(), at(n_rings, spoke).z()) <=
+        if (projection.perspective && std::min(at(0, 0).z, at(n_rings, spoke).z) <=
                                           static_cast<float>(projection.near_depth)) {
             marks.mark(box_of(projection));
             return;

@@ -3,8 +3,8 @@
 // except at the point of contact, so interpolation between rings around that point is accurate.
 #pragma once
 
-#include <Eigen/Core>
 #include <cstddef>
+#include <glm/vec4.hpp>
 #include <vector>
 
 #include "render/pixel_area.h"
@@ -22,7 +22,7 @@ struct ShadowWeb {
     std::size_t plane = 0;  // of the view
     // Pixel x and y times the depth (orthographic: times 1), the depth, and the darkness: the
     // blocked share of the plane's light, including the plane's opacity. Ring by ring.
-    std::vector<Eigen::Vector4f> corners;
+    std::vector<glm::vec4> corners;
 
     // Marks the tiles that the web may touch.
     void mark(const Projection& projection, TileMask& marks) const;

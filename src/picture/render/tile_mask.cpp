@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "render/to_glm.h"
+
 namespace poinsot {
 void TileMask::resize(int width_px, int height_px) {
     width_px_ = width_px;
@@ -56,9 +58,7 @@ void TileMask::mark(const PixelPolygon& polygon, const PixelBox& limits) {
         PixelBox part;
         for (int k = 0; k < polygon.n_corners; ++k) {
             const auto corner = [&](int i) {
-                return polygon.corners[static_cast<std::size_t>(i % polygon.n_corners)]
-                    .cast<double>()
-                    .eval();
+                return to_eigen(polygon.corners[static_cast<std::size_t>(i % polygon.n_corners)]);
             };
             const Eigen::Vector2d a = corner(k), b = corner(k + 1);
             if (a.y() >= top && a.y() <= bottom) part.add(a);

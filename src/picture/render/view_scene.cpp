@@ -1,10 +1,30 @@
 #include "render/view_scene.h"
 
 #include <algorithm>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/ext/matrix_transform.hpp>
+
+#include "render/to_glm.h"
 
 namespace poinsot {
 
 Eigen::Vector3d across_of(const Plane& plane) { return plane.normal.cross(plane.along); }
+
+glm::dmat4 MeshLayer::projection(const Projection& of_view, const glm::dvec2& shift_px) const {
+    // The sides of the layer at depth 1.
+    const glm::dvec2 corner_px = glm::dvec2(left, top) + shift_px;
+    const glm::dvec2 first = (corner_px - to_glm(of_view.centre)) / of_view.focal;
+    const glm::dvec2 last = first + glm::dvec2(width, height) / of_view.focal;
+    if (!of_view.perspective)
+        return glm::ortho(first.x, last.x, -first.y, -last.y, nearest, farthest);
+    return glm::frustum(nearest * first.x, nearest * last.x, -nearest * first.y, -nearest * last.y,
+                        nearest, farthest);
+}
+
+glm::dmat4 ViewScene::camera_from_view() const {
+    const glm::dvec3 eye = to_glm(projection.eye);
+    return glm::lookAt(eye, eye + to_glm(projection.forward), -to_glm(projection.down));
+}
 
 int ViewScene::n_quadrics() const {
     return std::min(max_quadrics, static_cast<int>(quadrics.size()));
@@ -47,10 +67,9 @@ void ViewScene::prepare(const Drawing& whole, const View& shown) {
     }
 }
 
-void ViewScene::add_view(Constants& constants, const Eigen::Vector2d& corner_px) const {
+void ViewScene::add_view(Constants& constants) const {
     const Projection& p = projection;
-    constants.add(p.centre.x() - corner_px.x(), p.centre.y() - corner_px.y(), 1.0 / p.focal,
-                  p.perspective ? 1.0 : 0.0);
+    constants.add(p.centre.x(), p.centre.y(), 1.0 / p.focal, p.perspective ? 1.0 : 0.0);
     constants.add(p.eye, p.near_depth);
     constants.add(p.right);
     constants.add(p.down);
@@ -93,7 +112,11 @@ void ViewScene::add_solids(Constants& constants) const {
     }
     if (mesh_layer.width > 0) {
         constants.add(mesh_layer.left, mesh_layer.top, mesh_layer.width, mesh_layer.height);
-        constants.add(mesh_layer.depth_offset, mesh_layer.depth_slope, mesh_layer.opacity, 0.0);
+        // The layer's depth buffer holds offset + slope/depth, orthographic: offset + slope·depth.
+        const glm::dmat4 clip = mesh_layer.projection(projection);
+        const double constant = projection.perspective ? -clip[2][2] : clip[3][2];
+        const double factor = projection.perspective ? clip[3][2] : -clip[2][2];
+        constants.add(0.5 + 0.5 * constant, 0.5 * factor, mesh_layer.opacity, 0.0);
     }
 }
 

@@ -2,6 +2,8 @@
 // sight.
 #pragma once
 
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
 #include <string>
 #include <vector>
 
@@ -26,12 +28,17 @@ struct Solids {
     std::vector<std::string> defines() const;
 };
 
-// The position of the layer of meshes, and the content of its depth buffer: offset + slope/depth
-// (orthographic: offset + slope·depth). Empty if there are no meshes.
+// The position of the layer of meshes, and the depths between which they lie. Empty if there are no
+// meshes.
 struct MeshLayer {
     int left = 0, top = 0, width = 0, height = 0;
-    double depth_offset = 0.0, depth_slope = 0.0;
+    double nearest = 0.0, farthest = 0.0;
     double opacity = 1.0;
+
+    // From the camera's axes to OpenGL's clip space, with the rows of the picture downwards.
+    // shift_px: where the middle of a pixel is displaced to.
+    glm::dmat4 projection(const Projection& of_view,
+                          const glm::dvec2& shift_px = glm::dvec2(0.0)) const;
 };
 
 struct ViewScene {
@@ -53,11 +60,12 @@ struct ViewScene {
     // towards the top of the picture.
     Eigen::Vector3d up() const;
 
+    // From the view's axes to the camera's: right, up and backward.
+    glm::dmat4 camera_from_view() const;
+
     // Adds constants as numbered in shaders/view.glsl (5), quadric.glsl (7) and occlusion.glsl, and
-    // two for the light: the direction and strength of the key light, then of the sky. corner_px:
-    // the corner of the target in the picture.
-    void add_view(Constants& constants,
-                  const Eigen::Vector2d& corner_px = Eigen::Vector2d::Zero()) const;
+    // two for the light: the direction and strength of the key light, then of the sky.
+    void add_view(Constants& constants) const;
     void add_light(Constants& constants) const;
     void add_quadric(Constants& constants, std::size_t ellipsoid) const;
     void add_solids(Constants& constants) const;

@@ -200,11 +200,13 @@ function gl_functions(memory, context) {
       context().texSubImage2D(target, level, x, y, width, height, format, type,
                               /** @type {any} */ (memory.pixels(at, type))),
     glUniform1i: (k, value) => context().uniform1i(location(k), value),
-    glUniform2f: (k, x, y) => context().uniform2f(location(k), x, y),
     glUniform2fv: (k, n, at) => context().uniform2fv(location(k), memory.floats(at, 2 * n)),
     glUniform3fv: (k, n, at) => context().uniform3fv(location(k), memory.floats(at, 3 * n)),
-    glUniform4f: (k, x, y, z, w) => context().uniform4f(location(k), x, y, z, w),
     glUniform4fv: (k, n, at) => context().uniform4fv(location(k), memory.floats(at, 4 * n)),
+    glUniformMatrix3fv: (k, n, transposed, at) =>
+      context().uniformMatrix3fv(location(k), transposed !== 0, memory.floats(at, 9 * n)),
+    glUniformMatrix4fv: (k, n, transposed, at) =>
+      context().uniformMatrix4fv(location(k), transposed !== 0, memory.floats(at, 16 * n)),
     glUseProgram: (k) => context().useProgram(objects[k]),
   };
   // These take and return numbers alone.

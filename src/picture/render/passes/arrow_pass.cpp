@@ -106,8 +106,8 @@ PixelPolygon head_polygon(const ArrowShape& shape) {
     return polygon;
 }
 
-Eigen::Vector4f ends(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-    return Eigen::Vector4d(a.x(), a.y(), b.x(), b.y()).cast<float>();
+glm::vec4 ends(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+    return {to_glm(a), to_glm(b)};
 }
 
 double layer_number(ArrowPass::Layer layer) {
@@ -162,8 +162,8 @@ void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer lay
     Constants constants;
     scene.add_view(constants);
     scene.add_light(constants);
-    constants.add4(ends(shape.tail_px, shape.neck_px));
-    constants.add4(ends(shape.neck_px, shape.tip_px));
+    constants.add(ends(shape.tail_px, shape.neck_px));
+    constants.add(ends(shape.neck_px, shape.tip_px));
     constants.add(shape.shaft_radius * shape.tail_scale, shape.shaft_radius * shape.neck_scale,
                   shape.open, 0.0);
     constants.add(shape.head_radius * shape.neck_scale, 0.0, shape.open, 0.0);
@@ -172,7 +172,7 @@ void ArrowPass::draw_arrow(const ViewScene& scene, const Arrow& arrow, Layer lay
     constants.add(shaft_length, shape.head_length, shape.head_radius, 0.0);
     constants.add(middle - shape.tail, p.depth(middle));
     constants.add(anchor.x(), anchor.y(), layer_number(layer), 0.0);
-    constants.add4(linear_from_srgb(arrow.colour, arrow.opacity));
+    constants.add(linear_from_srgb(arrow.colour, arrow.opacity));
     if (occluded) scene.add_solids(constants);
     made.draw(shaft_polygon(shape), constants, *scene.drawing);
     made.draw(head_polygon(shape), constants, *scene.drawing);
@@ -193,8 +193,8 @@ void ArrowPass::draw_dot(const ViewScene& scene, const Dot& dot, Layer layer) {
     Constants constants;
     scene.add_view(constants);
     constants.add(pixel.x(), pixel.y(), depth, dot.radius_px);
-    constants.add4(linear_from_srgb(dot.colour, dot.opacity));
-    constants.add4(linear_from_srgb(dot.rim_colour, dot.rim_px));
+    constants.add(linear_from_srgb(dot.colour, dot.opacity));
+    constants.add(linear_from_srgb(dot.rim_colour, dot.rim_px));
     constants.add(dot.hidden_opacity, layer_number(layer), 0.0, 0.0);
     if (occluded) scene.add_solids(constants);
     made.draw(polygon_of(box), constants, *scene.drawing);

@@ -4,16 +4,12 @@
 
 namespace poinsot {
 
-Eigen::Vector3f linear_from_srgb(const Colour& colour) {
-    return Eigen::Vector3d(linear_from_srgb(colour.r), linear_from_srgb(colour.g),
-                           linear_from_srgb(colour.b))
-        .cast<float>();
+glm::vec3 linear_from_srgb(const Colour& colour) {
+    return {linear_from_srgb(colour.r), linear_from_srgb(colour.g), linear_from_srgb(colour.b)};
 }
 
-Eigen::Vector4f linear_from_srgb(const Colour& colour, double fourth) {
-    return Eigen::Vector4d(linear_from_srgb(colour.r), linear_from_srgb(colour.g),
-                           linear_from_srgb(colour.b), fourth)
-        .cast<float>();
+glm::vec4 linear_from_srgb(const Colour& colour, double fourth) {
+    return {linear_from_srgb(colour), fourth};
 }
 
 Colour mixed(const Colour& a, const Colour& b, double part_of_b) {

@@ -75,7 +75,7 @@ void add_cone(Constants& constants, const Projection& p, const Cone& cone) {
     constants.add(axes.first / axes.tangent, cone.phase_rad);
     constants.add(axes.second / axes.tangent);
     constants.add(axes.axis, cone.presence);
-    constants.add4(linear_from_srgb(cone.colour, cone.opacity));
+    constants.add(linear_from_srgb(cone.colour, cone.opacity));
 }
 
 }  // namespace

@@ -1,8 +1,11 @@
 // The constants of one draw call, in the order in which the shaders number them.
 #pragma once
 
-#include <Eigen/Core>
 #include <array>
+#include <glm/vec4.hpp>
+#include <span>
+
+#include "render/to_glm.h"
 
 namespace poinsot {
 
@@ -12,17 +15,14 @@ class Constants {
     // four planes.
     static constexpr int capacity = 96;
 
-    void add4(const Eigen::Vector4f& value) { values_[static_cast<std::size_t>(size_++)] = value; }
-    void add(const Eigen::Vector3d& xyz, double w = 0.0) {
-        add4(Eigen::Vector4f(Eigen::Vector4d(xyz.x(), xyz.y(), xyz.z(), w).cast<float>()));
-    }
-    void add(double x, double y, double z, double w) { add(Eigen::Vector3d(x, y, z), w); }
-    int size() const { return size_; }
-    const float* from(int index) const { return values_[static_cast<std::size_t>(index)].data(); }
+    void add(const glm::vec4& value) { values_[size_++] = value; }
+    void add(const Eigen::Vector3d& xyz, double w = 0.0) { add(glm::vec4(to_glm(xyz), w)); }
+    void add(double x, double y, double z, double w) { add(glm::vec4(x, y, z, w)); }
+    std::span<const glm::vec4> values() const { return std::span(values_).first(size_); }
 
  private:
-    std::array<Eigen::Vector4f, capacity> values_;
-    int size_ = 0;
+    std::array<glm::vec4, capacity> values_;
+    std::size_t size_ = 0;
 };
 
 }  // namespace poinsot

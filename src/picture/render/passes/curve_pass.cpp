@@ -28,7 +28,7 @@ Constants CurvePass::constants_of(const ViewScene& scene, const Curve& curve,
     const Quadric* surface = surface_of(scene, curve);
     Constants constants;
     scene.add_view(constants);
-    constants.add4(linear_from_srgb(curve.colour, curve.opacity));
+    constants.add(linear_from_srgb(curve.colour, curve.opacity));
     constants.add(curve.width_px, curve.hidden == HiddenStyle::absent ? -1.0 : curve.hidden_opacity,
                   surface == nullptr ? -1.0 : curve.on_surface, curve.on_plane);
     constants.add(dashes.period, dashes.share, surface == nullptr ? 0.0 : surface->limb_cosine(),

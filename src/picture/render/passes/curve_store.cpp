@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "render/to_glm.h"
+
 namespace poinsot {
 namespace {
 
@@ -9,10 +11,10 @@ namespace {
 constexpr std::uint64_t kept_pictures = 120;
 
 // Fills a texture with texels, in rows as shaders/curve.vert reads them. Pads the last row.
-void fill(const GlTexture& texture, std::vector<Eigen::Vector4f>& texels) {
+void fill(const GlTexture& texture, std::vector<glm::vec4>& texels) {
     constexpr std::size_t row = 1024;
     const std::size_t n_rows = (texels.size() + row - 1) / row;
-    if (n_rows > 1) texels.resize(n_rows * row, Eigen::Vector4f::Zero());
+    if (n_rows > 1) texels.resize(n_rows * row, glm::vec4(0.0f));
     glBindTexture(GL_TEXTURE_2D, texture.id());
     glPixelStorei(GL_UNPACK_ALIGNMENT, 4);
     glTexImage2D(GL_TEXTURE_2D, 0, GL_RGBA32F, static_cast<GLsizei>(std::min(texels.size(), row)),
@@ -25,14 +27,13 @@ void upload(const CurveGeometry& geometry, StoredCurve& stored) {
     // The points, with the length of the curve up to each.
     const std::vector<Eigen::Vector3d>& points = geometry.points;
     stored.n_points = static_cast<int>(points.size());
-    std::vector<Eigen::Vector4f> texels;
+    std::vector<glm::vec4> texels;
     texels.reserve(points.size());
     stored.lengths.reserve(points.size());
     double length = 0.0;
     for (std::size_t k = 0; k < points.size(); ++k) {
         if (k > 0) length += (points[k] - points[k - 1]).norm();
-        texels.emplace_back(points[k].cast<float>().x(), points[k].cast<float>().y(),
-                            points[k].cast<float>().z(), static_cast<float>(length));
+        texels.emplace_back(to_glm(points[k]), length);
         stored.lengths.push_back(static_cast<float>(length));
     }
     if (geometry.closed) length += (points.front() - points.back()).norm();
@@ -99,8 +100,7 @@ void CurveStore::bind_elements(int n_rectangles) {
 
 void CurveStore::bind_rectangles(const std::vector<PixelRect>& rects) {
     corners_px_.clear();
-    for (const PixelRect& r : rects)
-        corners_px_.push_back(Eigen::Vector4i(r.left, r.top, r.right, r.bottom).cast<float>());
+    for (const PixelRect& r : rects) corners_px_.emplace_back(r.left, r.top, r.right, r.bottom);
     if (!corners_) corners_ = GlTexture::make();
     glActiveTexture(GL_TEXTURE0);
     fill(corners_, corners_px_);

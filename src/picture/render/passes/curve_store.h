@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <glm/vec4.hpp>
 #include <unordered_map>
 #include <vector>
 
@@ -49,7 +50,7 @@ class CurveStore {
     GlBuffer indices_;
     int n_rectangles_ = 0;
     GlTexture corners_;
-    std::vector<Eigen::Vector4f> corners_px_;
+    std::vector<glm::vec4> corners_px_;
     std::unordered_map<std::uint64_t, StoredCurve> curves_;
     std::uint64_t picture_ = 0;
     std::int64_t n_points_uploaded_ = 0;

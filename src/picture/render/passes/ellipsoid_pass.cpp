@@ -17,10 +17,9 @@ void EllipsoidPass::Variant::use(const Projection& p) const {
     program.Program::use();
     // The line of sight at pixel 0, and its derivatives in x and y.
     const Eigen::Vector3d sight = p.ray(Eigen::Vector2d::Zero());
-    Eigen::Matrix3f rows;
-    rows << sight.cast<float>(), (p.ray(Eigen::Vector2d::UnitX()) - sight).cast<float>(),
-        (p.ray(Eigen::Vector2d::UnitY()) - sight).cast<float>();
-    glUniform3fv(sights, 3, rows.data());
+    set_uniform(sights, std::array<glm::vec3, 3>{to_glm(sight),
+                                                 to_glm(p.ray(Eigen::Vector2d::UnitX()) - sight),
+                                                 to_glm(p.ray(Eigen::Vector2d::UnitY()) - sight)});
 }
 
 const EllipsoidPass::Variant& EllipsoidPass::variant_of(int n_members) {
@@ -79,8 +78,8 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
         constants.add(scale * (q.to_u * scene.up()), shape.n_parallels);
         const Eigen::Vector3d half_axes = q.axes.colwise().norm();
         constants.add(scale * scale * half_axes.cwiseAbs2().cwiseInverse(), shape.presence);
-        constants.add4(linear_from_srgb(shape.colour, shape.opacity));
-        constants.add4(linear_from_srgb(shape.line_colour, shape.section_px));
+        constants.add(linear_from_srgb(shape.colour, shape.opacity));
+        constants.add(linear_from_srgb(shape.line_colour, shape.section_px));
         box.add({q.outline.box.left, q.outline.box.top});
         box.add({q.outline.box.right, q.outline.box.bottom});
     }

@@ -204,11 +204,11 @@ void LabelPass::draw(const ViewScene& scene,
             Eigen::Vector2d(slot.x + slot.margin, slot.y + slot.margin) - corner;
         Constants constants;
         constants.add(to_texel.x(), to_texel.y(), 0.0, 0.0);
-        constants.add4(linear_from_srgb(label.colour, label.opacity));
-        constants.add4(linear_from_srgb(label.halo_colour, 1.0));
+        constants.add(linear_from_srgb(label.colour, label.opacity));
+        constants.add(linear_from_srgb(label.halo_colour, 1.0));
         constants.add(1.0 / n, 0.0, 0.0, 0.0);
         for (std::size_t k = 0; k < most_inks; ++k)
-            constants.add4(
+            constants.add(
                 linear_from_srgb(k < label.inks.size() ? label.inks[k] : label.colour, 1.0));
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, texture_.id());

@@ -9,6 +9,7 @@
 #include "numerics/srgb.h"
 #include "render/context/dialect.h"
 #include "render/passes/colour.h"
+#include "render/to_glm.h"
 
 namespace poinsot {
 namespace {
@@ -111,11 +112,10 @@ PixelBox pixels_of(const Projection& p, const Mesh& mesh, const Eigen::AlignedBo
 
 MeshPass::Drawer::Drawer(const std::vector<std::string>& defines)
     : program("mesh.vert", "mesh.frag", defines),
-      picture(program.at("picture")),
-      constants(program.at("constants")),
       placement(program.at("placement")),
       normal_map(program.at("normal_map")),
-      depth_map(program.at("depth_map")),
+      view(program.at("view")),
+      projection(program.at("projection")),
       look(program.at("look")) {}
 
 MeshPass::MeshPass(LightBits light)
@@ -132,12 +132,12 @@ MeshPass::Uploaded& MeshPass::uploaded(const MeshGeometry& geometry) {
     Uploaded& upload = uploads_[geometry.id];
     upload.last_picture = picture_number_;
     if (upload.buffer) return upload;
-    std::vector<Eigen::Vector3f> vertices;
+    std::vector<glm::vec3> vertices;
     vertices.reserve(2 * geometry.positions.size());
     for (std::size_t k = 0; k < geometry.positions.size(); ++k) {
-        vertices.push_back(geometry.positions[k]);
-        vertices.push_back(k < geometry.normals.size() ? geometry.normals[k]
-                                                       : Eigen::Vector3f::UnitZ());
+        vertices.push_back(to_glm(geometry.positions[k]));
+        vertices.push_back(k < geometry.normals.size() ? to_glm(geometry.normals[k])
+                                                       : glm::vec3(0.0f, 0.0f, 1.0f));
     }
     upload.n_vertices = static_cast<GLsizei>(geometry.positions.size() / 3 * 3);
     upload.box = box_of(geometry);
@@ -145,23 +145,23 @@ MeshPass::Uploaded& MeshPass::uploaded(const MeshGeometry& geometry) {
     upload.vertex_array = GlVertexArray::make();
     glBindVertexArray(upload.vertex_array.id());
     glBindBuffer(GL_ARRAY_BUFFER, upload.buffer.id());
-    glBufferData(GL_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(vertices.size() * sizeof(Eigen::Vector3f)),
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(vertices.size() * sizeof(glm::vec3)),
                  vertices.data(), GL_STATIC_DRAW);
-    constexpr GLsizei stride = 2 * sizeof(Eigen::Vector3f);
+    constexpr GLsizei stride = 2 * sizeof(glm::vec3);
     glEnableVertexAttribArray(0);
     glVertexAttribPointer(0, 3, GL_FLOAT, GL_FALSE, stride, nullptr);
     glEnableVertexAttribArray(1);
     // OpenGL takes an offset into the buffer as a pointer.
-    const void* after_position = reinterpret_cast<const void*>(
-        sizeof(Eigen::Vector3f));  // NOLINT(performance-no-int-to-ptr)
+    const void* after_position =
+        reinterpret_cast<const void*>(sizeof(glm::vec3));  // NOLINT(performance-no-int-to-ptr)
     glVertexAttribPointer(1, 3, GL_FLOAT, GL_FALSE, stride, after_position);
     if (!has_picture(geometry)) return upload;
     upload.places = GlBuffer::make();
     glBindBuffer(GL_ARRAY_BUFFER, upload.places.id());
-    glBufferData(GL_ARRAY_BUFFER,
-                 static_cast<GLsizeiptr>(geometry.places.size() * sizeof(Eigen::Vector2f)),
-                 geometry.places.data(), GL_STATIC_DRAW);
+    std::vector<glm::vec2> places;
+    for (const Eigen::Vector2f& place : geometry.places) places.push_back(to_glm(place));
+    glBufferData(GL_ARRAY_BUFFER, static_cast<GLsizeiptr>(places.size() * sizeof(glm::vec2)),
+                 places.data(), GL_STATIC_DRAW);
     glEnableVertexAttribArray(2);
     glVertexAttribPointer(2, 2, GL_FLOAT, GL_FALSE, 0, nullptr);
     upload.picture = texture_of(geometry.picture, light_);
@@ -240,22 +240,11 @@ void MeshPass::prepare(ViewScene& scene) {
     layer.height = static_cast<int>(std::ceil(box.bottom)) - layer.top;
     layer.opacity = 1.0 - transmitted;
 
-    // Clip depth from -1 to 1, and buffer depth from 0 to 1, cover the meshes' range of depths.
     if (p.perspective) nearest = std::max(nearest, p.near_depth);
     const double margin = 1e-3 * (farthest - nearest) + 1e-9;
-    nearest -= margin;
-    farthest += margin;
-    double offset = 0.0, slope = 0.0;
-    if (p.perspective) {
-        nearest = std::max(nearest, 0.5 * p.near_depth);
-        offset = (farthest + nearest) / (farthest - nearest);
-        slope = -2.0 * farthest * nearest / (farthest - nearest);
-    } else {
-        slope = 2.0 / (farthest - nearest);
-        offset = -1.0 - slope * nearest;
-    }
-    layer.depth_offset = 0.5 * offset + 0.5;
-    layer.depth_slope = 0.5 * slope;
+    layer.nearest = nearest - margin;
+    layer.farthest = farthest + margin;
+    if (p.perspective) layer.nearest = std::max(layer.nearest, 0.5 * p.near_depth);
     scene.mesh_layer = layer;
 }
 
@@ -269,23 +258,23 @@ void MeshPass::draw_layer(const ViewScene& scene) {
     glDisable(GL_BLEND);
     glEnable(GL_DEPTH_TEST);
     glDepthFunc(GL_LESS);
-    const auto draw_at = [&](int left, int top, const Eigen::Vector2d& corner_px) {
+    const auto draw_at = [&](int left, int top, const glm::dvec2& shift_px) {
         glViewport(left, top, layer.width, layer.height);
         glScissor(left, top, layer.width, layer.height);
         glClear(GL_COLOR_BUFFER_BIT | GL_DEPTH_BUFFER_BIT);
-        draw_meshes(scene, corner_px);
+        draw_meshes(scene, layer.projection(scene.projection, shift_px));
     };
     if constexpr (dialect == Dialect::desktop) {
-        draw_at(0, 0, {layer.left, layer.top});
+        draw_at(0, 0, {0.0, 0.0});
     } else {
         // Where the middle of a pixel is displaced to: the samples of Mesa's software renderer.
-        const std::array<Eigen::Vector2d, n_samples> samples{{{0.375 - 0.5, 0.125 - 0.5},
-                                                              {0.875 - 0.5, 0.375 - 0.5},
-                                                              {0.125 - 0.5, 0.625 - 0.5},
-                                                              {0.625 - 0.5, 0.875 - 0.5}}};
+        const std::array<glm::dvec2, n_samples> samples{{{0.375 - 0.5, 0.125 - 0.5},
+                                                         {0.875 - 0.5, 0.375 - 0.5},
+                                                         {0.125 - 0.5, 0.625 - 0.5},
+                                                         {0.625 - 0.5, 0.875 - 0.5}}};
         for (int k = 0; k < n_samples; ++k)
             draw_at((k & 1) * width_px_, (k >> 1) * height_px_,
-                    Eigen::Vector2d(layer.left, layer.top) + samples[static_cast<std::size_t>(k)]);
+                    samples[static_cast<std::size_t>(k)]);
     }
     glDisable(GL_DEPTH_TEST);
     glEnable(GL_BLEND);
@@ -296,7 +285,7 @@ void MeshPass::draw_layer(const ViewScene& scene) {
                       GL_COLOR_BUFFER_BIT, GL_NEAREST);
 }
 
-void MeshPass::draw_meshes(const ViewScene& scene, const Eigen::Vector2d& corner_px) {
+void MeshPass::draw_meshes(const ViewScene& scene, const glm::mat4& projection) {
     for (const bool with_picture : {false, true}) {
         const auto is_drawn = [with_picture](const Mesh& mesh) {
             return shows(mesh) && has_picture(*mesh.geometry) == with_picture;
@@ -305,41 +294,25 @@ void MeshPass::draw_meshes(const ViewScene& scene, const Eigen::Vector2d& corner
         if (std::none_of(meshes.begin(), meshes.end(), is_drawn)) continue;
         if (with_picture && !pictured_) pictured_.emplace(std::vector<std::string>{"PICTURE"});
         const Drawer& drawer = with_picture ? *pictured_ : plain_;
-        begin_view(drawer, scene, corner_px);
+        drawer.program.use();
+        set_uniform(drawer.view, glm::mat4(scene.camera_from_view()));
+        set_uniform(drawer.projection, projection);
         for (const Mesh& mesh : meshes)
             if (is_drawn(mesh)) draw_mesh(drawer, scene, mesh);
     }
 }
 
-void MeshPass::begin_view(const Drawer& drawer, const ViewScene& scene,
-                          const Eigen::Vector2d& corner_px) {
-    const MeshLayer& layer = scene.mesh_layer;
-    drawer.program.use();
-    glUniform4f(drawer.picture, static_cast<float>(layer.width), static_cast<float>(layer.height),
-                1.0f / static_cast<float>(layer.width), 1.0f / static_cast<float>(layer.height));
-    glUniform2f(drawer.depth_map, static_cast<float>(2.0 * layer.depth_offset - 1.0),
-                static_cast<float>(2.0 * layer.depth_slope));
-    Constants constants;
-    scene.add_view(constants, corner_px);
-    glUniform4fv(drawer.constants, constants.size(), constants.from(0));
-}
-
 void MeshPass::draw_mesh(const Drawer& drawer, const ViewScene& scene, const Mesh& mesh) {
     const Uploaded& upload = uploaded(*mesh.geometry);
-    Constants placement, normal_map, look;
-    const Eigen::Matrix3d normals = mesh.placement.linear().inverse().transpose();
-    for (int row = 0; row < 3; ++row) {
-        placement.add(mesh.placement.linear().row(row).transpose(),
-                      mesh.placement.translation()[row]);
-        normal_map.add(normals.row(row).transpose());
-    }
+    set_uniform(drawer.placement, glm::mat4(to_glm(mesh.placement.matrix())));
+    set_uniform(drawer.normal_map,
+                glm::mat3(to_glm(mesh.placement.linear().inverse().transpose().eval())));
+    Constants look;
     const Projection& p = scene.projection;
     look.add(p.perspective ? p.eye : Eigen::Vector3d(-p.forward), p.perspective ? 1.0 : 0.0);
     scene.add_light(look);
-    look.add4(linear_from_srgb(mesh.colour, 1.0));
-    glUniform4fv(drawer.placement, placement.size(), placement.from(0));
-    glUniform4fv(drawer.normal_map, normal_map.size(), normal_map.from(0));
-    glUniform4fv(drawer.look, look.size(), look.from(0));
+    look.add(linear_from_srgb(mesh.colour, 1.0));
+    set_uniform(drawer.look, look.values());
     if (upload.picture) {
         glActiveTexture(GL_TEXTURE0);
         glBindTexture(GL_TEXTURE_2D, upload.picture.id());

@@ -33,7 +33,7 @@ class MeshPass {
     struct Drawer {
         explicit Drawer(const std::vector<std::string>& defines);
         Program program;
-        GLint picture, constants, placement, normal_map, depth_map, look;
+        GLint placement, normal_map, view, projection, look;
     };
     struct Uploaded {
         GlBuffer buffer, places;
@@ -48,10 +48,8 @@ class MeshPass {
     // Make the textures and framebuffers of the layer.
     void make_multisampled();
     void make_side_by_side();
-    void draw_meshes(const ViewScene& scene, const Eigen::Vector2d& corner_px);
-    // Makes a drawer current for the view's layer, whose corner is at this pixel.
-    static void begin_view(const Drawer& drawer, const ViewScene& scene,
-                           const Eigen::Vector2d& corner_px);
+    // projection: of the view's layer.
+    void draw_meshes(const ViewScene& scene, const glm::mat4& projection);
     void draw_mesh(const Drawer& drawer, const ViewScene& scene, const Mesh& mesh);
 
     LightFormat light_;

@@ -17,7 +17,7 @@ constexpr int n_bands = 32;
 
 BackgroundPass::BackgroundPass()
     : program_("background.vert", "background.frag"),
-      picture_(program_.at("picture")),
+      projection_(program_.at("projection")),
       box_(program_.at("box")),
       bands_(program_.at("bands")) {}
 
@@ -25,16 +25,15 @@ void BackgroundPass::draw(const Drawing& drawing, const Background& background,
                           const PixelBox& box) const {
     if (background.alpha <= 0.0) return;
     program_.use();
-    set_picture(picture_, drawing);
-    std::array<Eigen::Vector4f, n_bands + 1> bands;
+    set_uniform(projection_, projection_of(drawing));
+    std::array<glm::vec4, n_bands + 1> bands;
     const auto alpha = static_cast<float>(background.alpha);
     for (int k = 0; k <= n_bands; ++k)
         bands[static_cast<std::size_t>(k)] =
             alpha *
             linear_from_srgb(mixed(background.top, background.bottom, k / double{n_bands}), 1.0);
-    glUniform4fv(bands_, n_bands + 1, bands[0].data());
-    glUniform4f(box_, static_cast<float>(box.left), static_cast<float>(box.top),
-                static_cast<float>(box.right), static_cast<float>(box.bottom));
+    set_uniform(bands_, bands);
+    set_uniform(box_, glm::vec4(box.left, box.top, box.right, box.bottom));
     // An opaque background needs no blending.
     if (background.alpha >= 1.0) glDisable(GL_BLEND);
     glDrawArrays(GL_TRIANGLE_STRIP, 0, 2 * (n_bands + 1));
@@ -59,14 +58,14 @@ void PlanePass::draw(const ViewScene& scene, std::size_t plane) const {
     constants.add(map.plane_from_pixel.col(1), map.anchor_px.y());
     constants.add(map.plane_from_pixel.col(2), 1.0 / shape.grid_spacing);
     constants.add(shape.radius, shape.fade_from, shape.opacity, shape.grid_px);
-    constants.add4(linear_from_srgb(shape.colour, 1.0));
-    constants.add4(linear_from_srgb(shape.grid_colour, 1.0));
+    constants.add(linear_from_srgb(shape.colour, 1.0));
+    constants.add(linear_from_srgb(shape.grid_colour, 1.0));
     program_.draw(polygon, constants, *scene.drawing);
 }
 
 ShadowPass::ShadowPass()
     : program_("shadow.vert", "shadow.frag"),
-      picture_(program_.at("picture")),
+      projection_(program_.at("projection")),
       tint_(program_.at("deepest")),
       vertex_array_(GlVertexArray::make()),
       corners_(GlBuffer::make()),
@@ -95,7 +94,7 @@ ShadowPass::ShadowPass()
                  GL_STATIC_DRAW);
     glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
     glEnableVertexAttribArray(0);
-    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(Eigen::Vector4f), nullptr);
+    glVertexAttribPointer(0, 4, GL_FLOAT, GL_FALSE, sizeof(glm::vec4), nullptr);
 }
 
 void ShadowPass::prepare(ViewScene& scene) {
@@ -115,14 +114,14 @@ void ShadowPass::draw(const ViewScene& scene, std::size_t plane) const {
     for (const ShadowWeb& web : scene.shadows) {
         if (web.plane != plane) continue;
         program_.use();
-        set_picture(picture_, *scene.drawing);
+        set_uniform(projection_, projection_of(*scene.drawing));
         // A dark shade of the plane's own colour looks calmer than black.
-        const Eigen::Vector4f tint = linear_from_srgb(scene.view->planes[plane].grid_colour, 1.0);
-        glUniform4f(tint_, 0.06f * tint[0], 0.06f * tint[1], 0.06f * tint[2], 1.0f);
+        const glm::vec3 tint = 0.06f * linear_from_srgb(scene.view->planes[plane].grid_colour);
+        set_uniform(tint_, glm::vec4(tint, 1.0f));
         glBindVertexArray(vertex_array_.id());
         glBindBuffer(GL_ARRAY_BUFFER, corners_.id());
         glBufferData(GL_ARRAY_BUFFER,
-                     static_cast<GLsizeiptr>(web.corners.size() * sizeof(Eigen::Vector4f)),
+                     static_cast<GLsizeiptr>(web.corners.size() * sizeof(glm::vec4)),
                      web.corners.data(), GL_STREAM_DRAW);
         glDrawElements(GL_TRIANGLES, n_indices_, GL_UNSIGNED_SHORT, nullptr);
     }

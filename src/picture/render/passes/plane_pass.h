@@ -14,7 +14,7 @@ class BackgroundPass {
 
  private:
     Program program_;
-    GLint picture_, box_, bands_;
+    GLint projection_, box_, bands_;
 };
 
 class PlanePass {
@@ -36,7 +36,7 @@ class ShadowPass {
 
  private:
     Program program_;
-    GLint picture_, tint_;
+    GLint projection_, tint_;
     GlVertexArray vertex_array_;
     GlBuffer corners_, indices_;
     GLsizei n_indices_ = 0;

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <array>
 #include <cassert>
+#include <glm/ext/matrix_clip_space.hpp>
+#include <glm/gtc/type_ptr.hpp>
 
 #include "error/error.h"
 #include "render/context/dialect.h"
@@ -115,25 +117,48 @@ ConstantProgram::ConstantProgram(std::string_view vertex, std::string_view fragm
                                  int n_constants, int n_varyings,
                                  const std::vector<std::string>& defines)
     : Program(vertex, fragment, with_counts(n_constants, n_varyings, defines)),
-      n_flat_(n_flat(n_constants, n_varyings)),
-      n_constants_(n_constants),
+      n_flat_(static_cast<std::size_t>(n_flat(n_constants, n_varyings))),
+      n_constants_(static_cast<std::size_t>(n_constants)),
       constants_(at("constants")),
       more_(at("more_constants")),
-      picture_(at("picture")) {}
+      projection_(at("projection")) {}
 
 void ConstantProgram::use(const Constants& constants, const Drawing& drawing) const {
-    assert(constants.size() == n_constants_);
+    const std::span<const glm::vec4> values = constants.values();
+    assert(values.size() == n_constants_);
     Program::use();
-    glUniform4fv(constants_, n_flat_, constants.from(0));
-    if (n_constants_ > n_flat_)
-        glUniform4fv(more_, n_constants_ - n_flat_, constants.from(n_flat_));
-    set_picture(picture_, drawing);
+    set_uniform(constants_, values.first(n_flat_));
+    if (n_constants_ > n_flat_) set_uniform(more_, values.subspan(n_flat_));
+    set_uniform(projection_, projection_of(drawing));
 }
 
-void set_picture(GLint location, const Drawing& drawing) {
-    const auto width = static_cast<float>(drawing.width_px);
-    const auto height = static_cast<float>(drawing.height_px);
-    glUniform4f(location, width, height, 1.0f / width, 1.0f / height);
+void set_uniform(GLint location, const glm::vec4& value) {
+    glUniform4fv(location, 1, glm::value_ptr(value));
+}
+
+void set_uniform(GLint location, const glm::mat3& value) {
+    glUniformMatrix3fv(location, 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void set_uniform(GLint location, const glm::mat4& value) {
+    glUniformMatrix4fv(location, 1, GL_FALSE, glm::value_ptr(value));
+}
+
+void set_uniform(GLint location, std::span<const glm::vec2> values) {
+    glUniform2fv(location, static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+}
+
+void set_uniform(GLint location, std::span<const glm::vec3> values) {
+    glUniform3fv(location, static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+}
+
+void set_uniform(GLint location, std::span<const glm::vec4> values) {
+    glUniform4fv(location, static_cast<GLsizei>(values.size()), glm::value_ptr(values.front()));
+}
+
+glm::mat4 projection_of(const Drawing& drawing) {
+    return glm::ortho(0.0f, static_cast<float>(drawing.width_px), 0.0f,
+                      static_cast<float>(drawing.height_px));
 }
 
 PolygonProgram::PolygonProgram(std::string_view fragment, int n_constants,
@@ -146,13 +171,13 @@ void PolygonProgram::draw(const PixelPolygon& polygon, const Constants& constant
                           const Drawing& drawing) const {
     if (polygon.n_corners == 0) return;
     use(constants, drawing);
-    glUniform2fv(corners_, polygon.n_corners, polygon.corners[0].data());
+    set_uniform(corners_, polygon.added());
     glDrawArrays(GL_TRIANGLE_FAN, 0, polygon.n_corners);
 }
 
 void PolygonProgram::draw_ring(const PixelPolygon& outer, const PixelPolygon& inner,
                                const Constants& constants, const Drawing& drawing) const {
-    std::array<Eigen::Vector2f, 2 * (PixelPolygon::most_corners + 1)> corners;
+    std::array<glm::vec2, 2 * (PixelPolygon::most_corners + 1)> corners;
     for (int k = 0; k <= outer.n_corners; ++k) {
         const auto corner = static_cast<std::size_t>(k % outer.n_corners);
         corners[2 * static_cast<std::size_t>(k)] = outer.corners[corner];
@@ -160,7 +185,7 @@ void PolygonProgram::draw_ring(const PixelPolygon& outer, const PixelPolygon& in
     }
     use(constants, drawing);
     const int n_corners = 2 * (outer.n_corners + 1);
-    glUniform2fv(corners_, n_corners, corners[0].data());
+    set_uniform(corners_, std::span(corners).first(static_cast<std::size_t>(n_corners)));
     glDrawArrays(GL_TRIANGLE_STRIP, 0, n_corners);
 }
 

@@ -3,8 +3,13 @@
 
 #include <glad/gl.h>
 
-#include <Eigen/Core>
+#include <glm/mat3x3.hpp>
+#include <glm/mat4x4.hpp>
+#include <glm/vec2.hpp>
+#include <glm/vec3.hpp>
+#include <glm/vec4.hpp>
 #include <memory>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -36,8 +41,17 @@ class Program {
     GlProgram program_;
 };
 
-// Sets the uniform `picture` of shaders/clip.glsl.
-void set_picture(GLint location, const Drawing& drawing);
+// Set a uniform of the current program.
+void set_uniform(GLint location, const glm::vec4& value);
+void set_uniform(GLint location, const glm::mat3& value);
+void set_uniform(GLint location, const glm::mat4& value);
+void set_uniform(GLint location, std::span<const glm::vec2> values);
+void set_uniform(GLint location, std::span<const glm::vec3> values);
+void set_uniform(GLint location, std::span<const glm::vec4> values);
+
+// The uniform `projection` of shaders/clip.glsl: of the pixels of a picture of this size, in which
+// y runs downwards, as the rows of a framebuffer are read.
+glm::mat4 projection_of(const Drawing& drawing);
 
 // A program whose constants are passed to its fragments as in shaders/constants.glsl.
 class ConstantProgram : public Program {
@@ -50,8 +64,8 @@ class ConstantProgram : public Program {
     void use(const Constants& constants, const Drawing& drawing) const;
 
  private:
-    int n_flat_, n_constants_;
-    GLint constants_, more_, picture_;
+    std::size_t n_flat_, n_constants_;
+    GLint constants_, more_, projection_;
 };
 
 // A program that fills convex polygons given in pixels.

@@ -89,7 +89,7 @@ void StrokeProgram::draw(const ViewScene& scene, const Curve& curve, const Shown
     glBindTexture(GL_TEXTURE_2D, stored.texture.id());
     glUniform1i(n_points_, stored.n_points);
     glUniform1i(closed_, curve.geometry->closed ? 1 : 0);
-    glUniform4fv(stroke_, stroke.size(), stroke.from(0));
+    set_uniform(stroke_, stroke.values());
     glUniform1i(on_ellipsoid_, surface == nullptr ? 0 : 1);
     glUniform1i(in_rectangles_, 0);
     const int n_segments = range.end_segment - range.first_segment;
@@ -108,7 +108,7 @@ void StrokeProgram::draw(const ViewScene& scene, const StrokeEnds& ends,
     stroke.add(ends.depth_from, ends.depth_to, ends.facing_from, ends.facing_to);
     stroke.add(ends.length_from, ends.length_to, 0.0, 0.0);
     use(constants, *scene.drawing);
-    glUniform4fv(stroke_, stroke.size(), stroke.from(0));
+    set_uniform(stroke_, stroke.values());
     glUniform1i(in_rectangles_, 1);
     store.bind_rectangles(rects);
     glDrawElements(GL_TRIANGLES, static_cast<GLsizei>(6 * rects.size()), GL_UNSIGNED_INT, nullptr);
