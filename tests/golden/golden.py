@@ -4,10 +4,11 @@
 check:  one scene against its baseline in tests/golden/scenes, by `poinsot compare`: with the baselines' renderer
         no pixel may differ; with another version of llvmpipe 0.1 % may, by one level. A failure leaves a report and prints its path.
 together: all scenes three times in one process, in shuffled order: each picture is byte-identical to the one drawn alone.
+once:   all scenes in one process, in shuffled order, against their baselines: what the sanitizers watch.
 rerendered: every scene's picture redrawn from its own record: byte-identical, as `explain --verify` promises.
 renew:  takes the pictures of all scenes as baselines, after you have looked at them; --why gives the reason of the change.
 sheet:  all baselines in one picture, for inspection.
-Usage: golden.py check POINSOT NAME FOLDER | golden.py together POINSOT | golden.py rerendered POINSOT | golden.py renew POINSOT
+Usage: golden.py check POINSOT NAME FOLDER | golden.py together POINSOT | golden.py once POINSOT | golden.py rerendered POINSOT | golden.py renew POINSOT
        "WHY" [FOLDER] | golden.py sheet POINSOT OUT.png
 """
 import pathlib
@@ -72,6 +73,18 @@ def together(program, alone):
     return 1 if wrong else 0
 
 
+def once(program):
+    """Draws every scene in one process, in shuffled order, and compares the pictures with the baselines."""
+    with tempfile.TemporaryDirectory() as drawn:
+        names = sorted(scene.stem for scene in SCENES.glob("*.toml"))
+        random.Random(1).shuffle(names)
+        subprocess.run([program, "still", *(str(SCENES / f"{name}.toml") for name in names), "--portable", "--size", SIZE,
+                        "-q", "-o", str(pathlib.Path(drawn, "###.png"))], check=True)
+        for number, name in enumerate(names):
+            pathlib.Path(drawn, f"{number:03}.png").rename(pathlib.Path(drawn, f"{name}.png"))
+        return subprocess.run([program, "compare", str(BASELINES), drawn]).returncode
+
+
 def rerendered(program):
     """Redraws pictures without the scene file, with only the files beside it: meshes, pictures and tables."""
     names = sorted(scene.stem for scene in SCENES.glob("*.toml"))
@@ -132,4 +145,4 @@ def sheet(program, out):
 
 
 if __name__ == "__main__":
-    sys.exit({"check": check, "together": together, "rerendered": rerendered, "renew": renew, "sheet": sheet}[sys.argv[1]](*sys.argv[2:]))
+    sys.exit({"check": check, "together": together, "once": once, "rerendered": rerendered, "renew": renew, "sheet": sheet}[sys.argv[1]](*sys.argv[2:]))

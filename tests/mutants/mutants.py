@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 """Changes one token of a source at a time, runs the tests that could notice it, and prints which tests do.
 
-Usage: mutants.py BUILD [--first N] [--only K,K,…] [--tests REGEX] [--jobs N]
+Usage: mutants.py BUILD [--only K,K,…] [--tests REGEX] [--jobs N]
        mutants.py --make N [--seed S]
+       mutants.py --check
 BUILD is a built release tree. The mutants are the lines of mutants.txt, which `--make` draws from the sources in SOURCES: an operator,
 a constant, or the member that a row names. No file of the tree changes: the unity file with the mutant is compiled into a temporary
 folder, and programs are linked there with its object before the libraries.
+`--check` looks for the sources, and for the line of each mutant.
 Exit code 1 if a mutant survives that mutants.txt does not mark with "lives: REASON"; 2 if a test fails without a change.
 """
 import argparse
@@ -143,6 +145,19 @@ def make(n, seed):
             column = at - begin - (len(line) - len(line.lstrip()))
             rows.append(f"{file}:{text.count(chr(10), 0, at) + 1}:{column} {old} {new} | {line.strip()}")
     return rows[:n]
+
+
+def check():
+    """Whether all sources are there, and the line of each mutant in one of them."""
+    wrong = [f"{file}: no such file" for file in SOURCES if not (ROOT / file).is_file()]
+    for row in LIST.read_text().splitlines():
+        mutant = Mutant(row)
+        if mutant.file not in SOURCES:
+            wrong.append(f"{mutant}: its file is not among SOURCES")
+        elif (ROOT / mutant.file).is_file() and mutant.text() is None:
+            wrong.append(f"{mutant}: the line is gone; take another mutant")
+    print("\n".join(wrong or [f"{len(SOURCES)} sources, and all lines of {LIST.name}"]))
+    return 1 if wrong else 0
 
 
 class Build:
@@ -284,7 +299,7 @@ def main():
     parser.add_argument("build", nargs="?", type=pathlib.Path)
     parser.add_argument("--make", type=int)
     parser.add_argument("--seed", type=int, default=SEED)
-    parser.add_argument("--first", type=int)
+    parser.add_argument("--check", action="store_true")
     parser.add_argument("--only")
     parser.add_argument("--tests", default="")
     parser.add_argument("--jobs", type=int, default=2)
@@ -292,10 +307,12 @@ def main():
     if given.make:
         LIST.write_text("\n".join(make(given.make, given.seed)) + "\n")
         return 0
+    if given.check:
+        return check()
     if not given.build:
         parser.error("name the build folder, for example build/release")
     mutants = dict(enumerate(map(Mutant, LIST.read_text().splitlines()), 1))
-    wanted = [int(k) for k in given.only.split(",")] if given.only else list(mutants)[:given.first]
+    wanted = [int(k) for k in given.only.split(",")] if given.only else list(mutants)
     build = Build(given.build)
     tests_of = {k: build.tests_for(SOURCES[mutants[k].file], given.tests) for k in wanted}
     already = failing_already(build, list({test["name"]: test for tests in tests_of.values() for test in tests}.values()))

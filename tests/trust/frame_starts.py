@@ -4,8 +4,9 @@
 Draws a run of frames of each scene, then the same frames in runs that begin and end elsewhere: the pixels are those of the long run, byte
 for byte. Some scenes are drawn in every other way, too: by several processes, in parts that are joined, as films, as slides and as the
 stills of their chapters. The scenes are all of the gallery, and random ones with keyframes, fades, captions, chapters, panels and stops, at
-odd sizes and rates, portable and native. Random choices follow from the seed, separately for each scene.
-Usage: frame_starts.py POINSOT SCENES [--seed N] [--random N] [--quick] [--only NAME]
+odd sizes and rates, portable and native. Random choices follow from the seed, separately for each scene; a scene of the gallery is drawn
+in the other profile with the next seed, or in both with --both.
+Usage: frame_starts.py POINSOT SCENES [--seed N] [--random N] [--both] [--quick] [--only NAME]
 """
 import argparse
 import concurrent.futures
@@ -474,7 +475,8 @@ def main():
     asked.add_argument("program")
     asked.add_argument("scenes")
     asked.add_argument("--seed", type=int, default=1)
-    asked.add_argument("--random", type=int, default=200)
+    asked.add_argument("--random", type=int, default=40)
+    asked.add_argument("--both", action="store_true")
     asked.add_argument("--quick", action="store_true")
     asked.add_argument("--only")
     asked = asked.parse_args()
@@ -483,8 +485,9 @@ def main():
         trial = Trial(os.path.abspath(asked.program), pathlib.Path(asked.scenes).resolve(), pathlib.Path(folder), asked.seed)
         cases = [(f"known_{case[0]}", trial.known, case) for case in KNOWN[:N_QUICK if asked.quick else None]]
         if not asked.quick:
-            for scene in sorted(trial.scenes.glob("*.toml")):
-                for profile in ([], ["--portable"]):
+            profiles = ([], ["--portable"])
+            for number, scene in enumerate(sorted(trial.scenes.glob("*.toml"))):
+                for profile in profiles if asked.both else [profiles[(number + asked.seed) % 2]]:
                     cases.append((f"{scene.stem}{''.join(profile)}", trial.of_gallery, (scene, profile)))
         n_random = 1 if asked.quick else asked.random
         cases += [(f"random_{k}", trial.of_random, (k,)) for k in range(n_random)]

@@ -35,6 +35,8 @@ void add_comparison(py::module_& module);
 void add_options(py::module_& module);
 // The options that are neither missing nor None. Throws InputError for a value of another type.
 GivenOptions given_options(const py::dict& options);
+// A value that cannot be used, in a part of one line: errors.shown().
+std::string shown(const py::handle& value);
 // A message with the names of keywords in place of the command line's options.
 std::string in_keywords(std::string text);
 
@@ -52,14 +54,17 @@ template <typename Value>
 std::optional<Value> option(const py::dict& options, const char* name) {
     if (!options.contains(name) || options[name].is_none()) return std::nullopt;
     try {
-        return options[name].cast<Value>();
+        // Everything has a truth value; only True and False, also NumPy's, are answers.
+        py::detail::make_caster<Value> converted;
+        if (!converted.load(options[name], !std::is_same_v<Value, bool>)) throw py::cast_error();
+        return py::detail::cast_op<Value>(converted);
     } catch (const py::cast_error&) {
         const char* const wanted = std::is_same_v<Value, bool>   ? "True or False"
                                    : std::is_same_v<Value, int>  ? "a whole number"
                                    : std::is_arithmetic_v<Value> ? "a number"
                                                                  : "a text";
         throw InputError(std::string(name) + ": is " + wanted + ", and this is " +
-                         py::repr(options[name]).cast<std::string>());
+                         shown(options[name]));
     }
 }
 

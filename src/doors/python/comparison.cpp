@@ -60,8 +60,7 @@ GivenLimits given_limits_of(const py::dict& options) {
     if (options.contains("ignore"))
         for (const py::handle region : options["ignore"]) {
             if (!py::isinstance<py::str>(region))
-                throw InputError("ignore: a region is a text, and this is " +
-                                 py::repr(region).cast<std::string>());
+                throw InputError("ignore: a region is a text, and this is " + shown(region));
             given.ignore.push_back(
                 named("ignore", [&] { return parse_region(region.cast<std::string>()); }));
         }
@@ -88,7 +87,7 @@ py::dict dict_of(const ComparedPicture& compared) {
     const Comparison& measured = compared.measured;
     return py::dict(
         "name"_a = name_text(compared.name), "outcome"_a = std::string(name_of(compared.outcome)),
-        "passes"_a = compared.passes(), "reason"_a = compared.reason,
+        "passes"_a = compared.passes(), "reason"_a = in_keywords(compared.reason),
         "changes"_a = compared.changes, "n_pixels"_a = measured.n_pixels,
         "n_differing"_a = measured.n_differing, "n_over_level"_a = measured.n_over_level,
         "n_ignored"_a = measured.n_ignored, "largest_difference"_a = measured.largest_difference,

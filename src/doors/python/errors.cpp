@@ -27,6 +27,10 @@ void raise_input_error(const InputError& error) {
 
 }  // namespace
 
+std::string shown(const py::handle& value) {
+    return py::module_::import("poinsot.errors").attr("shown")(value).cast<std::string>();
+}
+
 void add_errors(py::module_&) {
     // The type that pybind11 takes. NOLINTNEXTLINE(performance-unnecessary-value-param)
     py::register_exception_translator([](std::exception_ptr thrown) {
@@ -35,7 +39,7 @@ void add_errors(py::module_&) {
         } catch (const InputError& error) {
             raise_input_error(error);
         } catch (const EnvironmentError& error) {
-            raise("EnvironmentError", error.what());
+            raise("EnvironmentError", in_keywords(error.what()));
         }
     });
 }

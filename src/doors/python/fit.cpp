@@ -126,8 +126,8 @@ std::optional<DragModel> known_drag(const std::optional<std::string>& name) {
         if (*name == name_of(drag)) return drag;
         names += (names.empty() ? "" : ", ") + std::string(name_of(drag));
     }
-    throw InputError("drag: is " + py::repr(py::str(*name)).cast<std::string>() +
-                     "; choose one of " + names + ", or leave it out");
+    throw InputError("drag: is " + shown(py::str(*name)) + "; choose one of " + names +
+                     ", or leave it out");
 }
 
 // All of a fit, from which fit_of makes the same again.

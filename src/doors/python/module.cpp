@@ -82,7 +82,7 @@ library::Watch InterruptibleCall::watch() {
     if (!say_.is_none())
         watch.say = [this](const std::string& line) {
             const py::gil_scoped_acquire with_lock;
-            say_(line);
+            say_(in_keywords(line));
         };
     if (!frames_.is_none())
         watch.frames = [this](std::int64_t n_done, std::int64_t n_frames) {

@@ -199,7 +199,7 @@ std::unique_ptr<States> at(const Motion& motion, const py::handle& times) {
         return std::make_unique<States>(motion, std::span(&time_s, 1), std::vector<py::ssize_t>{});
     }
     const auto array =
-        py::module_::import("poinsot.arrays").attr("numbers")("times", times).cast<Doubles>();
+        py::module_::import("poinsot.arrays").attr("seconds")("times", times).cast<Doubles>();
     std::vector<py::ssize_t> shape = shape_of(array);
     const std::span<const double> times_s = span_of(array);
     std::unique_ptr<States> states;

@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 
 #include <algorithm>
+#include <map>
 
 #include "compare/given_limits.h"
 #include "python/bindings.h"
@@ -29,13 +30,11 @@ std::string wanted_of(std::string_view completes) {
 std::string text_of(const OptionRow& row, const py::handle& value) {
     const std::string name(row.name);
     if (!py::isinstance<py::str>(value))
-        throw InputError(name + ": " + wanted_of(row.completes) + ", and this is " +
-                         py::repr(value).cast<std::string>());
+        throw InputError(name + ": " + wanted_of(row.completes) + ", and this is " + shown(value));
     try {
         return value.cast<std::string>();
     } catch (const py::cast_error&) {
-        throw InputError(name + ": not valid Unicode: " + py::repr(value).cast<std::string>() +
-                         "; give plain text");
+        throw InputError(name + ": not valid Unicode: " + shown(value) + "; give plain text");
     }
 }
 
@@ -122,21 +121,36 @@ GivenOptions given_options(const py::dict& options) {
 }
 
 std::string in_keywords(std::string text) {
-    const auto rename = [&text](const std::string& flag, std::string_view name) {
-        for (std::size_t at = 0; (at = text.find(flag, at)) != std::string::npos;) {
-            const std::size_t end = at + flag.size();
-            const bool is_whole = end == text.size() ||
-                                  std::string_view(" :;,.").find(text[end]) != std::string::npos;
-            if (is_whole) text.replace(at, flag.size(), name);
-            at += is_whole ? name.size() : flag.size();
+    static const std::map<std::string, std::string> keyword_of = [] {
+        std::map<std::string, std::string> names;
+        const auto add = [&names](const std::string& name) {
+            std::string flag = "--" + name;
+            std::replace(flag.begin(), flag.end(), '_', '-');
+            names[flag] = name;
+        };
+        for (const char* name :
+             {"allow_outside", "antialiasing", "any_renderer", "columns", "foreign", "ignore",
+              "junit", "profile", "remove", "report", "set", "single_file", "slides", "why"})
+            add(name);
+        for (const NumberLimit& limit : number_limits()) add(std::string(limit.name));
+        for (const OptionRow& row : option_rows()) names[row.flag()] = row.name;
+        return names;
+    }();
+    for (std::size_t at = 0; (at = text.find("--", at)) != std::string::npos;) {
+        const bool begins =
+            at == 0 || std::string_view(" (`\"").find(text[at - 1]) != std::string::npos;
+        std::size_t end = at;
+        while (end < text.size() && (text[end] == '-' || (text[end] >= 'a' && text[end] <= 'z')))
+            ++end;
+        const bool ends = end == text.size() ||
+                          std::string_view(" :;,.)`\"").find(text[end]) != std::string::npos;
+        const auto found = keyword_of.find(text.substr(at, end - at));
+        if (begins && ends && found != keyword_of.end()) {
+            text.replace(at, end - at, found->second);
+            end = at + found->second.size();
         }
-    };
-    for (const char* name : {"set", "report", "single_file", "junit"}) {
-        std::string flag = std::string("--") + name;
-        std::replace(flag.begin(), flag.end(), '_', '-');
-        rename(flag, name);
+        at = end;
     }
-    for (const OptionRow& row : option_rows()) rename(row.flag(), row.name);
     return text;
 }
 

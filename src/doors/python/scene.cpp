@@ -78,8 +78,8 @@ struct Told {
     std::optional<std::string> report;
 
     library::Watch listening(library::Watch watch) {
-        watch.say = [this](const std::string& line) { notes.push_back(line); };
-        watch.report = [this](const std::string& lines) { report = lines; };
+        watch.say = [this](const std::string& line) { notes.push_back(in_keywords(line)); };
+        watch.report = [this](const std::string& lines) { report = in_keywords(lines); };
         return watch;
     }
 };

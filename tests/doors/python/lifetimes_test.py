@@ -1,6 +1,6 @@
 """Threads, forks, interrupts and the ends of things; each in a process of its own, so that a crash or a hang fails.
 
-The slow form of the test of memory, 10,000 stills: POINSOT_STILLS=10000.
+The slow form of the test of memory, 10,000 stills, is the test python.memory: POINSOT_STILLS=10000.
 """
 import os
 import sys

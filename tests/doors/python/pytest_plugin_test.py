@@ -57,14 +57,18 @@ BASELINES = ["named.png", "several/front.png", "several/side.png", "test_turn.Te
 
 @pytest.fixture
 def sessions(pytester, monkeypatch):
-    """Starts pytest with the plugin in the folder of the test; with workers, in a process of its own."""
+    """Starts pytest with this plugin alone in the folder of the test; with workers, in a process of its own."""
     # Python would load the compiled form of a file that changes twice within a second and keeps its size.
     monkeypatch.setattr(sys, "dont_write_bytecode", True)
     monkeypatch.setenv("PYTHONDONTWRITEBYTECODE", "1")
+    # Plugins of the machine may import NumPy or matplotlib. A session within this process forgets what it imported, and these
+    # libraries crash when they are loaded twice.
+    monkeypatch.setenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD", "1")
 
     def run(*arguments, own_process=False):
-        start = pytester.runpytest_subprocess if own_process or "-n" in arguments else pytester.runpytest_inprocess
-        return start("-p", "poinsot.pytest_plugin", "-p", "no:cacheprovider", *arguments)
+        workers = ("-p", "xdist") if "-n" in arguments else ()
+        start = pytester.runpytest_subprocess if own_process or workers else pytester.runpytest_inprocess
+        return start("-p", "poinsot.pytest_plugin", "-p", "no:cacheprovider", *workers, *arguments)
 
     # Otherwise pytest from version 8.1 on takes the folder of poinsot's own pyproject.toml as the root.
     pytester.makeini("[pytest]\n")
@@ -476,6 +480,43 @@ def test_plain():
     assert "numpy" not in sys.modules and "poinsot._poinsot" not in sys.modules
 """)
     sessions(own_process=True).assert_outcomes(passed=1)
+
+
+def test_the_plugin_works_beside_the_other_plugins_of_the_machine(sessions, monkeypatch):
+    pytest.importorskip("pytest_mpl")
+    monkeypatch.delenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD")
+    sessions.write("""
+import matplotlib
+matplotlib.use("agg")
+import pytest
+from matplotlib import pyplot
+
+def drawing(height):
+    figure = pyplot.figure(figsize=(1, 1), dpi=50)
+    figure.add_subplot().plot([1, height])
+    return figure
+
+@pytest.mark.poinsot_image
+def test_ours():
+    return drawing(2)
+
+@pytest.mark.mpl_image_compare(baseline_dir="theirs", filename="theirs.png")
+def test_theirs():
+    return drawing(2)
+
+def test_both_draw(poinsot_image):
+    poinsot_image(drawing(3), "fixture.png")
+""")
+    sessions("--mpl-generate-path", "theirs", "-k", "theirs", own_process=True).assert_outcomes(skipped=1, deselected=2)
+    sessions("--poinsot-renew", "first", own_process=True).assert_outcomes(passed=3)
+    assert pngs(sessions.folder / "theirs") == ["theirs.png"]
+    assert pngs(sessions.folder / "baselines") == ["fixture.png", "test_turn.test_ours.png"]
+    sessions("--mpl", "--poinsot-report", "report.html", own_process=True).assert_outcomes(passed=3)
+    # A change is noticed by the plugin whose picture it is.
+    sessions.write((sessions.folder / "test_turn.py").read_text().replace("drawing(2)", "drawing(1)"))
+    changed = sessions("--mpl", own_process=True)
+    changed.assert_outcomes(passed=1, failed=2)
+    changed.stdout.fnmatch_lines(["  to renew:   pytest test_turn.py::test_ours --poinsot-renew*"])
 
 
 TWO = HEAD + """

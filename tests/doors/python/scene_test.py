@@ -117,7 +117,8 @@ def test_a_figure_and_a_still_keep_what_the_command_says(program, tmp_path):
     assert still.notes and still.report is None and figure.report is None
     for drawn, suffix in ((scene.figure(1.5, journal="aps"), "pdf"), (scene.still(1.5, journal="aps"), "png")):
         assert drawn.report.startswith("size: ")
-        assert drawn.report in said_by("--journal", "aps", "-o", tmp_path / f"picture.{suffix}")
+        # With the name of the keyword in place of the option's.
+        assert drawn.report in said_by("--journal", "aps", "-o", tmp_path / f"picture.{suffix}").replace("--keep-text", "keep_text")
 
 
 @pytest.mark.parametrize("name", ["turn.mp4", "turn_####.png"])

@@ -2,13 +2,14 @@
 
 from __future__ import annotations
 
+import datetime
 from typing import Any
 
 import numpy as np
 
 from numpy.typing import NDArray
 
-from .errors import InputError
+from .errors import InputError, shown
 
 Numbers = NDArray[np.float64]
 Pixels = NDArray[np.uint8]
@@ -34,7 +35,7 @@ def number(name: str, value: Any) -> float:
             return float(value)
         except (TypeError, ValueError, OverflowError):
             pass
-    raise InputError(f"{name}: is a number, and this is {value!r}")
+    raise InputError(f"{name}: is a number, and this is {shown(value)}")
 
 
 def numbers(name: str, values: Any) -> Numbers:
@@ -47,6 +48,43 @@ def numbers(name: str, values: Any) -> Numbers:
     if array.dtype.kind not in "fiu":
         raise InputError(f"{name}: numbers are needed, and these are of type {array.dtype}")
     return np.ascontiguousarray(array, dtype=np.float64).reshape(array.shape)
+
+
+def are_durations(array: NDArray[Any]) -> bool:
+    """Whether the values are differences of time, such as Timedelta."""
+    if array.dtype.kind == "O" and array.size:
+        return all(isinstance(one, datetime.timedelta) for one in array.flat)
+    return array.dtype.kind == "m"
+
+
+def seconds(name: str, values: Any) -> Numbers:
+    """Instants in s, of any shape, as `numbers`; differences of time count in seconds."""
+    _refuse_masked(name, values)
+    try:
+        array = np.asarray(values)
+    except (ValueError, TypeError):
+        return numbers(name, values)
+    if array.dtype.kind == "M":
+        raise InputError(f"{name}: these are dates; give seconds, or differences: subtract the first one")
+    if are_durations(array):
+        in_s = [one.total_seconds() for one in array.flat] if array.dtype.kind == "O" else array / np.timedelta64(1, "s")
+        return np.array(in_s, dtype=np.float64).reshape(array.shape)
+    return numbers(name, array)
+
+
+def second(name: str, value: Any) -> float:
+    """One instant in s, as `number`; a difference of time counts in seconds."""
+    if isinstance(value, (datetime.timedelta, np.timedelta64)):
+        return float(seconds(name, value))
+    return number(name, value)
+
+
+def whole(name: str, value: Any) -> int:
+    """One whole number. Raises InputError for other numbers, and for those of more than nine digits."""
+    given = number(name, value)
+    if not abs(given) <= 1e9 or given != int(given):
+        raise InputError(f"{name}: is a whole number, and this is {shown(value)}")
+    return int(given)
 
 
 def w_first(attitude: Any) -> Any:

@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 
 from . import _poinsot, toml
 from .arrays import Pixels, pixels
-from .errors import InputError
+from .errors import InputError, shown
 from .paths import Path, path_text
 from .pictures import Still, page_name
 
@@ -75,7 +75,7 @@ def plain_limit(name: str, value: Any) -> Union[None, bool, int, float, str, Lis
     if value is None or isinstance(value, bool):
         return value
     if isinstance(value, str):
-        return str.__str__(value)
+        return toml.unicode_text(name, str.__str__(value))
     if name != "profile" and not isinstance(value, (bytes, bytearray)):  # float() reads these as text
         if isinstance(value, numbers.Integral):
             return operator.index(value)
@@ -84,7 +84,7 @@ def plain_limit(name: str, value: Any) -> Union[None, bool, int, float, str, Lis
         except (TypeError, ValueError, OverflowError):
             pass
     what = "portable or native" if name == "profile" else "True or False" if name == "antialiasing" else "a number"
-    raise InputError(f"{name}: is {what}, and this is {value!r}")
+    raise InputError(f"{name}: is {what}, and this is {shown(value)}")
 
 
 def _regions(given: Any) -> List[str]:
@@ -93,18 +93,18 @@ def _regions(given: Any) -> List[str]:
     try:
         regions = list(given)
     except TypeError:
-        raise InputError(f"ignore: is a region or a list of regions, and this is {given!r}") from None
+        raise InputError(f"ignore: is a region or a list of regions, and this is {shown(given)}") from None
     for region in regions:
         if not isinstance(region, str):
-            raise InputError(f"ignore: a region is a text, and this is {region!r}")
-    return [str.__str__(region) for region in regions]
+            raise InputError(f"ignore: a region is a text, and this is {shown(region)}")
+    return [toml.unicode_text("ignore", str.__str__(region)) for region in regions]
 
 
 def _profile(given: Any) -> str:
     profile = plain_limit("profile", given)
     if isinstance(profile, bool):
         raise InputError(f"profile: is portable or native, and this is {profile}")
-    return toml.unicode_text("profile", str(profile or ""))
+    return str(profile or "")
 
 
 #: The limits of a comparison without a profile.
@@ -228,7 +228,12 @@ def approve(
     other programs. remove: instead removes these baselines; needs no `results`. Returns the outcome
     of each. Raises InputError, EnvironmentError.
     """
-    given = [path_text(name) for name in ([names] if isinstance(names, str) else names)]
+    try:
+        given = [path_text(name) for name in ([names] if isinstance(names, (str, os.PathLike)) else names)]
+    except TypeError:
+        raise InputError(f"names: are names of pictures, and this is {shown(names)}") from None
+    if not given:
+        raise InputError("names: name the pictures")
     reason = toml.unicode_text("why", why)
     folder = path_text(baselines)
     if remove:

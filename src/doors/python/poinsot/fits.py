@@ -9,12 +9,13 @@ from typing import Any, Dict, List, NamedTuple, Optional, Tuple
 import numpy as np
 
 from . import _poinsot
-from .arrays import Numbers, number, numbers
-from .errors import InputError
+from .arrays import Numbers, numbers, seconds, whole
+from .errors import InputError, shown
 from .paths import Path, path_text
 from .pictures import Figure, write_file
 from .recordings import is_table, rows_of, with_omega
 from .scene import Scene
+from .toml import unicode_text
 
 
 class Start(NamedTuple):
@@ -219,7 +220,7 @@ class Fit(_Body):
         times: in s, of any shape S. Motions without drag or with linear drag reach every instant; the others are
         followed from the first row on. Raises InputError for instants before it, and for those that are not finite.
         """
-        instants = numbers("times", times)
+        instants = seconds("times", times)
         return _poinsot.fitted_omega(self._found, instants.ravel()).reshape(instants.shape + (3,))
 
     def scene(self, path: Optional[Path] = None) -> Scene:
@@ -322,8 +323,9 @@ def fit(
 
     times: s, shape (n,), increasing; omega: rad/s, in the axes of the instrument, shape (n, 3); attitude: space from
     body as unit quaternions (w, x, y, z), shape (n, 4), from whose differences ω follows where it is missing. In
-    place of these, `times` may be a table with named columns, such as time, omega_x, omega_y, omega_z (a
-    pandas.DataFrame, or the path of a CSV file), or a flight that `flights` found. Returns a `Fit`.
+    place of these, `times` may be a table with named columns, such as time, omega_x, omega_y, omega_z (a DataFrame of
+    pandas or polars, a dict, a record array, or the path of a CSV file), or a flight that `flights` found. Times may
+    also be differences of dates (Timedelta). Returns a `Fit`.
 
     A list of tables, flights or tuples (times, omega) holds several flights of one body. Returns a `JointFit`; with
     share_drag, all flights have the same drag.
@@ -346,19 +348,20 @@ def fit(
     """
     known = None if moments is None else numbers("moments", moments)
     if drag is not None and not isinstance(drag, str):
-        raise InputError(f"drag: is the name of a model, and this is {drag!r}")
-    n_first = None if predict is None else _whole("predict", predict)
+        raise InputError(f"drag: is the name of a model, and this is {shown(drag)}")
+    model = None if drag is None else unicode_text("drag", drag)
+    n_first = None if predict is None else whole("predict", predict)
     is_list = omega is None and attitude is None and isinstance(times, (list, tuple))
     if not is_list:
         if share_drag:
             raise InputError("share_drag: one flight shares its drag with none; give a list of flights")
         rows = with_omega(rows_of(times, omega, attitude))
-        return Fit(_poinsot.fit(rows[0], rows[1], known, drag, n_first), *rows)
+        return Fit(_poinsot.fit(rows[0], rows[1], known, model, n_first), *rows)
     held = [with_omega(_rows_in_list(place, one)) for place, one in enumerate(times)]
     if len(held) < 2:
         raise InputError(f"times: a list of {len(held)} flights; give two or more, or times and omega of one flight")
     pairs = [(one[0], one[1]) for one in held]
-    return JointFit(_poinsot.fit_together(pairs, known, drag, bool(share_drag), n_first), held)
+    return JointFit(_poinsot.fit_together(pairs, known, model, bool(share_drag), n_first), held)
 
 
 def _rows_in_list(place: int, given: Any) -> Any:
@@ -370,13 +373,6 @@ def _rows_in_list(place: int, given: Any) -> Any:
         f"flight {place}: is a table, a flight of poinsot.flights or a tuple (times, omega), and this is of type "
         f"{type(given).__name__}"
     )
-
-
-def _whole(name: str, value: Any) -> int:
-    given = number(name, value)
-    if given != math.floor(given) or abs(given) > 1e9:
-        raise InputError(f"{name}: is a whole number, and this is {value!r}")
-    return int(given)
 
 
 def _prediction_of(found: Optional[Dict[str, Any]]) -> Optional[Prediction]:

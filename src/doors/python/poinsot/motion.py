@@ -8,8 +8,9 @@ from typing import Any, Dict, List, Mapping, NamedTuple, Optional, Tuple, Type
 from numpy.typing import ArrayLike
 
 from . import _poinsot
-from .arrays import Numbers, number, numbers, w_first
-from .errors import InputError
+from .arrays import Numbers, number, numbers, second, seconds, w_first, whole
+from .errors import InputError, shown
+from .toml import unicode_text
 
 
 class Constants(NamedTuple):
@@ -172,7 +173,12 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         # Copies, so that the caller's later changes do not reach a copy of the motion.
         arrays = (numbers("moments", moments), numbers("omega", omega), numbers("attitude", w_first(attitude)))
         copies = tuple(array.copy() for array in arrays)
-        self._make(False, (*copies, method, step_s, tolerance, order, span_s, _given_torque(torque), allow_unphysical))
+        steps = (
+            None if step_s is None else second("step_s", step_s),
+            None if tolerance is None else number("tolerance", tolerance),
+            None if order is None else whole("order", order),
+        )
+        self._make(False, (*copies, unicode_text("method", method), *steps, _span(span_s), _given_torque(torque), bool(allow_unphysical)))
 
     def _make(self, is_top: bool, arguments: Tuple[Any, ...]) -> None:
         self._native = _poinsot.Motion.heavy_top(*arguments) if is_top else _poinsot.Motion.of_body(*arguments)
@@ -312,11 +318,11 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
 
         times: in s, of any shape S.
         """
-        return self._native.contact(numbers("times", times), True)
+        return self._native.contact(seconds("times", times), True)
 
     def contact(self, times: ArrayLike) -> Numbers:
         """The contact points ρ = ω/√(2T) on the ellipsoid, in body axes: shape S + (3,), 1/√(kg m²)."""
-        return self._native.contact(numbers("times", times), False)
+        return self._native.contact(seconds("times", times), False)
 
     def flips(self, first_s: float, last_s: float) -> List[float]:
         """The instants in s between these two at which the body flips over.
@@ -324,7 +330,7 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         ω along the middle axis changes its sign in every elliptic motion. These instants count as
         flips only if ω comes within 0.5 rad of that axis; else the list is empty.
         """
-        return self._native.flips(number("first_s", first_s), number("last_s", last_s))
+        return self._native.flips(second("first_s", first_s), second("last_s", last_s))
 
     def certificate(self, times: ArrayLike, attitude_error_rad: float = 1e-6) -> List[Claim]:
         """The residuals of Poinsot's construction at these instants, in s, against their bounds.
@@ -332,12 +338,20 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         attitude_error_rad: how exact a stepping method shall be, which is also compared with the
         exact motion.
         """
-        given = numbers("times", times).ravel()
+        given = seconds("times", times).ravel()
         error_rad = number("attitude_error_rad", attitude_error_rad)
         return [Claim(**claim) for claim in self._native.certificate(given, error_rad)]
 
     def __repr__(self) -> str:
         return f"<poinsot.Motion, {self.description}>"
+
+
+def _span(given: Any) -> Tuple[float, float]:
+    try:
+        first, last = given
+    except (TypeError, ValueError):
+        raise InputError(f"span_s: {shown(given)} is not an interval; give the first and the last instant in s") from None
+    return second("span_s", first), second("span_s", last)
 
 
 def _same_motion(kind: Type[Motion], is_top: bool, arguments: Tuple[Any, ...]) -> Motion:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import difflib
 import json
+import numbers
 import operator
 import os
 import tempfile
@@ -12,8 +13,8 @@ from typing import TYPE_CHECKING, Any, Callable, Dict, List, Mapping, Optional, 
 from numpy.typing import ArrayLike
 
 from . import _poinsot, toml
-from .arrays import numbers
-from .errors import InputError
+from .arrays import seconds
+from .errors import InputError, shown
 from .motion import Motion
 from .paths import Path, path_text
 from .pictures import Figure, Film, Page, Still, page_name
@@ -58,7 +59,7 @@ def _size_text(size: Any) -> str:
             return f"{int(width)}x{int(height)}"
     except (TypeError, ValueError, OverflowError):
         pass
-    raise InputError(f"size: {size!r} is not a size in pixels; give (width, height)")
+    raise InputError(f"size: {shown(size)} is not a size in pixels; give (width, height)")
 
 
 class Scene:
@@ -174,11 +175,11 @@ class Scene:
         >>> motion["omega_body"].shape
         (3, 3)
         """
-        instants = numbers("times", times)
+        instants = seconds("times", times)
         if isinstance(columns, str):
             columns = [columns]
         try:
-            given: List[Any] = list(columns or [])
+            given: List[Any] = [] if columns is None else list(columns)
         except TypeError:
             given = [None]
         if not all(isinstance(column, str) for column in given):
@@ -348,12 +349,18 @@ def _same_scene(text: str, file: str, values: List[str], allow_outside: bool) ->
     return same
 
 
+def _rate_text(fps: Any) -> str:
+    if isinstance(fps, (str, numbers.Number)):
+        return str(fps)
+    raise InputError(f'fps: {shown(fps)} is not a rate; give a number, a Fraction or a text as "30000/1001"')
+
+
 def _instant(time_s: Any) -> Union[float, str]:
     if isinstance(time_s, str):
         if time_s == "auto":
             return time_s
-        raise InputError(f'time_s: {time_s!r} is not an instant in seconds; give a number or "auto"')
-    instant = numbers("time_s", time_s)
+        raise InputError(f'time_s: {shown(time_s)} is not an instant in seconds; give a number or "auto"')
+    instant = seconds("time_s", time_s)
     if instant.size != 1:
         raise InputError("time_s: a picture shows one instant; give one number")
     return float(instant.ravel()[0])
@@ -366,12 +373,12 @@ def _frames(frames: Any) -> Tuple[int, int]:
         if max(first, last) >= 2**63 or min(first, last) < -(2**63):
             raise ValueError
     except (IndexError, TypeError, ValueError):
-        raise InputError(f"frames: {frames!r} is not a range of frames; give (first, last), from 0") from None
+        raise InputError(f"frames: {shown(frames)} is not a range of frames; give (first, last), from 0") from None
     return first, last
 
 
 # Options whose values have forms of their own in Python.
-_own_forms: Dict[str, Callable[[Any], Any]] = {"size": _size_text, "fps": str, "time_s": _instant, "frames": _frames}
+_own_forms: Dict[str, Callable[[Any], Any]] = {"size": _size_text, "fps": _rate_text, "time_s": _instant, "frames": _frames}
 
 
 def _given(arguments: Dict[str, Any]) -> Dict[str, Any]:

@@ -8,7 +8,7 @@ import os
 import re
 from typing import Any, Iterator, List, Mapping, Tuple
 
-from .errors import InputError
+from .errors import InputError, shown
 
 _bare_key = re.compile(r"[A-Za-z0-9_-]+")
 
@@ -16,7 +16,7 @@ _bare_key = re.compile(r"[A-Za-z0-9_-]+")
 def unicode_text(where: str, text: str) -> str:
     """The text, if it is one of a file: it may hold no half of a surrogate pair. Raises InputError."""
     if not isinstance(text, str):
-        raise InputError(f"{where}: is a text, and this is {text!r}")
+        raise InputError(f"{where}: is a text, and this is {shown(text)}")
     try:
         text.encode("utf-8")
     except UnicodeEncodeError as error:
@@ -105,5 +105,5 @@ def _single(values: Mapping[Any, Any], above: str) -> Iterator[Tuple[str, Any]]:
 
 def _dotted(key: Any) -> str:
     if not isinstance(key, str) or not key or "=" in key:
-        raise InputError(f'values: {key!r} is not a key; write one such as "start.omega_rad_s"')
+        raise InputError(f'values: {shown(key)} is not a key; write one such as "start.omega_rad_s"')
     return key
