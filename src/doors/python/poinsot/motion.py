@@ -114,7 +114,7 @@ def _given_torque(torque: Optional[Mapping[str, Any]]) -> _GivenTorque:
         return "none", ()
     if not isinstance(torque, Mapping) or not isinstance(torque.get("kind"), str):
         raise InputError('torque: give a dict with a kind and its numbers: {"kind": "dissipation", "rate_1_s": 0.05}')
-    given = ((name, tuple(numbers(f"torque: {name}", value).ravel().tolist())) for name, value in torque.items() if name != "kind")
+    given = ((str(name), tuple(numbers(f"torque: {name}", value).ravel().tolist())) for name, value in torque.items() if name != "kind")
     return torque["kind"], tuple(given)
 
 
