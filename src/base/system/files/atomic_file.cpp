@@ -37,8 +37,8 @@ fs::path folder_of(const fs::path& path) {
 fs::path followed(const fs::path& path) {
     constexpr int most_links = 40;
     fs::path target = path;
-    std::error_code error;
-    for (int n = 0; n < most_links && fs::is_symlink(target, error); ++n)
+    std::error_code missing, error;
+    for (int n = 0; n < most_links && fs::is_symlink(target, missing); ++n)
         target = target.parent_path() / fs::read_symlink(target, error);
     return error ? path : target;
 }
