@@ -19,6 +19,7 @@
 #include "measured/files/measured_file.h"
 #include "measured/joint_fit.h"
 #include "measured/prediction.h"
+#include "orders/fitted_rows.h"
 #include "production/fits/fit_flights.h"
 #include "production/fits/fit_words.h"
 #include "production/fits/fitted_scene.h"
@@ -27,6 +28,9 @@
 #include "scene/parse_scene.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
+#include "system/files/own_files.h"
+#include "system/files/seen_from.h"
+#include "system/sha256.h"
 #include "text/json_text.h"
 #include "text/label_text.h"
 #include "text/numbers.h"
@@ -75,19 +79,15 @@ std::optional<DragModel> drag_named(const std::string& text) {
 }
 
 // The path by which a scene names a file.
-std::filesystem::path seen_from(const std::filesystem::path& scene,
-                                const std::filesystem::path& file) {
-    namespace fs = std::filesystem;
-    const fs::path folder = fs::weakly_canonical(fs::absolute(scene).parent_path());
-    const fs::path whole = fs::weakly_canonical(fs::absolute(file));
-    const fs::path path = whole.lexically_relative(folder);
-    return path.empty() ? whole : path;
+std::filesystem::path path_in(const std::filesystem::path& scene,
+                              const std::filesystem::path& file) {
+    return seen_from(scene.parent_path(), file);
 }
 
 // A scene is UTF-8 without control characters but line ends and tabs, and could not be read with
 // another name in it.
 void check_name_in_scene(const std::filesystem::path& scene, const std::filesystem::path& file) {
-    const std::string name = seen_from(scene, file).string();
+    const std::string name = path_in(scene, file).string();
     for (std::string_view rest = name; !rest.empty();) {
         const Utf8Character character = first_character(rest);
         const bool layout = character.code == '\n' || character.code == '\t';
@@ -142,6 +142,9 @@ void check_output(const FitChoices& choices, bool is_joint) {
             fmt::format("--chart {}: the chart is an SVG, a PDF or a PNG; end its name in .svg, "
                         ".pdf or .png",
                         printable(choices.chart)));
+    const std::vector<std::filesystem::path> inputs(choices.files.begin(), choices.files.end());
+    for (const std::string& output : {choices.chart, choices.output})
+        check_replaceable({.path = output, .inputs = inputs});
     if (choices.output.empty()) return;
     if (suffix_of(choices.output) != ".toml")
         throw InputError(fmt::format("-o {}: the output is a scene; end its name in .toml",
@@ -270,10 +273,14 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
         const double zero_s = zero_of(scene);
         is_written = table.is_recording || zero_s != 0.0;
         shown = table_of_scene(table, choices.output, is_written);
-        scene.table = seen_from(choices.output, shown).string();
-        const std::string text = text_of(scene);
-        if (is_written) write_whole(shown, table_text(counted_from(flight.measured, zero_s)));
-        write_whole(choices.output, text);
+        scene.table = path_in(choices.output, shown).string();
+        if (is_written) {
+            const std::string rows = table_text(counted_from(flight.measured, zero_s));
+            scene.table_sha256 = sha256_of(rows);
+            check_rows_place(shown, choices.output, rows);
+            write_whole(shown, rows);
+        }
+        write_whole(choices.output, text_of(scene));
     }
     if (!choices.chart.empty()) write_chart_of(choices, table, flight);
     if (choices.json) {
@@ -303,7 +310,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
     if (std::filesystem::file_size(shown) > most_table_bytes)
         fmt::print("note: a scene shows tables of at most {} MiB; cut this one for it\n",
                    most_table_bytes >> 20);
-    if (const std::filesystem::path path = seen_from(choices.output, shown);
+    if (const std::filesystem::path path = path_in(choices.output, shown);
         path.is_absolute() || path.begin()->string() == "..")
         fmt::print(
             "note: the table is not in the scene's folder; move it there, or draw the scene with "

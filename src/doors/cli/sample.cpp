@@ -7,6 +7,7 @@
 #include <cstring>
 #include <filesystem>
 #include <string>
+#include <utility>
 
 #include "cli/command.h"
 #include "cli/instants.h"
@@ -21,6 +22,8 @@
 #include "production/sampling/sample_table.h"
 #include "production/session/files/open_session.h"
 #include "production/session/session.h"
+#include "production/stills/output_place.h"
+#include "system/files/own_files.h"
 #include "text/numbers.h"
 #include "text/printable.h"
 
@@ -56,14 +59,17 @@ std::vector<double> instants_of(const SampleChoices& choices) {
     return choices.times.empty() ? instants_in(choices.times_file) : parse_times(choices.times);
 }
 
-// The table of a scene with overridden keys.
+// The table of a scene with overridden keys, to be written into this file, or empty: to stdout.
 SampleTable table_of(const SampleChoices& choices, const std::string& scene,
-                     const std::vector<Override>& overrides, const std::vector<double>& times_s,
-                     const Task& task) {
+                     const std::filesystem::path& output, const std::vector<Override>& overrides,
+                     const std::vector<double>& times_s, const Task& task) {
     SceneRequest request = scene_request(scene, choices.given, overrides);
     request.times_s = times_s;
     request.draws = false;
     const Session session = open_session(request, task);
+    std::vector<std::filesystem::path> inputs = files_read_for(session.scene);
+    inputs.emplace_back(choices.times_file);
+    check_replaceable({.path = output, .inputs = std::move(inputs)});
     tell_notes(session, task);
     const std::vector<ChosenColumn> columns = choices.columns.empty()
                                                   ? default_columns(session.motion)
@@ -95,8 +101,8 @@ SampleTable table_of_sweep(const SampleChoices& choices, const std::vector<Sweep
             headings.push_back(key);
             values.push_back(swept_number(key, value));
         }
-        const SampleTable table =
-            table_of(choices, choices.scenes.at(0), overrides_of(point), times_s, task);
+        const SampleTable table = table_of(choices, choices.scenes.at(0), choices.output,
+                                           overrides_of(point), times_s, task);
         headings.insert(headings.end(), table.headings.begin(), table.headings.end());
         if (all.headings.empty()) all.headings = headings;
         if (all.headings != headings)
@@ -137,14 +143,14 @@ int run(const SampleChoices& choices) {
         return for_each_scene(
             jobs_of(choices.scenes, choices.output, OutputKind::picture, choices.sweeps),
             [&](const SceneJob& job) {
-                write_table(table_of(choices, job.scene, job.overrides, times_s, task), format,
-                            job.output);
+                write_table(table_of(choices, job.scene, job.output, job.overrides, times_s, task),
+                            format, job.output);
                 return 0;
             });
     // Written when the table is complete, so that an instant with an error leaves no partial table.
-    const SampleTable table = choices.sweeps.empty()
-                                  ? table_of(choices, choices.scenes.at(0), {}, times_s, task)
-                                  : table_of_sweep(choices, points, times_s, task);
+    const SampleTable table =
+        choices.sweeps.empty() ? table_of(choices, choices.scenes.at(0), output, {}, times_s, task)
+                               : table_of_sweep(choices, points, times_s, task);
     if (choices.output.empty()) {
         format.write(table, print_bytes);
     } else {

@@ -24,7 +24,6 @@
 #include "production/stills/contact_sheet.h"
 #include "production/stills/output_place.h"
 #include "production/stills/prepared_still.h"
-#include "system/files/atomic_file.h"
 #include "text/label_text.h"
 #include "text/printable.h"
 
@@ -118,7 +117,7 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
     const std::vector<Slide> stops = stops_of(session.scene, film_plan(session), "--chapters");
     const OutputPlace place(job.output, session.scene, "_####.png");
     for (std::size_t i = 0; i < stops.size(); ++i)
-        check_aside(frame_name(place.path(), static_cast<std::int64_t>(i) + 1));
+        place.check(frame_name(place.path(), static_cast<std::int64_t>(i) + 1));
     // The notes are the same for all pictures.
     Task without_notes = task;
     without_notes.say = [say = task.say](const std::string& line) {

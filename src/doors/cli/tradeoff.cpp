@@ -2,6 +2,9 @@
 #include <fmt/format.h>
 
 #include <filesystem>
+#include <string>
+#include <utility>
+#include <vector>
 
 #include "cli/chart_file.h"
 #include "cli/command.h"
@@ -10,6 +13,8 @@
 #include "production/stills/output_place.h"
 #include "production/stills/picture.h"
 #include "system/files/atomic_file.h"
+#include "system/files/own_files.h"
+#include "system/seal.h"
 #include "tradeoff/tradeoff_report.h"
 
 namespace poinsot {
@@ -25,25 +30,60 @@ struct TradeoffChoices {
     bool all = false, json = false, quiet = false;
 };
 
+// The files that a prefix names.
+constexpr const char* list_suffix = ".json";
+constexpr const char* suffixes[] = {list_suffix, ".csv", "-motion.png", "-picture.png",
+                                    "-film.png"};
+
+// The list proves the other files: it has their hashes.
+void check_places(const std::string& prefix, const Scene& scene) {
+    const FileList list(prefix + list_suffix);
+    for (const std::string suffix : suffixes)
+        check_replaceable({.path = prefix + suffix,
+                           .is_own =
+                               [&](const fs::path& file) {
+                                   return suffix == list_suffix ? !list.text().empty()
+                                                                : list.proves(file);
+                               },
+                           .what = "the tradeoff",
+                           .inputs = files_read_for(scene)});
+}
+
+void write_files(const std::string& prefix, const Session& session, const Tradeoff& t,
+                 const ContextChoice& context) {
+    const std::vector<std::pair<std::string, Chart>> charts{
+        {"-motion.png", motion_chart(session, t)},
+        {"-picture.png", picture_chart(t)},
+        {"-film.png", film_chart(t)}};
+    std::vector<FileHash> hashes;
+    const auto put = [&](const std::string& suffix) {
+        const fs::path file = prefix + suffix;
+        hashes.push_back({file.filename().string(), sha256_of_file(file)});
+    };
+    write_whole(prefix + ".csv", csv_of(t));
+    put(".csv");
+    for (const auto& [suffix, chart] : charts) {
+        write_chart(chart, context, prefix + suffix);
+        put(suffix);
+    }
+    write_whole(prefix + list_suffix, with_files(json_of(session, t), hashes));
+}
+
 int run(const TradeoffChoices& choices) {
     ProgressBar bar(choices.quiet);
     const Task task = bar.task();
     const Session session = open_session(scene_request(choices.scenes.at(0), choices.given), task);
     tell_notes(session, task);
     const ContextChoice context = context_choice_of(choices.given);
-    const Tradeoff t = trade(session, context);
-
     std::string prefix = with_scene_name(choices.output, session.scene.name).string();
     if (prefix.empty()) {
         std::error_code ignored;
         fs::create_directory("output", ignored);
         prefix = (fs::path("output") / (session.scene.name + "-tradeoff")).string();
     }
-    write_whole(prefix + ".csv", csv_of(t));
-    write_whole(prefix + ".json", json_of(session, t));
-    write_chart(motion_chart(session, t), context, prefix + "-motion.png");
-    write_chart(picture_chart(t), context, prefix + "-picture.png");
-    write_chart(film_chart(t), context, prefix + "-film.png");
+    check_places(prefix, session.scene);
+    const Tradeoff t = trade(session, context);
+    write_files(prefix, session, t, context);
 
     if (choices.json) {
         fmt::print("{}", json_of(session, t));

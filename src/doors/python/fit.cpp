@@ -14,6 +14,7 @@
 #include "measured/joint_fit.h"
 #include "measured/measured_motion.h"
 #include "measured/prediction.h"
+#include "orders/fitted_rows.h"
 #include "production/fits/fitted_scene.h"
 #include "production/vectors/flight_page.h"
 #include "python/bindings.h"
@@ -285,13 +286,15 @@ py::array fitted_omega(const py::dict& fit, const Doubles& times) {
 std::pair<std::string, double> fitted_scene(const py::dict& fit,
                                             const std::vector<std::string>& words,
                                             double last_time_s, const Maybe& attitude,
-                                            const std::string& table) {
+                                            const std::string& table,
+                                            const std::string& table_sha256) {
     FittedScene scene{.fit = fit_of(fit),
                       .from = "measured rows",
                       .words = words,
                       .last_time_s = last_time_s,
                       .attitude = {},
-                      .table = table};
+                      .table = table,
+                      .table_sha256 = table_sha256};
     if (attitude) scene.attitude = rotation_of(attitude->data(), 0);
     return {text_of(scene), zero_of(scene)};
 }
@@ -345,7 +348,13 @@ void add_fit(py::module_& module) {
     module.def("omega_by_differences", omega_by_differences, "times"_a, "attitude"_a);
     module.def("fitted_omega", fitted_omega, "fit"_a, "times"_a);
     module.def("fitted_scene", fitted_scene, "fit"_a, "words"_a, "last_time_s"_a, "attitude"_a,
-               "table"_a);
+               "table"_a, "table_sha256"_a);
+    module.def(
+        "check_rows_place",
+        [](const std::string& table, const std::string& scene, const py::bytes& rows) {
+            check_rows_place(table, scene, std::string_view(rows));
+        },
+        "table"_a, "scene"_a, "rows"_a);
     module.def("fit_chart", fit_chart, "title"_a, "flights"_a, "together"_a, "format"_a);
 }
 

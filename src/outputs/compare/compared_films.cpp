@@ -66,6 +66,11 @@ void compare_film_headers(const FrameStream& expected, const FrameStream& actual
         result.outcome = outcome;
         result.reason = std::move(reason);
     };
+    if (a.is_shown != b.is_shown)
+        return say(Outcome::size,
+                   fmt::format("expected a track of pictures that is switched {}, "
+                               "found one that is switched {}",
+                               a.is_shown ? "on" : "off", b.is_shown ? "on" : "off"));
     if (without_place(a.display) != without_place(b.display))
         return say(Outcome::size, fmt::format("expected pictures that are shown {}, found {}",
                                               in_words(a.display), in_words(b.display)));

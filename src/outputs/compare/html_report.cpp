@@ -15,6 +15,7 @@
 #include "production/records/record.h"
 #include "system/run_program.h"
 #include "system/suffix.h"
+#include "text/control_characters.h"
 #include "text/markup.h"
 
 namespace poinsot {
@@ -51,7 +52,9 @@ bool has_record(const std::filesystem::path& file) {
 // Whether `approve` takes the picture.
 bool is_approvable(const ComparedPicture& picture) {
     constexpr std::array unfit{Outcome::unreadable, Outcome::same};
+    // People copy the command into a terminal.
     return !picture.actual.empty() && !is_sequence_name(picture.actual) &&
+           !has_control_characters(picture.name) &&
            std::find(unfit.begin(), unfit.end(), picture.outcome) == unfit.end();
 }
 

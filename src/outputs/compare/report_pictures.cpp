@@ -95,44 +95,48 @@ fs::path ReportPictures::folder_of(const fs::path& report) {
 ReportPictures::ReportPictures(const fs::path& report, bool single_file)
     : folder_(folder_of(report)), single_file_(single_file) {
     if (single_file_) return;
+    log_.emplace(folder_, "poinsot-files", "poinsot: pictures of a report");
     std::error_code error;
     std::vector<fs::path> old;
     for (fs::directory_iterator at(folder_, error); !error && at != fs::directory_iterator();
          at.increment(error)) {
         const std::string name = at->path().filename().string();
-        for (const char* kind : kinds)
-            if (name.ends_with(fmt::format("-{}.png", kind))) old.push_back(at->path());
+        for (const char* kind : kinds) {
+            if (!name.ends_with(fmt::format("-{}.png", kind))) continue;
+            log_->check(name, "the report's pictures");
+            old.push_back(at->path());
+        }
     }
     for (const fs::path& path : old) fs::remove(path, error);
 }
 
-fs::path ReportPictures::place_of(const std::string& name, const char* which) {
-    const std::lock_guard lock(made_folder_);
-    std::error_code error;
-    fs::create_directories(folder_, error);
-    if (error)
-        throw EnvironmentError(
-            fmt::format("cannot make the folder {} for the report's pictures: {}",
-                        printable(folder_.string()), error.message()));
-    return folder_ / fmt::format("{}-{}.png", file_name_of(name), which);
+std::string ReportPictures::write(const std::string& name, const char* which,
+                                  const std::vector<std::uint8_t>& png) {
+    const std::string file = fmt::format("{}-{}.png", file_name_of(name), which);
+    {
+        const std::lock_guard lock(made_folder_);
+        std::error_code error;
+        const bool is_new = fs::create_directories(folder_, error);
+        if (error)
+            throw EnvironmentError(
+                fmt::format("cannot make the folder {} for the report's pictures: {}",
+                            printable(folder_.string()), error.message()));
+        if (is_new || !has_begun_) log_->begin();
+        has_begun_ = true;
+        log_->add(file, {reinterpret_cast<const char*>(png.data()), png.size()});
+    }
+    write_whole(folder_ / file, png);
+    return address_of(folder_, file);
 }
 
 std::string ReportPictures::put(const std::string& name, const char* which, const Image& image) {
     if (single_file_) return data_uri(encode_png(image));
-    const fs::path file = place_of(name, which);
-    write_png(file, image);
-    return address_of(folder_, file);
+    return write(name, which, encode_png(image));
 }
 
 std::string ReportPictures::put_file(const std::string& name, const char* which,
                                      const fs::path& file) {
-    const fs::path copy = place_of(name, which);
-    std::error_code error;
-    fs::copy_file(file, copy, fs::copy_options::overwrite_existing, error);
-    if (error)
-        throw EnvironmentError(fmt::format("cannot copy {} to {}: {}", printable(file.string()),
-                                           printable(copy.string()), error.message()));
-    return address_of(folder_, copy);
+    return write(name, which, read_bytes(file));
 }
 
 void ReportPictures::add(ComparedPicture& picture, const PicturePair& pair) {

@@ -17,7 +17,9 @@
 #include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
 #include "system/files/atomic_file.h"
+#include "system/files/file_kind.h"
 #include "system/files/free_space.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -37,14 +39,18 @@ std::filesystem::path lock_path_of(const OutputPlan& plan) {
         plan.part ? fmt::format(".{}-of-{}.part", plan.part->number, plan.part->n_parts) : ".part");
 }
 
-// Before anything is drawn: throws as check_aside does for the temporary file of any frame.
-void check_asides_of_frames(const std::filesystem::path& pattern) {
+// Before anything is drawn: throws as check_aside does for the temporary file of any frame, and for
+// a pipe or device with the name of a frame.
+void check_places_of_frames(const std::filesystem::path& pattern) {
     const std::filesystem::path folder = pattern.has_parent_path() ? pattern.parent_path() : ".";
     constexpr std::string_view suffix = ".part";
     std::error_code error;
     for (std::filesystem::directory_iterator at(folder, error);
          !error && at != std::filesystem::directory_iterator(); at.increment(error)) {
         const std::string name = at->path().filename().string();
+        if (is_frame_of(name, pattern) && kind_of_file(at->path()) == FileKind::special)
+            throw InputError(
+                fmt::format("{}: {}", printable(at->path().string()), in_words(FileKind::special)));
         if (!name.starts_with('.') || !name.ends_with(suffix)) continue;
         const std::string frame = name.substr(1, name.size() - 1 - suffix.size());
         if (is_frame_of(frame, pattern)) check_aside(pattern.parent_path() / frame);
@@ -62,7 +68,7 @@ class PngSequenceSink : public FrameSink {
           encoders_(static_cast<std::size_t>(plan.encoder_threads > 0 ? plan.encoder_threads
                                                                       : usual_threads)),
           there_(frames_that_are_there()) {
-        check_asides_of_frames(plan_.path);
+        check_places_of_frames(plan_.path);
         // A killed run may have left temporary files of frames that are now kept.
         for (const std::int64_t k : there_)
             remove_left_aside(frame_name(plan_.path, first_number_ + k));

@@ -4,6 +4,7 @@
 
 #include <cstring>
 #include <span>
+#include <string_view>
 
 #include "encoding/libav.h"
 #include "encoding/video_encoder.h"
@@ -125,6 +126,9 @@ void VideoReader::Impl::describe() {
     const AVRational aspect = av_guess_sample_aspect_ratio(demuxer.get(), stream, nullptr);
     if (aspect.num > 0 && aspect.den > 0)
         info.pixel_width = aspect.num, info.pixel_height = aspect.den;
+    // FFmpeg says so of files of the ISO format, by the flag of ISO/IEC 14496-12 §8.3.2.
+    const bool is_iso = std::string_view(demuxer->iformat->name).starts_with("mov,");
+    info.is_shown = !is_iso || (stream->disposition & AV_DISPOSITION_DEFAULT) != 0;
     // Matroska has a duration for the whole file only.
     info.duration_s = stream->duration != AV_NOPTS_VALUE
                           ? static_cast<double>(stream->duration) * seconds_of(stream->time_base)

@@ -26,6 +26,7 @@ struct VideoInfo {
     // stores it, and the width of a pixel over its height.
     DisplayMatrix display = upright;
     std::int64_t pixel_width = 1, pixel_height = 1;
+    bool is_shown = true;  // false: the track of the pictures is switched off
     FrameRate rate;
     std::int64_t n_frames = 0;
     double duration_s = 0;  // of the pictures

@@ -148,6 +148,64 @@ TEST(AtomicFile, FollowsASymbolicLink) {
     EXPECT_EQ(text_of(folder / "target.png"), "new");
 }
 
+// Also where the file to which links lead is not there yet.
+TEST(AtomicFile, FollowsALinkToAFileThatIsNotThereYet) {
+    const TemporaryFolder folder;
+    fs::create_directory(folder / "sub");
+    fs::create_symlink("sub/second", folder / "first");
+    fs::create_symlink(folder / "sub/target.png", folder / "sub/second");
+    write_whole(folder / "first", std::string_view("new"));
+    EXPECT_TRUE(fs::is_symlink(folder / "first"));
+    EXPECT_TRUE(fs::is_symlink(folder / "sub/second"));
+    EXPECT_EQ(text_of(folder / "sub/target.png"), "new");
+    EXPECT_EQ(folder.contents(), (std::vector<std::string>{"first", "sub"}));
+
+    fs::create_symlink("missing/a.png", folder / "astray");
+    EXPECT_EQ(refusal_message<EnvironmentError>([&] { AtomicFile file(folder / "astray"); }),
+              "cannot write " + (folder / "astray").string() + ": the folder " +
+                  (folder / "missing").string() + " does not exist; make it first");
+    fs::create_symlink("circle", folder / "circle");
+    EXPECT_EQ(
+        refusal_message<EnvironmentError>([&] { AtomicFile file(folder / "circle"); }),
+        "cannot write " + (folder / "circle").string() + ": Too many levels of symbolic links");
+    EXPECT_TRUE(fs::is_symlink(folder / "circle"));
+}
+
+TEST(AtomicFile, KeepsThePermissionsOfTheFileThatItReplaces) {
+    const TemporaryFolder folder;
+    for (const unsigned mode : {0600u, 0444u, 0640u, 0755u}) {
+        std::ofstream(folder / "a.csv") << "old";
+        fs::permissions(folder / "a.csv", fs::perms(mode));
+        {
+            AtomicFile file(folder / "a.csv");
+            // Nobody else reads a private file while it is written.
+            const unsigned meanwhile =
+                static_cast<unsigned>(fs::status(folder / ".a.csv.part").permissions());
+            EXPECT_EQ(meanwhile & 0777u, mode | 0600u);
+            file.write(bytes_of("new"));
+            file.commit();
+        }
+        EXPECT_EQ(static_cast<unsigned>(fs::status(folder / "a.csv").permissions()), mode);
+        EXPECT_EQ(text_of(folder / "a.csv"), "new");
+        fs::remove(folder / "a.csv");
+    }
+}
+
+TEST(AtomicFile, NamesATemporaryFileThatItCannotOpen) {
+    const TemporaryFolder folder;
+    fs::permissions(folder.path(), fs::perms(0777));
+    std::ofstream(folder / ".a.png.part") << "x";
+    fs::permissions(folder / ".a.png.part", fs::perms(0));
+    const std::string outcome = outcome_in_child([&] {
+        drop_privileges();
+        AtomicFile file(folder / "a.png");
+    });
+    EXPECT_EQ(outcome, "cannot write " + (folder / "a.png").string() + ": its temporary file " +
+                           (folder / ".a.png.part").string() +
+                           " exists and cannot be opened (Permission denied); remove it, or name "
+                           "another output");
+}
+
 TEST(AtomicFile, MissingFolderIsNamed) {
     const TemporaryFolder folder;
     const fs::path path = folder / "missing" / "a.png";

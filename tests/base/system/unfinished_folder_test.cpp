@@ -90,6 +90,20 @@ TEST_F(Unfinished, FoldersOfKilledRunsAreTakenOver) {
     EXPECT_EQ(folder_.contents(), std::vector<std::string>{"victim"});
 }
 
+TEST_F(Unfinished, FoldersThatCannotBeOpenedAreNamed) {
+    fs::permissions(folder_.path(), fs::perms(0777));
+    fs::create_directory(aside_);
+    fs::permissions(aside_, fs::perms(0));
+    const std::string outcome = outcome_in_child([&] {
+        drop_privileges();
+        open();
+    });
+    EXPECT_EQ(outcome, "cannot write " + (folder_ / "a.mp4").string() + ": its temporary folder " +
+                           aside_.string() +
+                           " exists and cannot be opened (Permission denied); remove it, or name "
+                           "another output");
+}
+
 // Files are continued only by the work that has left them.
 TEST_F(Unfinished, FilesOfOtherWorkAreRemoved) {
     for (const std::string other : {"ours, of a.mp3", "ours, of a.mp", "ours, of a.mp4."}) {

@@ -403,7 +403,7 @@ TEST(BadFile, DoesNotBlockWhenACommandFindsItItself) {
              {"still scene.toml -o a.png --theme pipe.toml", no_file},
              {"check scene.toml --set 'object.pictures=[{face=\"+e1\", file=\"pipe.png\"}]'",
               no_file},
-             {"still scene.toml -o pipe.pdf --text latex", "exists and was not written by poinsot"},
+             {"still scene.toml -o pipe.pdf --text latex", "exists and is not as poinsot wrote it"},
              {"compare baselines new", "manifest.toml: " + no_file},
              {"approve good --results new --baselines baselines", "manifest.toml: " + no_file},
              {film + "taken.mp4", in_the_way, 3},

@@ -92,6 +92,14 @@ inline bool contains(const std::string& text, const std::string& part) {
     return text.find(part) != std::string::npos;
 }
 
+// A text without the line of its own SHA-256.
+inline std::string without_seal(std::string text) {
+    const std::size_t at = text.find("sha256");
+    if (at == std::string::npos) return text;
+    const std::size_t begin = text.rfind('\n', at) + 1;
+    return text.erase(begin, text.find('\n', at) + 1 - begin);
+}
+
 inline bool is_one_line(const std::string& text) {
     return !text.empty() && std::count(text.begin(), text.end(), '\n') == 1;
 }

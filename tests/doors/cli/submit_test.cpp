@@ -168,25 +168,30 @@ TEST_F(Submit, IsRefusedInASentence) {
     EXPECT_EQ(text("cancelled"), "7\n");
 }
 
-// Its folders of states and logs would be removed.
-TEST_F(Submit, LeavesAFolderOfSomebodyElse) {
-    for (const char* name : {"state", "logs"})
-        fs::create_directories(folder_.path() / "a.mp4.job" / name);
-    folder_.write("a.mp4.job/state/mine", "mine");
-    const ProgramRun done = run("submit a.toml -o a.mp4 --parts 2 --dry-run");
-    EXPECT_EQ(done.code, 2) << done.err;
-    EXPECT_NE(
-        done.err.find("a.mp4.job: exists and is not the folder of a submission; remove it, or "
-                      "name another output"),
-        std::string::npos)
-        << done.err;
-    EXPECT_EQ(text("a.mp4.job/state/mine"), "mine");
-    EXPECT_FALSE(fs::exists(folder_.path() / "a.mp4.job/task.sh"));
-    // An empty folder, and its own.
-    fs::remove_all(folder_.path() / "a.mp4.job");
-    fs::create_directory(folder_.path() / "a.mp4.job");
-    for (int i = 0; i < 2; ++i)
-        EXPECT_EQ(run("submit a.toml -o a.mp4 --parts 2 --dry-run").code, 0);
+// A new list of tasks removes the states and logs of the old one, and nothing else; the join
+// removes the parts.
+TEST_F(Submit, LeavesFilesOfSomebodyElse) {
+    const std::vector<std::string> mine{"state/mine", "logs/mine", "parts/a/mine", "mine"};
+    for (const std::string& name : mine) {
+        fs::create_directories((folder_.path() / "a.mp4.job" / name).parent_path());
+        folder_.write("a.mp4.job/" + name, "mine");
+    }
+    for (const char* parts : {"2", "2", "1"}) {
+        const ProgramRun done =
+            run(std::string("submit a.toml -o a.mp4 --dry-run --parts ") + parts);
+        EXPECT_EQ(done.code, 0) << done.err;
+        folder_.write("a.mp4.job/state/a.2.done", "");
+        folder_.write("a.mp4.job/logs/a.2.log", "drawn");
+    }
+    EXPECT_EQ(run("submit a.toml -o a.mp4 --dry-run --parts 2").code, 0);
+    EXPECT_FALSE(fs::exists(folder_.path() / "a.mp4.job/state/a.2.done"));
+    for (const std::string task : {"tasks 1", "tasks 2", "joins 1"}) {
+        const ProgramRun done = run_program_in(folder_, "", "sh a.mp4.job/task.sh " + task + " #");
+        EXPECT_EQ(done.code, 0) << done.err;
+    }
+    EXPECT_TRUE(fs::exists(folder_.path() / "a.mp4"));
+    EXPECT_FALSE(fs::exists(folder_.path() / "a.mp4.job/parts/a/1-of-2.mp4"));
+    for (const std::string& name : mine) EXPECT_EQ(text("a.mp4.job/" + name), "mine") << name;
 }
 
 TEST_F(Submit, NeedsSbatch) {

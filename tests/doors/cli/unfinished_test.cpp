@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "cli/folder_state.h"
 #include "cli/program_run.h"
 
 namespace poinsot::testing {
@@ -33,25 +34,6 @@ text = "It rolls."
 at_s = 0.0
 title = "One"
 )";
-
-// Every entry below a folder with its kind and contents, links not followed.
-std::string state_of(const fs::path& folder) {
-    std::vector<std::string> lines;
-    for (auto at = fs::recursive_directory_iterator(folder);
-         at != fs::recursive_directory_iterator(); ++at) {
-        const fs::file_status status = at->symlink_status();
-        std::string line = at->path().string() + " " +
-                           std::to_string(static_cast<int>(status.type())) + " " +
-                           std::to_string(static_cast<int>(status.permissions()));
-        if (fs::is_regular_file(status)) line += " " + text_of(at->path());
-        if (fs::is_symlink(status)) line += " -> " + fs::read_symlink(at->path()).string();
-        lines.push_back(line);
-    }
-    std::sort(lines.begin(), lines.end());
-    std::string state;
-    for (const std::string& line : lines) state += line + "\n";
-    return state;
-}
 
 const std::vector<std::string> kinds{
     "link to a folder", "link to a file", "link to nothing",      "pipe", "file",
@@ -146,7 +128,7 @@ TEST(BesideAFilm, AFileOfSomebodyElseIsNotReplaced) {
             const std::string before = state_of(folder.path());
             const ProgramRun done = run_program_in(folder, "render a.toml -q -o o.mp4 " + jobs);
             EXPECT_EQ(done.code, 2) << done.err;
-            EXPECT_TRUE(contains(done.err, name + ": exists and was not written by poinsot, and "
+            EXPECT_TRUE(contains(done.err, name + ": exists and is not as poinsot wrote it, and "
                                                   "the film's "))
                 << done.err;
             EXPECT_EQ(state_of(folder.path()), before);

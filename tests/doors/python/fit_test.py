@@ -184,8 +184,13 @@ def test_a_scene_of_a_fit_has_its_motion(throw, tmp_path):
     again = poinsot.fit(tmp_path / "throw.csv", drag="none")
     np.testing.assert_array_equal(again.omega, throw)
     found.scene(tmp_path / "throw.toml")  # the same rows again
-    with pytest.raises(poinsot.InputError, match="the rows would overwrite it"):
-        poinsot.fit(TIMES[:-1], throw[:-1]).scene(tmp_path / "throw.toml")
+    shorter = poinsot.fit(TIMES[:-1], throw[:-1])
+    shorter.scene(tmp_path / "throw.toml")  # other rows of the same scene
+    for mine in (b"mine", (tmp_path / "throw.csv").read_bytes() + b"9,1,1,1\n"):
+        (tmp_path / "throw.csv").write_bytes(mine)
+        with pytest.raises(poinsot.InputError, match="throw.csv: exists and is not as poinsot wrote it"):
+            shorter.scene(tmp_path / "throw.toml")
+        assert (tmp_path / "throw.csv").read_bytes() == mine
     with pytest.raises(poinsot.InputError, match="end its name in .toml"):
         found.scene(tmp_path / "throw.txt")
 

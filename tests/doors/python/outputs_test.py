@@ -50,6 +50,81 @@ def test_a_file_may_be_called_as_the_standard_output(capfdbinary):
     assert capfdbinary.readouterr().out == b""
 
 
+TOLD = """[body]
+moments_kg_m2 = [1.0, 2.0, 2.9]
+[start]
+omega_rad_s = [1.5, 0.3, 0.75]
+[film]
+size = [80, 44]
+fps = 10
+length_s = 0.5
+[[stops]]
+at_s = 0.3
+[[captions]]
+at_s = 0.1
+text = "It rolls."
+[[chapters]]
+at_s = 0.0
+title = "One"
+"""
+
+
+def state_of(folder):
+    return {
+        str(path): (path.lstat().st_mode, os.readlink(path) if path.is_symlink() else path.read_bytes() if path.is_file() else "")
+        for path in sorted(pathlib.Path(folder).rglob("*"))
+    }
+
+
+def plant(kind, path):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if kind == "file":
+        path.write_bytes(b"mine")
+    elif kind == "folder":
+        path.mkdir()
+    elif kind == "link":
+        pathlib.Path("victim").write_bytes(b"mine")
+        path.symlink_to(os.path.abspath("victim"))
+    elif kind == "link to nothing":
+        path.symlink_to("nothing")
+    else:
+        os.mkfifo(path)
+
+
+@pytest.mark.parametrize("kind", ["file", "folder", "link", "link to nothing", "pipe"])
+@pytest.mark.parametrize(
+    "place, write",
+    [
+        ("o.vtt", lambda scene: scene.render("o.mp4", progress=False)),
+        ("o.chapters.json", lambda scene: scene.render("o.mp4", progress=False)),
+        ("o/index.html", lambda scene: scene.slides("o", progress=False)),
+        ("o/2024.pdf", lambda scene: scene.slides("o", progress=False)),
+        ("results_pictures/b-actual.png", lambda scene: poinsot.compare_folders("ref", "new", report="results.html")),
+    ],
+)
+def test_files_of_others_beside_an_output_stay(kind, place, write):
+    scene = poinsot.Scene(TOLD)
+    for folder, instant in (("ref", 0.0), ("new", 0.3)):
+        pathlib.Path(folder).mkdir()
+        scene.still(size=TINY, time_s=instant).save(f"{folder}/b.png")
+    plant(kind, pathlib.Path(place))
+    before = state_of(".")
+    with pytest.raises(poinsot.InputError, match=re.escape(pathlib.Path(place).name)):
+        write(scene)
+    assert state_of(".") == before
+
+
+def test_slides_and_presentations_of_a_scene_are_written_again_after_a_change():
+    for length in (0.5, 0.6):
+        scene = poinsot.Scene(TOLD.replace("length_s = 0.5", f"length_s = {length}"))
+        scene.slides("o", progress=False)
+        scene.render("o.pptx", progress=False)
+    other = poinsot.Scene('title = "Another"\n' + TOLD)
+    for write in (lambda: other.slides("o", progress=False), lambda: other.render("o.pptx", progress=False)):
+        with pytest.raises(poinsot.InputError, match="another scene"):
+            write()
+
+
 def test_a_short_film_is_stored_and_a_missing_one_is_not_shown():
     film = poinsot.Scene("generic", SMALL).render("film.mp4", frames=(0, 2), progress=False)
     assert 'src="data:video/mp4;base64,' in film._repr_html_()

@@ -294,7 +294,9 @@ def test_grey_is_another():
 def test_wrong_options_end_the_session_with_one_sentence(sessions):
     sessions.write(TESTS)
     (sessions.folder / "file").write_text("")
+    (sessions.folder / "mine/actual").mkdir(parents=True)
     for arguments, sentence in (
+        (("--poinsot-results", "mine"), "--poinsot-results: 'mine' holds a folder actual or difference that poinsot has not made"),
         (("--poinsot-renew", " "), "--poinsot-renew: give the reason"),
         (("--poinsot-baselines", "file"), "--poinsot-baselines: 'file' is not a folder"),
         (("--poinsot-results", "file"), "--poinsot-results: 'file' is not a folder"),

@@ -33,8 +33,25 @@ class ShownFilms : public ::testing::Test {
 // volume, the matrix, width and height.
 constexpr std::size_t matrix_at = 40, width_at = 76, height_at = 80;
 
+TEST_F(ShownFilms, WhoseTrackIsOffAreNotTheSame) {
+    // Flags: enabled, in the film, in its preview.
+    EXPECT_EQ(with("tkhd", 3, "\1").outcome, Outcome::same);
+    for (const char* off : {"\2", "\6"}) {
+        const ComparedPicture hidden = with("tkhd", 3, off);
+        EXPECT_EQ(hidden.outcome, Outcome::size);
+        EXPECT_EQ(
+            hidden.reason,
+            "expected a track of pictures that is switched on, found one that is switched off");
+    }
+}
+
+// The edit list says that the film begins with its first picture.
+TEST_F(ShownFilms, WithoutTheirEditListAreNotTheSame) {
+    const ComparedPicture late = with("edts", std::size_t{0} - 4, "free");
+    EXPECT_EQ(late.outcome, Outcome::rate) << late.reason;
+}
+
 TEST_F(ShownFilms, ThatAreTurnedOrMirroredAreNotTheSame) {
-    EXPECT_EQ(with("tkhd", 0, std::string(4, '\0')).outcome, Outcome::same);  // flags only
     const std::string minus_one("\xff\xff\0\0", 4), zero(4, '\0'), one("\0\1\0\0", 4);
     const auto matrix = [](const std::string& a, const std::string& b, const std::string& c,
                            const std::string& d) { return a + b + std::string(4, '\0') + c + d; };

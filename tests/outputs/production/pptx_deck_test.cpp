@@ -210,10 +210,26 @@ TEST_F(PptxDeck, OfAnotherSceneIsRefused) {
         EXPECT_EQ(read_text(folder_ / "a.pptx"), bytes);
         fs::remove(folder_ / name);
     }
-    EXPECT_TRUE(
-        describes_slides_of("a & b", "<dc:description>poinsot 1.2: a &amp; b</dc:description>"));
-    EXPECT_FALSE(describes_slides_of("b", "<dc:description>poinsot 1.2: a: b</dc:description>"));
-    EXPECT_FALSE(describes_slides_of("b", ""));
+    const auto described = [](const SlideOrigin& own, const std::string& name,
+                              const std::string& identifier) {
+        return describes_slides_of(
+            own, "<dc:title>T</dc:title><dc:description>poinsot 1.2: " + name +
+                     "</dc:description><dc:identifier>" + identifier + "</dc:identifier>");
+    };
+    const std::string one(64, '1'), two(64, '2');
+    const SlideOrigin in_file{"a & b", "T", "../a & b.toml", one}, in_text{"b", "T", "", one};
+    // The same file with other contents; the same contents elsewhere; neither.
+    EXPECT_TRUE(described(in_file, "a &amp; b", "../a &amp; b.toml " + two));
+    EXPECT_TRUE(described(in_file, "a &amp; b", "x/a &amp; b.toml " + one));
+    EXPECT_FALSE(described(in_file, "a &amp; b", "x/a &amp; b.toml " + two));
+    EXPECT_FALSE(described(in_file, "a &amp; b", "../a &amp; b.toml x " + two));
+    EXPECT_FALSE(described(in_file, "b", "../a &amp; b.toml " + two));
+    EXPECT_FALSE(described(in_file, "x: a &amp; b", "../a &amp; b.toml " + two));
+    // Without a file the title tells scenes of one name apart.
+    EXPECT_TRUE(described(in_text, "b", " " + two));
+    EXPECT_FALSE(described({"b", "U", "", one}, "b", " " + two));
+    EXPECT_FALSE(described(in_text, "b", "b.toml " + two));
+    EXPECT_FALSE(describes_slides_of(in_text, ""));
 }
 
 TEST_F(PptxDeck, IsRefusedWhereAnotherRunWritesIt) {

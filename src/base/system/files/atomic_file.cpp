@@ -32,12 +32,15 @@ fs::path folder_of(const fs::path& path) {
     return path.has_parent_path() ? path.parent_path() : fs::path(".");
 }
 
-// The final name with symbolic links followed, so that the link itself is not replaced.
+// The final name with symbolic links followed, so that the link itself is not replaced, even where
+// it leads to a file that does not exist yet. A circle of links is left to the call that opens it.
 fs::path followed(const fs::path& path) {
-    std::error_code ignored;
-    if (!fs::is_symlink(path, ignored)) return path;
-    fs::path target = fs::weakly_canonical(path, ignored);
-    return ignored ? path : target;
+    constexpr int most_links = 40;
+    fs::path target = path;
+    std::error_code missing, error;
+    for (int n = 0; n < most_links && fs::is_symlink(target, missing); ++n)
+        target = target.parent_path() / fs::read_symlink(target, error);
+    return error ? path : target;
 }
 
 bool is_device(const fs::path& path) {
@@ -46,9 +49,10 @@ bool is_device(const fs::path& path) {
     return fs::exists(status) && !fs::is_regular_file(status) && !fs::is_directory(status);
 }
 
-void check_folder_of(const fs::path& path) {
+// `target`: the path with links followed.
+void check_folder_of(const fs::path& path, const fs::path& target) {
     std::error_code ignored;
-    const fs::path folder = folder_of(path);
+    const fs::path folder = folder_of(target);
     if (!fs::exists(folder, ignored) && ignored.value() == ENAMETOOLONG)
         throw_write_error(path, ENAMETOOLONG);
     if (!fs::exists(folder, ignored) && ignored.value() != EACCES)
@@ -57,22 +61,31 @@ void check_folder_of(const fs::path& path) {
                         path.string(), folder.string()));
 }
 
-void check_place(const fs::path& path) {
+void check_place(const fs::path& path, const fs::path& target) {
     std::error_code ignored;
+    if (fs::is_symlink(target, ignored)) throw_write_error(path, ELOOP);
     if (!path.has_filename() || fs::is_directory(path, ignored))
         throw EnvironmentError(
             fmt::format("cannot write {}: it is a folder; name a file in it", path.string()));
-    check_folder_of(path);
+    check_folder_of(path, target);
 }
 
-// If no file can be created in the folder, the message names the folder, not the file.
-[[noreturn]] void throw_open_error(const fs::path& path, int error_number) {
+// If no file can be created in the folder, the message names the folder, not the file; if the
+// temporary file is there and cannot be opened, the message names it.
+[[noreturn]] void throw_open_error(const fs::path& path, const fs::path& aside, int error_number) {
+    struct stat there {};
+    if (error_number == EACCES && lstat(aside.c_str(), &there) == 0)
+        throw EnvironmentError(
+            fmt::format("cannot write {}: its temporary file {} exists and cannot be opened ({}); "
+                        "remove it, or "
+                        "name another output",
+                        path.string(), aside.string(), reason(error_number)));
     const bool of_folder = error_number == EACCES || error_number == EPERM ||
                            error_number == EROFS || error_number == ENOENT;
     if (!of_folder) throw_write_error(path, error_number);
     throw EnvironmentError(
         fmt::format("cannot write {}: the folder {} cannot be written ({}); name another",
-                    path.string(), folder_of(path).string(), reason(error_number)));
+                    path.string(), folder_of(aside).string(), reason(error_number)));
 }
 
 // Whether the name still refers to the open file: between opening and locking, another run may have
@@ -85,6 +98,7 @@ bool names(const fs::path& path, int descriptor) {
 }
 
 constexpr mode_t mark = S_ISVTX, new_file = 0666 | mark;
+constexpr mode_t all_permissions = S_IRWXU | S_IRWXG | S_IRWXO;
 
 bool is_marked(const struct stat& status) {
     return S_ISREG(status.st_mode) && (status.st_mode & mark) != 0;
@@ -93,10 +107,18 @@ bool is_marked(const struct stat& status) {
 void set_mark(int descriptor, bool marked) {
     struct stat status {};
     if (fstat(descriptor, &status) != 0) return;
-    const mode_t permissions = status.st_mode & (S_IRWXU | S_IRWXG | S_IRWXO);
+    const mode_t permissions = status.st_mode & all_permissions;
     // A file of another user keeps what it has.
     [[maybe_unused]] const int changed =
         fchmod(descriptor, marked ? permissions | mark : permissions);
+}
+
+// Gives the open file the permissions of the file that it replaces, if there is one, and `more`.
+void take_permissions_of(const fs::path& target, int descriptor, mode_t more) {
+    struct stat there {};
+    if (lstat(target.c_str(), &there) != 0 || !S_ISREG(there.st_mode)) return;
+    [[maybe_unused]] const int changed =
+        fchmod(descriptor, (there.st_mode & all_permissions) | more);
 }
 
 // Opens what is there without waiting for a pipe and without following a link; −1 with errno ENOENT
@@ -177,7 +199,7 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(followed(pat
         if (descriptor_ < 0) throw_write_error("stdout", errno);
         return;
     }
-    check_place(path_);
+    check_place(path_, target_);
     if (is_device(path_)) {
         descriptor_ = open_device(path_);
         if (descriptor_ < 0) throw_write_error(path_, errno);
@@ -190,12 +212,12 @@ AtomicFile::AtomicFile(const fs::path& path) : path_(path), target_(followed(pat
 AtomicFile::AtomicFile(const fs::path& path, const fs::path& aside, bool keep_contents,
                        const std::function<void()>& when_held, const IsUnfinished& is_unfinished)
     : path_(path), target_(followed(path)), aside_(aside), keeps_(keep_contents) {
-    check_place(path_);
+    check_place(path_, target_);
     open_aside(when_held, is_unfinished);
 }
 
 AtomicFile AtomicFile::lock(const fs::path& output, const fs::path& aside) {
-    check_folder_of(output);
+    check_folder_of(output, output);
     AtomicFile file;
     file.path_ = output;
     file.aside_ = aside;
@@ -237,7 +259,7 @@ void AtomicFile::open_aside(const std::function<void()>& when_held,
             opened = open_left(path_, aside_);
             if (opened < 0 && errno == ENOENT) continue;
         }
-        if (opened < 0) throw_open_error(path_, errno);
+        if (opened < 0) throw_open_error(path_, aside_, errno);
         // A file system that cannot lock still gets its file; it only cannot refuse a second run.
         int locked = flock(opened, LOCK_EX | LOCK_NB);
         if (locked != 0 && errno == EWOULDBLOCK && when_held) {
@@ -268,6 +290,8 @@ void AtomicFile::open_aside(const std::function<void()>& when_held,
             }
             set_mark(opened, true);
         }
+        // From the beginning, so that nobody reads the contents of a private file meanwhile.
+        take_permissions_of(target_, opened, S_IRUSR | S_IWUSR | mark);
         descriptor_ = opened;
     }
     if (!keeps_ && ftruncate(descriptor_, 0) != 0) {
@@ -303,6 +327,7 @@ void AtomicFile::commit() {
         throw_write_error(path_, error_number);
     }
     if (renames) {
+        take_permissions_of(target_, descriptor_, mark);
         if (::rename(aside_.c_str(), target_.c_str()) != 0) {
             const int error_number = errno;
             discard();

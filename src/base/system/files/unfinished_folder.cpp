@@ -2,12 +2,15 @@
 
 #include <dirent.h>
 #include <fcntl.h>
+#include <fmt/format.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
+#include <system_error>
 
+#include "error/error.h"
 #include "system/files/atomic_file.h"
 
 namespace poinsot {
@@ -67,8 +70,16 @@ bool is_plain(int folder, const std::string& name) {
 int open_folder(const UnfinishedPlace& place) {
     const int opened = ::open(place.folder.c_str(), folder_flags);
     if (opened >= 0 || errno == ENOENT) return opened;
-    if (errno == ENOTDIR || errno == ELOOP) refuse_aside(place.output, place.folder, "folder");
-    throw_write_error(place.output, errno);
+    const int error_number = errno;
+    if (error_number == ENOTDIR || error_number == ELOOP)
+        refuse_aside(place.output, place.folder, "folder");
+    if (error_number == EACCES)
+        throw EnvironmentError(fmt::format(
+            "cannot write {}: its temporary folder {} exists and cannot be opened ({}); remove it, "
+            "or name another output",
+            place.output.string(), place.folder.string(),
+            std::generic_category().message(error_number)));
+    throw_write_error(place.output, error_number);
 }
 
 int make_folder(const UnfinishedPlace& place) {

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 import math
 import os
 from typing import Any, Dict, List, NamedTuple, Optional, Tuple
@@ -230,8 +231,8 @@ class Fit(_Body):
         The drag is left out, as a comment of the scene says, if it does not differ from 0 or a rate is negative.
 
         With a path, NAME.toml, the scene is a file, with a table of the rows in NAME.csv beside it: then pictures
-        show the measured points. Raises InputError for another suffix, and if NAME.csv exists and holds something
-        else; EnvironmentError if a file cannot be written.
+        show the measured points. Raises InputError for another suffix, and if NAME.csv exists and is not the table
+        of an earlier NAME.toml; EnvironmentError if a file cannot be written.
         """
         if path is None:
             return Scene(self._scene_text("")[0])
@@ -240,10 +241,9 @@ class Fit(_Body):
         if suffix.lower() != ".toml":
             raise InputError(f"{name}: a scene is a file in TOML; end its name in .toml")
         table = stem + ".csv"
-        text, zero_s = self._scene_text(os.path.basename(table))
-        rows = self._table_bytes(zero_s)
-        if os.path.exists(table) and not _holds(table, rows):
-            raise InputError(f"{table}: exists, and the rows would overwrite it; give the scene another name")
+        rows = self._table_bytes(self._scene_text("")[1])
+        text, _ = self._scene_text(os.path.basename(table), hashlib.sha256(rows).hexdigest())
+        _poinsot.check_rows_place(table, name, rows)
         write_file(table, rows)
         write_file(name, text.encode("utf-8"))
         return Scene(name if os.path.dirname(name) else os.path.join(os.curdir, name))
@@ -251,10 +251,10 @@ class Fit(_Body):
     def _charted(self) -> Tuple[str, List[Any], Optional[Dict[str, Any]]]:
         return self._title(), [(self._found, self.times, self.omega, False, None)], None
 
-    def _scene_text(self, table: str) -> Tuple[str, float]:
+    def _scene_text(self, table: str, table_sha256: str = "") -> Tuple[str, float]:
         attitude = None if self.attitude is None else self.attitude[0]
         words = [f"{self._body_words()}, drag: {self._found['drag']}", self._row_words()]
-        return _poinsot.fitted_scene(self._found, words, float(self.times[-1]), attitude, table)
+        return _poinsot.fitted_scene(self._found, words, float(self.times[-1]), attitude, table, table_sha256)
 
     def _table_bytes(self, zero_s: float) -> bytes:
         head = "time_s,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s"
@@ -377,14 +377,6 @@ def _rows_in_list(place: int, given: Any) -> Any:
 
 def _prediction_of(found: Optional[Dict[str, Any]]) -> Optional[Prediction]:
     return None if found is None else Prediction(**found)
-
-
-def _holds(file: str, contents: bytes) -> bool:
-    try:
-        with open(file, "rb") as there:
-            return there.read(len(contents) + 1) == contents
-    except OSError:
-        return False
 
 
 def with_sd(value: float, sd: float) -> str:

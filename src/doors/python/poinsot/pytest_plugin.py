@@ -36,6 +36,10 @@ _session_key = "poinsot-session"
 _mark = "poinsot_image"
 
 
+# In a folder of results: poinsot has made its folders actual and difference.
+RESULTS_MARK = "made-by-poinsot"
+
+
 def pytest_addoption(parser: Any) -> None:
     group = parser.getgroup("poinsot", "pictures (poinsot)")
     group.addoption(
@@ -97,6 +101,12 @@ class _Session:
         self._results: Optional[Path] = None
         if option("poinsot_results") is not None:
             self._results = self._folder("--poinsot-results", option("poinsot_results"), self.start)
+            made = [self._results / name for name in ("actual", "difference")]
+            if any(os.path.lexists(folder) for folder in made) and not (self._results / RESULTS_MARK).is_file():
+                raise pytest.UsageError(
+                    f"--poinsot-results: {option('poinsot_results')!r} holds a folder actual or difference that poinsot has "
+                    "not made; move it away, or name another folder"
+                )
         page = option("poinsot_report")
         if page is not None:
             if not page.lower().endswith(".html"):
@@ -309,6 +319,8 @@ class _Test:
 
         limits = _checked_limits(where, limits)
         baseline, actual, difference = self.paths(given_name)
+        self.session.results.mkdir(parents=True, exist_ok=True)
+        (self.session.results / RESULTS_MARK).touch()
         _write(picture, actual)
         if difference.exists():
             difference.unlink()

@@ -117,12 +117,14 @@ POINSOT_EXPORT(presentation) int presentation(const char* texts, std::uint32_t t
     return answered([&] {
         const std::vector<std::string> given = texts_at(texts, texts_size);
         PptxText text{.title = given.at(0),
-                      .description = pptx_description(given.at(1)),
-                      .language = given.at(2),
-                      .width_px = std::stoi(given.at(3)),
-                      .height_px = std::stoi(given.at(4)),
+                      .origin = {.scene_name = given.at(1),
+                                 .title = given.at(0),
+                                 .scene_sha256 = given.at(2)},
+                      .language = given.at(3),
+                      .width_px = std::stoi(given.at(4)),
+                      .height_px = std::stoi(given.at(5)),
                       .slides = {}};
-        for (std::size_t i = 5; i + 7 < given.size(); i += 8)
+        for (std::size_t i = 6; i + 7 < given.size(); i += 8)
             text.slides.push_back({.title = given[i],
                                    .note = given[i + 1],
                                    .film = given[i + 2],

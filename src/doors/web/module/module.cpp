@@ -206,8 +206,15 @@ int film_texts(const char* file, std::uint32_t file_size, double first, double l
     });
 }
 
-POINSOT_EXPORT(film_slides) int film_slides() {
-    return answered([&] { answer() = film().slides(); });
+// `hashes`: for each file its name and its SHA-256, each followed by a NUL.
+POINSOT_EXPORT(film_slides) int film_slides(const char* hashes, std::uint32_t hashes_size) {
+    return answered([&] {
+        const std::vector<std::string> given = texts_at(hashes, hashes_size);
+        std::vector<FileHash> files;
+        for (std::size_t i = 0; i + 1 < given.size(); i += 2)
+            files.push_back({given[i], given[i + 1]});
+        answer() = film().slides(files);
+    });
 }
 
 POINSOT_EXPORT(at) int at(double time_s) {

@@ -61,9 +61,10 @@ std::string PageFilm::texts(std::int64_t first, std::int64_t last, const std::st
         .line();
 }
 
-std::string PageFilm::slides() const {
-    return slide_plan_text(session_, film_, slides_of(session_.scene, film_, "slides"),
-                           {.has_pdf = false});
+std::string PageFilm::slides(std::span<const FileHash> files) const {
+    return with_files(slide_plan_text(session_, film_, slides_of(session_.scene, film_, "slides"),
+                                      {.has_pdf = false}),
+                      files);
 }
 
 std::string PageFilm::record(const PageOutput& output) const {

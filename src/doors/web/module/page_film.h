@@ -8,6 +8,7 @@
 #include <string>
 
 #include "production/session/picture_setting.h"
+#include "system/seal.h"
 #include "web/module/live_scene.h"
 
 namespace poinsot {
@@ -45,9 +46,9 @@ class PageFilm {
     // frames, counted from `first`; "captions" as WebVTT for a film of this file name, or "".
     std::string texts(std::int64_t first, std::int64_t last, const std::string& file) const;
 
-    // The text of slides.json, without PDFs. Throws SceneError for a scene without stops and
-    // chapters.
-    std::string slides() const;
+    // The text of slides.json, without PDFs; it lists these files. Throws SceneError for a scene
+    // without stops and chapters.
+    std::string slides(std::span<const FileHash> files) const;
 
     // The record, sealed.
     std::string record(const PageOutput& output) const;

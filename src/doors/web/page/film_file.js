@@ -37,7 +37,7 @@ export async function load_film_writer() {
 export const utf8 = (/** @type {string} */ text) => new TextEncoder().encode(text);
 
 /** @param {Uint8Array<ArrayBuffer>} bytes */
-async function sha256_of(bytes) {
+export async function sha256_of(bytes) {
   const digest = new Uint8Array(await crypto.subtle.digest('SHA-256', bytes));
   return Array.from(digest, (byte) => byte.toString(16).padStart(2, '0')).join('');
 }

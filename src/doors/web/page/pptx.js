@@ -22,7 +22,7 @@ async function write_presentation(run, film, codec, maker, zip) {
   /** @type {SlidePlan} */
   const plan = JSON.parse(run.program.filmSlides());
   const title = film.title || plan.slides_of;
-  const texts = [title, plan.slides_of, plan.language, String(plan.size[0]), String(plan.size[1])];
+  const texts = [title, plan.slides_of, plan.scene_sha256, plan.language, String(plan.size[0]), String(plan.size[1])];
   // Until a film plays, its slide shows the picture with which the slide before ended; print-outs show the stop.
   /** @type {Map<number, string>} */
   const posters = new Map();

@@ -564,9 +564,9 @@ export class Program extends WasmModule {
     return JSON.parse(this.answer());
   }
 
-  /** The text of slides.json. */
-  filmSlides() {
-    this.call('film_slides');
+  /** The text of slides.json, which lists its files by name and SHA-256. @param {[string, string][]} [hashes] */
+  filmSlides(hashes = []) {
+    this.with_items([hashes.map(([name, hash]) => `${name}\0${hash}\0`).join('')], (...at) => this.call('film_slides', ...at));
     return this.answer();
   }
 

@@ -1,7 +1,7 @@
 // The slides of a scene: a film for each stop, as `poinsot render --slides` makes them.
 
 import {FrameEncoder, key_frame_interval} from './film_encoder.js';
-import {FilmFile, utf8} from './film_file.js';
+import {FilmFile, sha256_of, utf8} from './film_file.js';
 import {png_file} from './png_frames.js';
 /** @import {FilmCodec} from './film_encoder.js' */
 /** @import {FilmHashes} from './film_file.js' */
@@ -11,7 +11,7 @@ import {png_file} from './png_frames.js';
 /**
  * @typedef {{title: string, note: string, film: string, loop: string|null, captions: string|null, loop_captions: string|null,
  *   png: string, loop_s: number, first_frame: number, last_frame: number}} SlideRow
- * @typedef {{slides_of: string, language: string, size: [number, number], slides: SlideRow[]}} SlidePlan  slides.json
+ * @typedef {{slides_of: string, scene_sha256: string, language: string, size: [number, number], slides: SlideRow[]}} SlidePlan  slides.json
  * @typedef {{name: string, captions: string|null, first: number, last: number}} SlideFilm
  * @typedef {{frame: number, is_key: boolean, uses: [SlideFilm, number][]}} SlideStep
  *   A frame to encode, and the films that hold its packet, each with the number of the frame in it.
@@ -103,11 +103,16 @@ export function slide_still(run, film, frame, maker) {
 
 /** The files of `poinsot render --slides`, without its PDFs, in an archive. @param {FilmRun} run @param {FilmDescription} film @param {FilmCodec} codec @param {string} maker @param {ZipWriter} zip */
 export async function write_slides(run, film, codec, maker, zip) {
-  const text = run.program.filmSlides();
   /** @type {SlidePlan} */
-  const plan = JSON.parse(text);
-  await make_slide_films(run, film, plan, codec, maker, (name, bytes) => zip.add(name, bytes));
-  for (const slide of plan.slides) await zip.add(slide.png, await slide_still(run, film, slide.last_frame, maker));
-  await zip.add('slides.json', utf8(text));
+  const plan = JSON.parse(run.program.filmSlides());
+  /** @type {[string, string][]} */
+  const hashes = [];
+  const add = async (/** @type {string} */ name, /** @type {Uint8Array<ArrayBuffer>} */ bytes) => {
+    hashes.push([name, await sha256_of(bytes)]);
+    await zip.add(name, bytes);
+  };
+  await make_slide_films(run, film, plan, codec, maker, add);
+  for (const slide of plan.slides) await add(slide.png, await slide_still(run, film, slide.last_frame, maker));
+  await zip.add('slides.json', utf8(run.program.filmSlides(hashes.sort())));
   await zip.finish();
 }

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <cstdlib>
 #include <set>
+#include <sstream>
 #include <system_error>
 
 #include "encoding/film_part.h"
@@ -15,8 +16,10 @@
 #include "error/error.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
+#include "system/files/own_files.h"
 #include "system/files/program_files.h"
 #include "system/run_program.h"
+#include "text/control_characters.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -28,7 +31,6 @@ namespace fs = std::filesystem;
 // Runs a line of a list. A program that was killed (out of memory, by hand) is restarted and
 // continues where it was interrupted. So does a task that the scheduler requeues.
 constexpr const char* task_name = "task.sh";
-constexpr std::string_view task_beginning = "#!/bin/sh\n# task.sh ";
 constexpr const char* task_script = R"(#!/bin/sh
 # task.sh LIST [LINE]: runs one line of a list (a name, a tab, a command), here or as a task of a Slurm array.
 cd {folder} || exit 3
@@ -61,17 +63,34 @@ std::string name_for(const fs::path& output, std::set<std::string>& taken) {
     return name;
 }
 
+// A folder of a submission lists the files that poinsot writes into it.
+FileLog log_of(const fs::path& folder) {
+    return {folder, "poinsot-files", "poinsot: files of a submission"};
+}
+
+// Throws for a link, too: files would be written into somebody else's folder.
 void make_folder(const fs::path& folder) {
     std::error_code error;
+    if (fs::is_symlink(folder, error))
+        throw InputError(fmt::format("{}: is a link; remove it, or name another output",
+                                     printable(folder.string())));
     fs::create_directories(folder, error);
     if (error)
         throw EnvironmentError(
             fmt::format("cannot make the folder {}: {}", folder.string(), error.message()));
 }
 
+// A line of a list. Throws InputError for a word that would end it or change what a terminal shows.
 std::string in_shell(const std::vector<std::string>& words) {
     std::string line;
-    for (const std::string& word : words) line += (line.empty() ? "" : " ") + shell_word(word);
+    for (const std::string& word : words) {
+        if (has_control_characters(word))
+            throw InputError(fmt::format(
+                "{}: a list of commands cannot hold the control characters of this name "
+                "or value; leave them out",
+                printable(word)));
+        line += (line.empty() ? "" : " ") + shell_word(word);
+    }
     return line;
 }
 
@@ -88,7 +107,7 @@ bool is_there(const fs::path& path) {
 // Adds the tasks of one film: its parts, and their join. Returns its line in `films`.
 std::string add_film(Submission& submission, const FilmToSubmit& film,
                      const std::vector<std::string>& options, std::int64_t n_asked,
-                     const std::string& name) {
+                     const std::string& name, std::vector<fs::path>& folders) {
     const OutputFormat& format = format_for(film.output);
     if (!format.has_parts)
         throw InputError(
@@ -99,7 +118,7 @@ std::string add_film(Submission& submission, const FilmToSubmit& film,
     const fs::path output = fs::absolute(film.output);
     const fs::path parts = submission.folder / "parts" / name;
     const bool is_film = format.join != nullptr;
-    if (is_film) make_folder(parts);
+    if (is_film) folders.insert(folders.end(), {parts.parent_path(), parts});
     std::string line =
         fmt::format("{}\t{}\t{}\t{}\n", name, n_parts, output.string(), film.scene_hash);
     std::vector<std::string> join{program(), "join", "-q", "-o", output.string()};
@@ -119,7 +138,11 @@ std::string add_film(Submission& submission, const FilmToSubmit& film,
         submission.parts.push_back({fmt::format("{}.{}", name, number), in_shell(command), line});
     }
     std::string command = in_shell(join);
-    if (is_film) command += fmt::format(" && rm -rf {}", shell_word(parts.string()));
+    // The folder of the parts goes if nothing else is in it.
+    if (is_film)
+        command +=
+            fmt::format(" && rm -f {} && {{ rmdir {} 2>/dev/null || true; }}",
+                        in_shell({join.begin() + 5, join.end()}), in_shell({parts.string()}));
     submission.joins.push_back({name + ".join", command, line});
     return line;
 }
@@ -131,43 +154,50 @@ std::string list_of(const std::vector<SubmittedTask>& tasks) {
     return text;
 }
 
-// Throws InputError for a folder of somebody else, whose files would be replaced and removed.
-void check_submission_folder(const fs::path& folder) {
-    std::error_code none;
-    fs::directory_iterator at(folder, none);
-    // A killed run may have left only the temporary file of the script.
-    for (; !none && at != fs::directory_iterator(); at.increment(none))
-        if (at->path().filename() != aside_path_of(task_name) &&
-            !begins_with(folder / task_name, task_beginning))
-            throw InputError(
-                fmt::format("{}: exists and is not the folder of a submission; remove it, or name "
-                            "another output",
-                            printable(folder.string())));
+// Throws InputError for a folder of somebody else, and for one whose files were edited since.
+void check_submission_folder(const FileLog& log) {
+    for (const char* name : {task_name, "films", "joins", "tasks"})
+        log.check(name, "the submission");
 }
 
-// Keeps the state of tasks that were submitted before and are unchanged; removes other states.
+// The names of the tasks in a list.
+std::vector<std::string> tasks_in(const std::string& list) {
+    std::vector<std::string> names;
+    std::istringstream lines(list);
+    for (std::string line; std::getline(lines, line);)
+        names.push_back(line.substr(0, line.find('\t')));
+    return names;
+}
+
+void remove_states(const fs::path& folder, const std::string& task) {
+    std::error_code ignored;
+    for (const char* what : {".started", ".done", ".failed"})
+        fs::remove(folder / "state" / (task + what), ignored);
+}
+
+// Keeps the state of tasks that were submitted before and are unchanged; removes those of other
+// tasks, and their logs.
 void keep_what_is_done(Submission& submission) {
     const fs::path& folder = submission.folder;
     const std::string before = read_text_if_there(folder / "films");
-    std::error_code ignored;
-    if (read_text_if_there(folder / "tasks") != list_of(submission.parts) ||
-        read_text_if_there(folder / "joins") != list_of(submission.joins)) {
-        fs::remove_all(folder / "state", ignored);
-        fs::remove_all(folder / "logs", ignored);
-        return;
-    }
-    for (auto* tasks : {&submission.parts, &submission.joins})
-        for (SubmittedTask& task : *tasks) {
-            const auto state = [&](const char* what) {
-                return folder / "state" / (task.name + what);
-            };
-            if (before.find(task.film) != std::string::npos) {
-                task.is_done = is_there(state(".done"));
-                continue;
+    const auto is_as_before = [&](const char* list, const std::vector<SubmittedTask>& tasks) {
+        return read_text_if_there(folder / list) == list_of(tasks);
+    };
+    const bool is_continued =
+        is_as_before("tasks", submission.parts) && is_as_before("joins", submission.joins);
+    if (!is_continued)
+        for (const char* list : {"tasks", "joins"})
+            for (const std::string& name : tasks_in(read_text_if_there(folder / list))) {
+                remove_states(folder, name);
+                std::error_code ignored;
+                fs::remove(folder / "logs" / (name + ".log"), ignored);
             }
-            for (const char* what : {".started", ".done", ".failed"})
-                fs::remove(state(what), ignored);
-        }
+    for (auto* tasks : {&submission.parts, &submission.joins})
+        for (SubmittedTask& task : *tasks)
+            if (is_continued && before.find(task.film) != std::string::npos)
+                task.is_done = is_there(folder / "state" / (task.name + ".done"));
+            else
+                remove_states(folder, task.name);
 }
 
 }  // namespace
@@ -180,25 +210,30 @@ fs::path submission_folder(const fs::path& output) {
 
 Submission write_submission(const fs::path& folder, const std::vector<FilmToSubmit>& films,
                             const std::vector<std::string>& options, std::int64_t n_parts) {
-    check_submission_folder(folder);
-    make_folder(folder);
+    FileLog log = log_of(folder);
+    check_submission_folder(log);
     Submission submission;
-    submission.folder = fs::canonical(folder);
-    write_whole(submission.folder / task_name,
-                fmt::format(fmt::runtime(task_script),
-                            fmt::arg("folder", shell_word(submission.folder.string())),
-                            fmt::arg("tab", "\t")));
+    submission.folder = fs::weakly_canonical(fs::absolute(folder));
+    const std::string script = fmt::format(
+        fmt::runtime(task_script), fmt::arg("folder", in_shell({submission.folder.string()})),
+        fmt::arg("tab", "\t"));
     std::set<std::string> taken;
+    std::vector<fs::path> folders{submission.folder / "state", submission.folder / "logs"};
     std::string list;
-    for (const FilmToSubmit& film : films) {
-        list += add_film(submission, film, options, n_parts, name_for(film.output, taken));
-    }
+    for (const FilmToSubmit& film : films)
+        list += add_film(submission, film, options, n_parts, name_for(film.output, taken), folders);
+    make_folder(folder);
+    log.begin();
+    const auto write = [&](const char* name, const std::string& text) {
+        log.add(name, text);
+        write_whole(submission.folder / name, text);
+    };
+    write(task_name, script);
     keep_what_is_done(submission);
-    make_folder(submission.folder / "state");
-    make_folder(submission.folder / "logs");
-    write_whole(submission.folder / "films", list);
-    write_whole(submission.folder / "joins", list_of(submission.joins));
-    write_whole(submission.folder / "tasks", list_of(submission.parts));
+    for (const fs::path& each : folders) make_folder(each);
+    write("films", list);
+    write("joins", list_of(submission.joins));
+    write("tasks", list_of(submission.parts));
     return submission;
 }
 

@@ -8,8 +8,8 @@
 
 #include "production/films/sidecar_place.h"
 #include "system/files/atomic_file.h"
-#include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
+#include "system/seal.h"
 #include "text/json_text.h"
 
 namespace poinsot {
@@ -42,9 +42,7 @@ void check_chapters_place(const std::filesystem::path& film) {
 }
 
 void remove_stale_chapters(const std::filesystem::path& film) {
-    const std::filesystem::path path = chapters_path(film);
-    std::error_code ignored;
-    if (begins_with(path, chapters_head(film))) std::filesystem::remove(path, ignored);
+    remove_stale_sidecar(chapters_path(film), chapters_head(film));
 }
 
 std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
@@ -74,7 +72,8 @@ std::string chapters_text_of(const OutputPlan& plan, const FilmPlan& film) {
 
 void write_chapters(const std::filesystem::path& film, const std::string& text) {
     check_chapters_place(film);
-    write_whole(chapters_path(film), chapters_head(film) + text);
+    write_whole(chapters_path(film), sealed(fmt::format("{}  \"sha256\": \"{}\",\n{}",
+                                                        chapters_head(film), blank_seal, text)));
 }
 
 void write_chapters(const OutputPlan& plan, const FilmPlan& film) {

@@ -3,10 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "drawing/stage/live_values.h"
 #include "production/films/subtitles.h"
+#include "system/seal.h"
 #include "text/markup.h"
+#include "text/printable.h"
 #include "typeset/plain_text.h"
 
 namespace poinsot {
@@ -54,15 +57,15 @@ std::vector<FilmSubtitle> subtitles_of(const Session& session, const FilmPlan& f
 }
 
 std::string subtitles_head(const std::string& film) {
-    return fmt::format("{}{}\n", any_subtitles_head, escaped_cue(film));
+    return fmt::format("{}{}\n", any_subtitles_head, escaped_cue(printable(film, any_length)));
 }
 
 std::string subtitles_text(const std::string& film, std::span<const FilmSubtitle> subtitles) {
-    std::string text = subtitles_head(film);
+    std::string text = fmt::format("{}sha256 {}\n", subtitles_head(film), blank_seal);
     for (const FilmSubtitle& subtitle : subtitles)
         text += fmt::format("\n{} --> {}{}\n{}\n", stamp(subtitle.begin_ms), stamp(subtitle.end_ms),
                             subtitle.at_top ? " line:0" : "", escaped_cue(subtitle.text));
-    return text;
+    return sealed(std::move(text));
 }
 
 }  // namespace poinsot

@@ -224,6 +224,7 @@ std::string join_pictures(const std::vector<std::string>& names, const std::stri
             fmt::format("{}: the parts are pictures; name a sequence, as "
                         "frame_####.png",
                         name_of(pattern)));
+    check_chapters_place(pattern);
     task.begin(record.scene_name, static_cast<std::int64_t>(pictures.size()));
     for (const PartPicture& picture : pictures) {
         stop_if_interrupted();

@@ -65,6 +65,7 @@ std::int64_t frame_of_picture(const std::filesystem::path& file, const Record& r
 void redraw_frame(const RedrawRequest& request, const Record& record, const Session& session,
                   LazyRenderer& renderer) {
     const std::int64_t frame = frame_of_picture(request.file, record);
+    const OutputPlace place(request.output.string(), session.scene, ".png");
     const FilmPlan film = film_plan(session);
     PictureMaker pictures(session, renderer, whole_film(film));
     Image image;
@@ -74,7 +75,7 @@ void redraw_frame(const RedrawRequest& request, const Record& record, const Sess
     PngOptions png;
     png.texts[metadata_name] =
         sealed_metadata(to_text(again), {.frame = frame, .pixels = pixels_xxh64(image)});
-    write_png(request.output, image, png);
+    write_png(place.path(), image, png);
 }
 
 // The request with the scene's name and the frame's number inserted into its output.

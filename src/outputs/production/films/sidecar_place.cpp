@@ -2,22 +2,21 @@
 
 #include <fmt/format.h>
 
-#include "error/error.h"
-#include "system/files/atomic_file.h"
-#include "system/files/file_contents.h"
-#include "system/files/file_kind.h"
-#include "text/printable.h"
+#include <system_error>
+
+#include "system/files/own_files.h"
 
 namespace poinsot {
 
 void check_sidecar(const std::filesystem::path& path, std::string_view beginning,
                    std::string_view contents) {
-    if (kind_of_file(path) != FileKind::missing && !begins_with(path, beginning))
-        throw InputError(fmt::format(
-            "{}: exists and was not written by poinsot, and the film's {} would replace "
-            "it; remove it, or name another output",
-            printable(path.string()), contents));
-    check_aside(path);
+    const std::string what = fmt::format("the film's {}", contents);
+    check_replaceable({.path = path, .is_own = sealed_with(beginning), .what = what});
+}
+
+void remove_stale_sidecar(const std::filesystem::path& path, std::string_view beginning) {
+    std::error_code ignored;
+    if (is_own_file(path, sealed_with(beginning))) std::filesystem::remove(path, ignored);
 }
 
 }  // namespace poinsot

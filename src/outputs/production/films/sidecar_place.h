@@ -6,9 +6,12 @@
 
 namespace poinsot {
 
-// Throws InputError if a file beside a film exists and does not begin as poinsot's files of this
-// kind, and as check_aside does. `contents`: such as "captions".
+// Throws as check_replaceable does unless nothing is beside a film, or a sealed text that begins
+// so. `contents`: such as "captions".
 void check_sidecar(const std::filesystem::path& path, std::string_view beginning,
                    std::string_view contents);
+
+// Removes such a text, which an earlier film of the same name left.
+void remove_stale_sidecar(const std::filesystem::path& path, std::string_view beginning);
 
 }  // namespace poinsot

@@ -2,21 +2,9 @@
 
 #include "production/films/sidecar_place.h"
 #include "system/files/atomic_file.h"
-#include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 
 namespace poinsot {
-
-namespace {
-
-void remove_stale(const std::filesystem::path& film) {
-    const std::filesystem::path path = subtitles_path(film);
-    std::error_code ignored;
-    if (begins_with(path, subtitles_head(film.filename().string())))
-        std::filesystem::remove(path, ignored);
-}
-
-}  // namespace
 
 std::filesystem::path subtitles_path(const std::filesystem::path& film) {
     std::string stem = film.stem().string();
@@ -29,7 +17,8 @@ void check_subtitles_place(const std::filesystem::path& film) {
 }
 
 void write_subtitles(const std::filesystem::path& film, std::span<const FilmSubtitle> subtitles) {
-    if (subtitles.empty()) return remove_stale(film);
+    if (subtitles.empty())
+        return remove_stale_sidecar(subtitles_path(film), subtitles_head(film.filename().string()));
     check_subtitles_place(film);
     write_whole(subtitles_path(film), subtitles_text(film.filename().string(), subtitles));
 }

@@ -83,6 +83,10 @@ MeasuredMotion counted_from(MeasuredMotion measured, double zero_s) {
     return measured;
 }
 
+std::string hash_comment(const std::string& table_sha256) {
+    return fmt::format("  # sha256 {}", table_sha256);
+}
+
 std::string text_of(const FittedScene& scene) {
     const FittedMotion& fit = scene.fit;
     const SceneDrag drag = drag_of(scene);
@@ -114,7 +118,8 @@ std::string text_of(const FittedScene& scene) {
             fmt::format("attitude = {}\n", toml_text(Eigen::Vector4d(q.w(), q.x(), q.y(), q.z())));
     if (drag.torque) text += text_of(*drag.torque);
     if (!scene.table.empty())
-        text += fmt::format("\n[measured]\nfile = {}\n", toml_text(std::string_view(scene.table)));
+        text += fmt::format("\n[measured]\nfile = {}{}\n", toml_text(std::string_view(scene.table)),
+                            scene.table_sha256.empty() ? "" : hash_comment(scene.table_sha256));
     // A still shows all points. A film that would be short or long lasts ten seconds.
     const double span_s = last_s - first_s;
     text += fmt::format("\n[film]\nstart_s = {}\nduration_s = {}\nstill_s = {}\n",

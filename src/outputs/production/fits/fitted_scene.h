@@ -17,8 +17,12 @@ struct FittedScene {
     std::vector<std::string> words{};  // about the fit, for its first lines
     double last_time_s = 0.0;          // of the rows
     std::optional<Eigen::Quaterniond> attitude{};  // space from body at the first row
-    std::string table{};  // path of the table of the rows, seen from the scene; empty: none
+    std::string table{};         // path of the table of the rows, seen from the scene; empty: none
+    std::string table_sha256{};  // of the table, if it is written with the scene
 };
+
+// The comment of a scene that proves whose table is beside it.
+std::string hash_comment(const std::string& table_sha256);
 
 // A scene of the motion with its drag, and the points of its table. ω(t) tells moments up to a
 // common factor only: I1 = 1 kg m² unless they were given. The drag is left out, with a comment

@@ -18,6 +18,7 @@
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
 #include "system/files/processor.h"
+#include "system/run_program.h"
 #include "system/sha256.h"
 #include "text/numbers.h"
 #include "text/printable.h"
@@ -62,6 +63,11 @@ void refuse_what_holds_others(const std::filesystem::path& file) {
             "{}: is a presentation; each of its films has a record: unpack it, as a ZIP archive, "
             "and give a film of its folder ppt/media",
             printable(file.string())));
+    if (suffix_of(file) == ".toml")
+        throw InputError(fmt::format(
+            "{}: is a scene or another text, not a picture or film; see `poinsot check {}` "
+            "for a scene",
+            printable(file.string()), printable(shell_word(file.string()))));
     if (is_page_name(file))
         throw InputError(fmt::format(
             "{}: is a page for browsers, which has no record; give a picture, a film or a figure",

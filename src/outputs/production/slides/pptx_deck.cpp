@@ -14,10 +14,12 @@
 #include "production/slides/slide_files.h"
 #include "production/slides/slide_plan.h"
 #include "production/slides/stored_zip.h"
+#include "production/stills/output_place.h"
 #include "production/stills/prepared_still.h"
 #include "production/vectors/vector_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
+#include "system/files/own_files.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
 
@@ -29,7 +31,8 @@ namespace fs = std::filesystem;
 
 // Throws InputError for a file that somebody else has made or edited, and for the presentation of
 // another scene.
-void check_output(const fs::path& output, const Scene& scene) {
+void check_output(const fs::path& output, const Scene& scene, const SlideOrigin& origin) {
+    check_replaceable({.path = output, .inputs = files_read_for(scene)});
     if (kind_of_file(output) != FileKind::regular) return;
     const std::optional<std::string> about = StoredZip::unchanged_entry(output, pptx_origin_name);
     if (!about)
@@ -37,7 +40,7 @@ void check_output(const fs::path& output, const Scene& scene) {
             fmt::format("{}: exists, and was not written by poinsot or has been edited since; name "
                         "another file, or remove this one",
                         printable(output.string())));
-    if (!describes_slides_of(scene.name, *about))
+    if (!describes_slides_of(origin, *about))
         throw InputError(
             fmt::format("{}: holds the slides of another scene; name another file, or remove this "
                         "one",
@@ -57,14 +60,14 @@ struct PosterFrames {
 };
 
 PptxText text_of(const Session& session, const FilmPlan& film, const std::vector<Slide>& slides,
-                 PosterFrames& posters) {
+                 const SlideOrigin& origin, PosterFrames& posters) {
     const Scene& scene = session.scene;
     const auto duration_ms = [&film](std::int64_t n_frames) {
         return std::llround(1e3 * static_cast<double>(n_frames) / film.rate.per_second());
     };
     PptxText text;
     text.title = title_of(scene);
-    text.description = pptx_description(scene.name);
+    text.origin = origin;
     text.language = scene.language;
     text.width_px = scene.film.width_px;
     text.height_px = scene.film.height_px;
@@ -104,12 +107,16 @@ void write_pptx(const Session& session, const PptxRequest& request, LazyRenderer
     const std::vector<Slide> slides =
         slides_of(session.scene, film, fmt::format("-o {}", printable(request.output.string())));
     PosterFrames posters;
-    const PptxText text = text_of(session, film, slides, posters);
-    check_output(request.output, session.scene);
+    SlideOrigin origin = origin_of(session.scene, request.output.parent_path());
+    origin.title = title_of(session.scene);
+    const PptxText text = text_of(session, film, slides, origin, posters);
+    check_output(request.output, session.scene, origin);
     watch_for_interrupts();
     AtomicFile output(request.output);
-    SlidesAside aside(request.output, request.output, ".slides",
-                      slide_plan_text(session, film, slides, {renderer.is_portable()}));
+    SlidesAside aside(
+        request.output, request.output, ".slides",
+        slide_plan_text(session, film, slides,
+                        {.is_portable = renderer.is_portable(), .scene_file = origin.scene_file}));
     make_slide_films(session, slides, aside, request.n_jobs, renderer, task);
     draw_posters(session, posters, aside, renderer);
 

@@ -321,18 +321,26 @@ void add_masters(PartList& parts) {
 
 }  // namespace
 
-std::string pptx_description(std::string_view scene_name) {
-    return fmt::format("poinsot {}: {}", POINSOT_VERSION, scene_name);
-}
-
-bool describes_slides_of(std::string_view scene_name, std::string_view origin_xml) {
-    constexpr std::string_view begin = "<dc:description>poinsot ", colon = ": ";
-    const std::size_t at = origin_xml.find(begin);
-    if (at == std::string_view::npos) return false;
-    const std::size_t name_at = origin_xml.find(colon, at + begin.size());
-    return name_at != std::string_view::npos &&
-           origin_xml.substr(name_at + colon.size())
-               .starts_with(escaped_markup(scene_name) + "</dc:description>");
+bool describes_slides_of(const SlideOrigin& origin, std::string_view origin_xml) {
+    const auto value_of = [&origin_xml](std::string_view tag) -> std::string_view {
+        const std::string begin = fmt::format("<dc:{}>", tag), end = fmt::format("</dc:{}>", tag);
+        const std::size_t at = origin_xml.find(begin);
+        if (at == std::string_view::npos) return {};
+        const std::string_view rest = origin_xml.substr(at + begin.size());
+        return rest.substr(0, rest.find(end));
+    };
+    const std::string_view description = value_of("description"),
+                           identifier = value_of("identifier");
+    const std::size_t colon = description.find(": ");
+    if (colon == std::string_view::npos ||
+        description.substr(colon + 2) != escaped_markup(origin.scene_name))
+        return false;
+    const std::string file = escaped_markup(origin.scene_file) + " ";
+    const bool is_one_file =
+        identifier.size() == file.size() + origin.scene_sha256.size() &&
+        identifier.starts_with(file) &&
+        (!origin.scene_file.empty() || value_of("title") == escaped_markup(origin.title));
+    return is_one_file || identifier.ends_with(" " + origin.scene_sha256);
 }
 
 std::vector<PptxPart> pptx_parts(const PptxText& text) {
@@ -348,9 +356,11 @@ std::vector<PptxPart> pptx_parts(const PptxText& text) {
         fmt::format(
             R"(<cp:coreProperties xmlns:cp="http://schemas.openxmlformats.org/package/2006/metadata/core-properties" )"
             R"(xmlns:dc="http://purl.org/dc/elements/1.1/"><dc:title>{}</dc:title><dc:description>{}</dc:description>)"
-            R"(<dc:language>{}</dc:language></cp:coreProperties>)"
+            R"(<dc:identifier>{} {}</dc:identifier><dc:language>{}</dc:language></cp:coreProperties>)"
             "\n",
-            escaped_markup(text.title), escaped_markup(text.description),
+            escaped_markup(text.title),
+            escaped_markup(fmt::format("poinsot {}: {}", POINSOT_VERSION, text.origin.scene_name)),
+            escaped_markup(text.origin.scene_file), text.origin.scene_sha256,
             escaped_markup(text.language)));
 
     Relationships relationships;

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <vector>
 
+#include "production/slides/slide_origin.h"
+
 namespace poinsot {
 
 // A slide that is filled by a film, which starts by itself. Until it starts, the slide shows the
@@ -20,8 +22,8 @@ struct PptxSlide {
 };
 
 struct PptxText {
-    std::string title;                // of the presentation
-    std::string description;          // of its origin
+    std::string title;  // of the presentation
+    SlideOrigin origin;
     std::string language;             // such as "en"
     int width_px = 0, height_px = 0;  // of the films
     std::vector<PptxSlide> slides;
@@ -34,10 +36,8 @@ struct PptxPart {
 // The part that holds the presentation's description.
 inline constexpr std::string_view pptx_origin_name = "docProps/core.xml";
 
-// The description of a scene's presentation, and whether a part of this name holds that of a scene,
-// by any version.
-std::string pptx_description(std::string_view scene_name);
-bool describes_slides_of(std::string_view scene_name, std::string_view origin_xml);
+// Whether such a part is that of a presentation of the same talk.
+bool describes_slides_of(const SlideOrigin& origin, std::string_view origin_xml);
 
 // All parts but the media; the first one is the list of types, as readers expect.
 std::vector<PptxPart> pptx_parts(const PptxText& text);

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <cmath>
 #include <set>
 #include <string>
 #include <system_error>
@@ -14,10 +14,12 @@
 #include "production/slides/slide_plan.h"
 #include "production/stills/prepared_still.h"
 #include "production/vectors/vector_still.h"
+#include "scene/scene_error.h"
 #include "system/files/atomic_file.h"
-#include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
+#include "system/files/own_files.h"
 #include "system/interrupt.h"
+#include "system/seal.h"
 #include "text/markup.h"
 #include "text/printable.h"
 
@@ -29,24 +31,10 @@ namespace fs = std::filesystem;
 
 constexpr const char* slide_index_name = "index.html";
 
-// Whether a file of a deck can have this name, as "01.mp4", "02-loop.vtt" or "slides.json".
-bool is_deck_name(std::string_view name) {
-    if (name == slide_plan_name || name == slide_index_name) return true;
-    const std::size_t n_digits = std::min(name.find_first_not_of("0123456789"), name.size());
-    if (n_digits < 2) return false;
-    name.remove_prefix(n_digits);
-    constexpr std::string_view loop = "-loop";
-    if (name.starts_with(loop)) name.remove_prefix(loop.size());
-    return name == ".mp4" || name == ".vtt" || name == ".png" || name == ".pdf";
-}
-
-bool is_deck_file(const fs::directory_entry& entry) {
-    return fs::is_regular_file(entry.symlink_status()) &&
-           is_deck_name(entry.path().filename().string());
-}
-
-// Throws InputError for a folder that holds other files than a deck of the scene.
-void check_folder(const fs::path& folder, const Scene& scene) {
+// Throws InputError for a folder that holds other files than those that an earlier slides.json of
+// the same talk proves to be its own. Returns that list.
+FileList check_folder(const fs::path& folder, const SlideOrigin& origin) {
+    FileList list(folder / slide_plan_name);
     const std::string name = printable(folder.string());
     const FileKind kind = kind_of_file(folder);
     std::error_code error;
@@ -54,7 +42,7 @@ void check_folder(const fs::path& folder, const Scene& scene) {
         throw InputError(fmt::format(
             "{}: is a link to a folder that does not exist; make this folder, or remove the link",
             name));
-    if (kind == FileKind::missing) return;
+    if (kind == FileKind::missing) return list;
     if (kind == FileKind::name_too_long || kind == FileKind::unreachable)
         throw InputError(fmt::format("{}: {}", name, in_words(kind)));
     if (kind != FileKind::folder)
@@ -63,18 +51,28 @@ void check_folder(const fs::path& folder, const Scene& scene) {
         throw InputError(fmt::format(
             "{}: is the current folder; slides need a folder of their own, so name a new one",
             name));
-    const fs::path plan = folder / slide_plan_name;
-    const std::string text = kind_of_file(plan) == FileKind::regular ? read_text(plan) : "";
-    const bool is_own = text.starts_with(slide_plan_head(scene));
-    if (text.starts_with(any_slide_plan_head) && !is_own)
+    if (list.text().starts_with(any_slide_plan_head) && !lists_slides_of(origin, list.text()))
         throw InputError(fmt::format(
             "{}: holds the slides of another scene; name another folder, or remove this one",
             name));
-    for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-        if (!is_own || !is_deck_file(entry))
-            throw InputError(
-                fmt::format("{}: holds other files, such as {}; name a new or an empty folder",
-                            name, printable(entry.path().filename().string())));
+    const auto refuse_edited = [&](const std::string& file) {
+        throw InputError(fmt::format(
+            "{}: {} is not as poinsot wrote it; move it away, or name a new or an empty "
+            "folder",
+            name, printable(file)));
+    };
+    if (list.text().empty() && fs::exists(fs::symlink_status(folder / slide_plan_name, error)))
+        refuse_edited(slide_plan_name);
+    for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
+        const std::string file = entry.path().filename().string();
+        if (list.proves(entry.path()) || (file == slide_plan_name && !list.text().empty()))
+            continue;
+        if (list.lists(file)) refuse_edited(file);
+        throw InputError(
+            fmt::format("{}: holds other files, such as {}; name a new or an empty folder", name,
+                        printable(file)));
+    }
+    return list;
 }
 
 // A page that shows the still of each slide, which leads to its film; below it are the title and
@@ -119,25 +117,42 @@ p {{ margin: .2rem 0; }}
                        escaped_markup(session.scene.language), title, title, items);
 }
 
-// Gives these files, the plan among them, to the folder. In an earlier deck each replaces the file
-// of its name, the plan last; files that only the earlier deck has are removed.
-void commit(const SlidesAside& aside, const fs::path& folder, const std::set<std::string>& files) {
+std::vector<FileHash> hashes_of(const SlidesAside& aside, const std::set<std::string>& names) {
+    std::vector<FileHash> hashes;
+    for (const std::string& name : names)
+        hashes.push_back({name, sha256_of_file(aside.file(name))});
+    return hashes;
+}
+
+// Gives these files to the folder, with slides.json. In an earlier deck each replaces the file of
+// its name; files that only the earlier deck has are removed. At each moment, slides.json lists all
+// files with their hashes.
+void commit(const SlidesAside& aside, const fs::path& folder, const std::set<std::string>& files,
+            const std::string& plan, const FileList& earlier) {
     const auto move = [](const fs::path& from, const fs::path& to) {
         std::error_code error;
         fs::rename(from, to, error);
         if (error) throw_write_error(to, error.value());
     };
+    const std::vector<FileHash> hashes = hashes_of(aside, files);
+    const std::string list = with_files(plan, hashes);
     aside.keep_only(files);
-    if (kind_of_file(folder) == FileKind::missing) return move(aside.path(), folder);
-    for (const std::string& name : files)
-        if (name != slide_plan_name) move(aside.file(name), folder / name);
-    move(aside.file(slide_plan_name), folder / slide_plan_name);
+    if (kind_of_file(folder) == FileKind::missing) {
+        write_whole(aside.file(slide_plan_name), list);
+        return move(aside.path(), folder);
+    }
     std::vector<fs::path> old;
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-        if (is_deck_file(entry) && !files.contains(entry.path().filename().string()))
+        if (earlier.proves(entry.path()) && !files.contains(entry.path().filename().string()))
             old.push_back(entry.path());
-    std::error_code ignored;
-    for (const fs::path& file : old) fs::remove(file, ignored);
+    const fs::path own_list = folder / slide_plan_name;
+    write_whole(own_list, earlier.text().empty() ? list : with_more_files(earlier.text(), hashes));
+    for (const std::string& name : files) move(aside.file(name), folder / name);
+    for (const fs::path& file : old) {
+        std::error_code ignored;
+        fs::remove(file, ignored);
+    }
+    write_whole(own_list, list);
 }
 
 }  // namespace
@@ -147,20 +162,30 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     const FilmPlan film = film_plan(session);
     const std::vector<Slide> slides = slides_of(session.scene, film, "--slides");
     // Stills for paper have the width and the type of a Beamer slide in 16:9.
-    constexpr double beamer_width_mm = 160.0;
+    constexpr double beamer_width_mm = 160.0, mm_per_inch = 25.4;
+    const int least_px = static_cast<int>(std::ceil(least_dpi * beamer_width_mm / mm_per_inch));
+    if (const int width_px = session.scene.film.width_px; width_px < least_px)
+        throw SceneError(session.scene.location_of("film.size"),
+                         fmt::format("film.size: a film of slides is at least {} pixels wide, this "
+                                     "one {}: its PDFs are {:.0f} mm wide, of {:.0f} dots per inch "
+                                     "or more; make it larger",
+                                     least_px, width_px, beamer_width_mm, least_dpi));
     SceneRequest on_paper = request.scene;
     on_paper.print = {};
-    on_paper.print.dpi = session.scene.film.width_px * 25.4 / beamer_width_mm;
+    on_paper.print.dpi = session.scene.film.width_px * mm_per_inch / beamer_width_mm;
     on_paper.print.type_pt = 11.0;
     const Session paper = open_session(on_paper);
     fs::path folder = request.folder.lexically_normal();
     if (folder.filename().empty()) folder = folder.parent_path();
-    check_folder(folder, session.scene);
+    const SlideOrigin origin = origin_of(session.scene, folder);
+    const FileList earlier = check_folder(folder, origin);
     const fs::path named = folder;
     if (std::error_code error; fs::is_symlink(folder, error)) folder = fs::canonical(folder);
     watch_for_interrupts();
-    SlidesAside aside(named, folder, ".part",
-                      slide_plan_text(session, film, slides, {renderer.is_portable()}));
+    const std::string plan =
+        slide_plan_text(session, film, slides,
+                        {.is_portable = renderer.is_portable(), .scene_file = origin.scene_file});
+    SlidesAside aside(named, folder, ".part", plan);
 
     make_slide_films(session, slides, aside, request.n_jobs, renderer, task);
 
@@ -182,11 +207,11 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     }
     writer.finish();
     write_whole(aside.file(slide_index_name), slide_index(session, film, slides));
-    std::set<std::string> files{slide_plan_name, slide_index_name};
+    std::set<std::string> files{slide_index_name};
     for (std::size_t i = 0; i < slides.size(); ++i)
         for (std::string& name : slide_files_of(session, film, slides[i], i).all())
             files.insert(std::move(name));
-    commit(aside, folder, files);
+    commit(aside, folder, files, plan, earlier);
     task.finish(fmt::format("{}, {} slide{}", named.string(), slides.size(),
                             slides.size() == 1 ? "" : "s"));
 }

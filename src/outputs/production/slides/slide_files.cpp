@@ -8,10 +8,12 @@
 
 #include "production/films/film_job.h"
 #include "production/films/jobs.h"
+#include "production/records/record.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
-#include "system/sha256.h"
+#include "system/files/own_files.h"
+#include "system/files/seen_from.h"
 
 namespace poinsot {
 
@@ -53,13 +55,15 @@ std::map<std::string, std::string> finished_in(const std::string& text) {
     return hashes;
 }
 
-std::string hash_of_file(const fs::path& file) {
-    Sha256 hash;
-    read_pieces(file, [&hash](std::string_view piece) { hash.add(piece); });
-    return hash.finish();
-}
-
 }  // namespace
+
+SlideOrigin origin_of(const Scene& scene, const fs::path& folder) {
+    const bool has_file = kind_of_file(scene.file) == FileKind::regular;
+    return {.scene_name = scene.name,
+            .title = scene.title,
+            .scene_file = has_file ? seen_from(folder, scene.file).string() : "",
+            .scene_sha256 = scene_hash_of(scene)};
+}
 
 // The lock is beside the folder: the run that holds it may rename the folder.
 SlidesAside::SlidesAside(const fs::path& output, const fs::path& place, std::string_view suffix,
@@ -81,11 +85,11 @@ SlidesAside::SlidesAside(const fs::path& output, const fs::path& place, std::str
 bool SlidesAside::has_finished(const std::string& name) const {
     const auto then = finished_.find(name);
     return then != finished_.end() && kind_of_file(file(name)) == FileKind::regular &&
-           hash_of_file(file(name)) == then->second;
+           sha256_of_file(file(name)) == then->second;
 }
 
 void SlidesAside::set_finished(const std::string& name) {
-    finished_[name] = hash_of_file(file(name));
+    finished_[name] = sha256_of_file(file(name));
     std::string text;
     for (const auto& [each, hash] : finished_) text += fmt::format("{} {}\n", hash, each);
     write_whole(file(finished_name), text);

@@ -18,6 +18,9 @@
 
 namespace poinsot {
 
+// Of which scene slides in a folder are.
+SlideOrigin origin_of(const Scene& scene, const std::filesystem::path& folder);
+
 // The hidden folder in which the files are made, with a lock beside it. It is removed unless it
 // holds frames from which another run can continue.
 class SlidesAside {

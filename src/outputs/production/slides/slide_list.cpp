@@ -67,8 +67,17 @@ SlideFiles slide_files_of(const Session& session, const FilmPlan& film, const Sl
             .pdf = name_if(has_pdf, ".pdf")};
 }
 
-std::string slide_plan_head(const Scene& scene) {
-    return fmt::format("{}{},\n", any_slide_plan_head, json_string(scene.name));
+bool lists_slides_of(const SlideOrigin& origin, std::string_view plan) {
+    // No text holds a line break, so that each line is a member of the plan.
+    const auto has = [&plan](std::string_view key, const std::string& value) {
+        return plan.find(fmt::format("\n  \"{}\": {},\n", key, value)) != std::string_view::npos;
+    };
+    const bool is_one_file =
+        origin.scene_file.empty()
+            ? has("scene_file", "null") && has("title", json_string(origin.title))
+            : has("scene_file", json_string(origin.scene_file));
+    return has("slides_of", json_string(origin.scene_name)) &&
+           (is_one_file || has("scene_sha256", json_string(origin.scene_sha256)));
 }
 
 std::string slide_plan_text(const Session& session, const FilmPlan& film,
@@ -77,20 +86,19 @@ std::string slide_plan_text(const Session& session, const FilmPlan& film,
     std::vector<std::string> rows;
     for (std::size_t i = 0; i < slides.size(); ++i)
         rows.push_back(row_of(session, film, slides[i], i, setting.has_pdf));
-    const std::string text =
-        JsonObject()
-            .add("title", scene.title)
-            .add("language", scene.language)
-            .json("size", json_numbers(scene.film.width_px, scene.film.height_px))
-            .add("frames_per_second",
-                 fmt::format("{}/{}", film.rate.numerator, film.rate.denominator))
-            .add("n_frames", film.n_frames)
-            .add("poinsot", POINSOT_VERSION)
-            .add("profile", setting.is_portable ? "portable" : "native")
-            .add("scene_sha256", scene_hash_of(scene))
-            .json("slides", json_lines(rows, 2))
-            .lines();
-    return slide_plan_head(scene) + text.substr(std::string_view("{\n").size());
+    return JsonObject()
+        .add("slides_of", scene.name)
+        .json("scene_file", setting.scene_file.empty() ? "null" : json_string(setting.scene_file))
+        .add("title", scene.title)
+        .add("language", scene.language)
+        .json("size", json_numbers(scene.film.width_px, scene.film.height_px))
+        .add("frames_per_second", fmt::format("{}/{}", film.rate.numerator, film.rate.denominator))
+        .add("n_frames", film.n_frames)
+        .add("poinsot", POINSOT_VERSION)
+        .add("profile", setting.is_portable ? "portable" : "native")
+        .add("scene_sha256", scene_hash_of(scene))
+        .json("slides", json_lines(rows, 2))
+        .lines();
 }
 
 }  // namespace poinsot

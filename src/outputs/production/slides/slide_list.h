@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "production/session/session.h"
+#include "production/slides/slide_origin.h"
 #include "production/slides/slide_plan.h"
 
 namespace poinsot {
@@ -28,16 +29,17 @@ SlideFiles slide_files_of(const Session& session, const FilmPlan& film, const Sl
 // The beginning of every slides.json.
 inline constexpr const char* any_slide_plan_head = "{\n  \"slides_of\": ";
 
-// The first line of slides.json, which tells whose slides they are.
-std::string slide_plan_head(const Scene& scene);
+// Whether slides.json is of the same talk.
+bool lists_slides_of(const SlideOrigin& origin, std::string_view plan);
 
 struct SlideSetting {
     bool is_portable = false;
-    bool has_pdf = true;  // a page makes none
+    bool has_pdf = true;       // a page makes none
+    std::string scene_file{};  // of a SlideOrigin
 };
 
-// The text of slides.json. It changes with everything that the films depend on, except for the
-// machine and the renderer.
+// The text of slides.json without the files' hashes, which with_files() adds. It changes with
+// everything that the films depend on, except for the machine and the renderer.
 std::string slide_plan_text(const Session& session, const FilmPlan& film,
                             const std::vector<Slide>& slides, const SlideSetting& setting);
 

@@ -22,6 +22,7 @@
 #include "production/stills/prepared_still.h"
 #include "system/files/atomic_file.h"
 #include "system/files/file_kind.h"
+#include "system/files/own_files.h"
 #include "system/interrupt.h"
 #include "text/printable.h"
 #include "typeset/files/installed_fonts.h"
@@ -204,11 +205,14 @@ class VectorSheet {
     TextCache text_{installed_fonts()};
 };
 
-PreparedStill prepare_cell(const SheetCell& cell, const StillRequest& still, const Task& task) {
+PreparedStill prepare_cell(const SheetRequest& sheet, const SheetCell& cell,
+                           const StillRequest& still, const Task& task) {
     stop_if_interrupted();
     SceneRequest scene = cell.scene;
     scene.print = still.print;
-    return prepare_still(open_session(scene, task), still);
+    Session session = open_session(scene, task);
+    check_replaceable({.path = sheet.output, .inputs = files_read_for(session.scene)});
+    return prepare_still(std::move(session), still);
 }
 
 // For each panel the camera that sees in every cell what that cell's own camera sees: only then can
@@ -221,7 +225,7 @@ std::vector<std::optional<Camera>> common_views(const SheetRequest& request,
     std::vector<std::vector<Camera>> cameras;
     std::vector<bool> moves;
     for (const SheetCell& cell : request.cells) {
-        const PreparedStill of_cell = prepare_cell(cell, still, task);
+        const PreparedStill of_cell = prepare_cell(request, cell, still, task);
         const std::deque<Panel>& panels = of_cell.picture.stage.panels();
         if (cameras.empty()) {
             cameras.resize(panels.size());
@@ -266,7 +270,7 @@ void draw_vector_sheet(const SheetRequest& request, const Task& task) {
     std::optional<VectorSheet> sheet;
     Record record;
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
-        stills.push_back(prepare_cell(request.cells[k], still, task));
+        stills.push_back(prepare_cell(request, request.cells[k], still, task));
         Drawing drawing = drawing_of(stills[k]);
         if (!sheet) {
             record = vector_record_of(stills[k]);
@@ -306,7 +310,6 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Task&
             fmt::format("{}: a sheet is a PNG, a PDF or an SVG; name it with -o FILE.png, FILE.pdf "
                         "or FILE.svg",
                         printable(request.output)));
-    check_aside(request.output);
     task.begin("sheet", static_cast<std::int64_t>(request.cells.size()));
     StillRequest still;
     still.time_s = request.time_s;
@@ -317,7 +320,8 @@ void draw_sheet(const SheetRequest& request, LazyRenderer& renderer, const Task&
     Image picture;
     for (std::size_t k = 0; k < request.cells.size(); ++k) {
         const SheetCell& cell = request.cells[k];
-        const Record of_cell = draw_into(prepare_cell(cell, still, task), renderer, picture);
+        const Record of_cell =
+            draw_into(prepare_cell(request, cell, still, task), renderer, picture);
         if (!sheet) {
             sheet.emplace(request, picture);
             record = of_cell;

@@ -4,14 +4,22 @@
 #include <string>
 #include <system_error>
 
+#include "encoding/film_parts.h"
 #include "encoding/frame_name.h"
-#include "system/files/atomic_file.h"
+#include "production/records/record.h"
+#include "production/records/verify.h"
+#include "system/files/own_files.h"
 
 namespace poinsot {
 
 namespace {
 constexpr const char* default_folder = "output";
 constexpr std::string_view scene_placeholder = "{scene}";
+
+// Whether a picture or film is as its record says, or is a part of a film.
+bool is_as_recorded(const std::filesystem::path& file) {
+    return looks_like_part(file) || verify(file, read_record(file)).verified == Verified::yes;
+}
 }  // namespace
 
 bool has_scene_name(std::string_view pattern) {
@@ -41,15 +49,37 @@ std::filesystem::path default_output(std::string_view scene_name, std::string_vi
                            scene_name);
 }
 
+std::vector<std::filesystem::path> files_read_for(const Scene& scene) {
+    std::vector<std::filesystem::path> files{scene.file};
+    const auto add = [&](const std::string& name) {
+        if (!name.empty()) files.push_back(scene.file.parent_path() / name);
+    };
+    add(scene.body.mesh);
+    add(scene.object.mesh);
+    add(scene.measured.file);
+    for (const FacePictureSpec& picture : scene.object.pictures) add(picture.file);
+    return files;
+}
+
 OutputPlace::OutputPlace(const std::string& asked, const Scene& scene, std::string_view suffix)
-    : path_(asked) {
+    : path_(asked), inputs_(files_read_for(scene)), is_named_(!asked.empty()) {
     if (path_.empty()) {
         // Errors are reported when the file is opened.
         std::error_code ignored;
         made_ = std::filesystem::create_directory(default_folder, ignored);
         path_ = default_output(scene.name, suffix);
     }
-    check_aside(path_);
+    check(path_);
+    if (!has_frame_number(path_)) return;
+    for (const std::filesystem::path& input : inputs_)
+        if (is_frame_of(input, path_)) check(path_.parent_path() / input.filename());
+}
+
+void OutputPlace::check(const std::filesystem::path& file) const {
+    check_replaceable({.path = file,
+                       .is_own = is_named_ ? IsOwn() : IsOwn(is_as_recorded),
+                       .what = "the output",
+                       .inputs = inputs_});
 }
 
 OutputPlace::~OutputPlace() {

@@ -3,8 +3,9 @@
 #include <fmt/format.h>
 
 #include "error/error.h"
-#include "system/files/file_contents.h"
 #include "system/files/file_kind.h"
+#include "system/files/own_files.h"
+#include "system/seal.h"
 #include "text/printable.h"
 
 namespace poinsot {
@@ -76,27 +77,23 @@ void check_latex_place(const std::filesystem::path& figure) {
         throw InputError(fmt::format(
             "--text latex needs a PDF, which pdflatex can include; end the name {} in .pdf",
             printable(name)));
-    if (name.find_first_of("%#{}\\~^$&\"") != std::string::npos)
+    if (name.find_first_of("%#{}\\~^$&\"") != std::string::npos || printable(name) != name)
         throw InputError(fmt::format(
-            "--text latex: LaTeX cannot take {} as a figure's name; leave out % # $ & ~ ^ \\ \" "
-            "and braces",
+            "--text latex: LaTeX cannot take {} as a figure's name; leave out % # $ & ~ ^ \\ \", "
+            "braces and characters that cannot be seen",
             printable(name)));
-    const std::filesystem::path beside = latex_path_of(figure);
-    if (kind_of_file(beside) != FileKind::missing && !begins_with(beside, signature))
-        throw InputError(
-            fmt::format("{}: exists and was not written by poinsot, and --text latex would replace "
-                        "it; choose another name for the figure",
-                        printable(beside.string())));
+    check_replaceable(
+        {.path = latex_path_of(figure), .is_own = sealed_with(signature), .what = "--text latex"});
 }
 
 std::string latex_figure(const vector::SheetOfPaper& page, const std::vector<vector::Type>& type,
                          const std::filesystem::path& figure, LatexGaps& gaps) {
     const std::string name = figure.filename().string();
-    std::string text = fmt::format("{}the type of {}\n", signature, name);
+    std::string text = fmt::format("{}the type of {}\n% sha256 {}\n", signature, name, blank_seal);
     text += fmt::format(preamble, figure.stem().string(), page.width_pt,
                         page.height_pt / page.width_pt, name);
     for (const vector::Type& one : type) text += put(page, one, gaps);
-    return text + "\\end{picture}%\n\\endgroup\n";
+    return sealed(text + "\\end{picture}%\n\\endgroup\n");
 }
 
 }  // namespace poinsot

@@ -1,0 +1,13 @@
+#include "system/files/seen_from.h"
+
+namespace poinsot {
+
+namespace fs = std::filesystem;
+
+fs::path seen_from(const fs::path& folder, const fs::path& file) {
+    const fs::path whole = fs::weakly_canonical(fs::absolute(file));
+    const fs::path path = whole.lexically_relative(fs::weakly_canonical(fs::absolute(folder)));
+    return path.empty() ? whole : path;
+}
+
+}  // namespace poinsot
