@@ -15,6 +15,15 @@ export function input(id) {
   return /** @type {HTMLInputElement} */ (document.getElementById(id));
 }
 
+/** Offers a file for download. @param {Blob} blob @param {string} name */
+export function save_as(blob, name) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  window.setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
 /** @param {string} id @param {string} name */
 function set_icon(id, name) {
   part(id).querySelector('use')?.setAttribute('href', `#i-${name}`);

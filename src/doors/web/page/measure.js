@@ -1,6 +1,6 @@
 // Measuring: a recording of ω(t) with its flights, and the scene of the one that is picked.
 
-import {input, part} from './bar.js';
+import {input, part, save_as} from './bar.js';
 import {message_of} from './figure.js';
 import {unpacked} from './loader.js';
 import {OmegaChart} from './measure_chart.js';
@@ -400,15 +400,6 @@ export class Measure {
 export async function painted() {
   // A frame's callbacks run before it is painted, and the next task after it.
   await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-}
-
-/** @param {Blob} blob @param {string} name */
-export function save_as(blob, name) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  window.setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
 /** The last rows of a recording. @param {number[]} rows */

@@ -1,7 +1,7 @@
 // The page: joins the figure with its controls, tells screen readers, and decides when the figure starts and rests.
 
 import {Address} from './address.js';
-import {Bar, part} from './bar.js';
+import {Bar, part, save_as} from './bar.js';
 import {Figure, message_of} from './figure.js';
 import {Grips} from './grips.js';
 import {action_of, is_for_field} from './keys.js';
@@ -278,13 +278,9 @@ export class Page {
     this.options.name();
   }
 
-  /** Offers a file for download. @param {Blob} blob @param {string} suffix */
-  save(blob, suffix) {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(blob);
-    link.download = `${this.data.name}${suffix}`;
-    link.click();
-    window.setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  /** Offers a file for download. @param {Blob} blob @param {string} suffix @param {string} [name] by default, the scene's */
+  save(blob, suffix, name = this.data.name) {
+    save_as(blob, name + suffix);
   }
 
   // ── Size ────────────────────────────────────────────────────────────────────────────────

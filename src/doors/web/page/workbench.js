@@ -1,11 +1,11 @@
 // The workbench: examples, text of the scene, files, drafts, and what it saves.
 
-import {input, part} from './bar.js';
+import {input, part, save_as} from './bar.js';
 import {Drafts} from './drafts.js';
 import {new_editor} from './editor.js';
 import {message_of} from './figure.js';
 import {block, bytes_of_base64} from './loader.js';
-import {Measure, painted, save_as} from './measure.js';
+import {Measure, painted} from './measure.js';
 import {ZipWriter} from './png_frames.js';
 import './pptx.js';
 import {ProgramError} from './program.js';
