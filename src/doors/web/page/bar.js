@@ -30,8 +30,8 @@ function set_icon(id, name) {
 }
 
 export class Bar {
-  /** @param {Figure} figure @param {() => Words} words @param {() => void} changed */
-  constructor(figure, words, changed) {
+  /** @param {Figure} figure @param {() => Words} words @param {{changed: () => void, next: () => void, previous: () => void}} events */
+  constructor(figure, words, {changed, next, previous}) {
     this.figure = figure;
     this.words = words;
     this.changed = changed;
@@ -41,8 +41,8 @@ export class Bar {
       changed();
     });
     act('play', () => film.toggle());
-    act('next', () => film.next());
-    act('previous', () => film.previous());
+    act('next', next);
+    act('previous', previous);
     part('full').addEventListener('click', () => this.full_screen());
     input('scrub').addEventListener('input', () => {
       film.pause();
