@@ -679,6 +679,99 @@ check('leads to the page that follows at the end of the film', async (browser) =
   await tab.close();
 });
 
+check('gives the scenes that follow in one page, by one key, forwards and backwards', async (browser) => {
+  const scene = (name, rest) => scene_file(name, `title = "${name}"\n[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nomega_rad_s = [0.3, 1.6, 0.6]\n[film]\nlength_s = 2\n${rest}`);
+  const first = scene('chain_one', 'still_s = 1\n[page]\nnext = "chain_two.html"\n[[stops]]\nat_s = 1\ntitle = "Only"\n[[stops]]\nat_s = 2\ntitle = "End of one"\n');
+  scene('chain_two', 'still_s = 1.5\n[page]\nnext = "chain_three.html"\n');
+  scene('chain_three', '[page]\nnext = "chain_one.html"\n[[stops]]\nat_s = 0.5\ntitle = "Third"\nnote = "Say it."\n');
+  const {tab, faults} = await opened_file(browser, page_of(program, first, path.join(folder, 'chain_one.html')));
+  await ready(tab);
+  const title = () => tab.evaluate(() => the_page.figure.loaded.title);
+  const note = (name) => tab.evaluate((name) => the_page.notes.page.querySelector(`.notes-${name}`).textContent, name);
+  await press(tab, 'n');
+  await tab.bringToFront();
+  await tab.evaluate(() => { window.notes_page = the_page.notes.page; });
+  // The key alone, to the end of the last scene.
+  await press(tab, 'PageDown');
+  await until(tab, 'the_page.figure.film.waiting === 0');
+  assert.equal(await note('where'), '1 / 3 · Only');
+  await press(tab, 'PageDown');
+  await until(tab, 'the_page.figure.film.waiting === 1');
+  assert.equal(await note('next'), 'Next: chain_two');
+  await press(tab, 'PageDown');
+  await until(tab, 'the_page.figure.loaded.title === "chain_two"');
+  assert.equal(await film_s(tab), 1.5, 'it opens as its still');
+  assert.equal(await note('where'), 'chain_two');
+  assert.equal(await tab.title(), 'chain_two');
+  await press(tab, 'PageDown');
+  await until(tab, 'the_page.figure.film.playing && the_page.figure.film.at_s < 1');
+  await until(tab, 'the_page.figure.film.is_over');
+  await press(tab, 'PageDown');
+  await until(tab, 'the_page.figure.loaded.title === "chain_three"');
+  assert.equal(await note('where'), '3 / 3 · Third');
+  assert.equal(await note('note'), 'Say it.');
+  await until(tab, '/Elapsed 0:0[1-9]/.test(the_page.notes.page.querySelector(".notes-clock").textContent)');
+  // One window of notes, whose keys go on working.
+  assert.ok(await tab.evaluate(() => the_page.notes.is_open && the_page.notes.page === window.notes_page));
+  await tab.evaluate(() => the_page.notes.keys(new KeyboardEvent('keydown', {key: 'PageDown'})));
+  await until(tab, 'the_page.figure.film.waiting === 0');
+  // The link holds the scene.
+  await until(tab, 'location.hash.includes("scene=chain_three&at=0.5")');
+  await tab.reload();
+  await ready(tab);
+  assert.equal(await title(), 'chain_three');
+  assert.equal(await film_s(tab), 0.5);
+  // Backwards, to the end of the scene before.
+  await press(tab, 'PageUp');
+  assert.equal(await film_s(tab), 0);
+  await press(tab, 'PageUp');
+  assert.equal(await title(), 'chain_two');
+  assert.equal(await film_s(tab), 2);
+  await press(tab, 'PageUp');
+  await tab.click('#previous');
+  assert.equal(await title(), 'chain_one');
+  assert.equal(await film_s(tab), 2);
+  await tab.click('#next');
+  assert.equal(await title(), 'chain_two');
+  await tab.evaluate(() => { location.hash = '#at=0.5'; });
+  await until(tab, 'the_page.figure.loaded.title === "chain_one" && the_page.figure.film.at_s === 0.5');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('takes a drag back at the next stop', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await ready(tab);
+  const omega = () => tab.evaluate(() => poinsot.at(0).omega_body);
+  const drag = () => tab.evaluate(() => {
+    const {grips, figure} = the_page;
+    figure.program.draw(figure.time_s, figure.film.at_s);
+    const grip = figure.program.grips(figure.time_s, figure.film.at_s).find(({thing}) => thing === 'omega');
+    grips.take(grip.x, grip.y, grip.panel);
+    grips.drag(grip.x + 15, grip.y + 10);
+    figure.before_next();
+    figure.before_next = null;
+    grips.drop();
+  });
+  const first = await omega();
+  await tab.evaluate(() => poinsot.set({'body.moments_kg_m2': [3, 2, 1.2]}));
+  // At a stop that stands, and twice at one that loops.
+  for (const [here, n_drags, there] of [[1, 1, 2], [2, 2, 1]]) {
+    await tab.evaluate((stop) => poinsot.seek_stop(stop), here);
+    await until(tab, `poinsot.stop === ${here} && the_page.figure.frame === 0 || the_page.figure.film.is_looping`);
+    for (let k = 0; k < n_drags; ++k) await drag();
+    assert.notDeepEqual(await omega(), first);
+    await wait(300);
+    assert.notDeepEqual(await omega(), first, 'it stays at its stop');
+    await tab.evaluate((stop) => poinsot.seek_stop(stop), there);
+    await until(tab, `poinsot.stop === ${there} && !the_page.figure.choices.values.has('start.omega_rad_s')`);
+    assert.deepEqual(await omega(), first);
+    assert.equal(await tab.evaluate(() => the_page.figure.choices.values.get('body.moments_kg_m2')), '[3.0, 2.0, 1.2]', 'what was not dragged stays');
+  }
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('sets captions of 12 to 15 pixels on small screens', async (browser) => {
   const {tab, faults} = await opened(browser);
   for (const [width, height] of [[390, 764], [390, 325], [640, 320], [1024, 500]]) {

@@ -91,10 +91,48 @@ async function film_file(tab, name, values) {
 
 const probed = (file) => JSON.parse(run('ffprobe', ['-v', 'error', '-count_frames', '-show_streams', '-show_format', '-of', 'json', file]));
 
+/** A decoder configuration record of H.264 is one by the letter of ISO/IEC 14496-15 §5.3.3.1.2. @param {Buffer} record */
+function assert_avc_record(record) {
+  const [version, profile, , , lengths, n_sps] = record;
+  assert.equal(version, 1);
+  assert.equal(lengths & 0xfc, 0xfc, 'reserved bits are 1');
+  assert.equal(n_sps & 0xe0, 0xe0, 'reserved bits are 1');
+  let at = 6;
+  const sets = (n, type) => {
+    assert.ok(n >= 1);
+    for (let k = 0; k < n; ++k) {
+      const size = record.readUInt16BE(at);
+      const set = record.subarray(at + 2, at += 2 + size);
+      assert.equal(set.length, size);
+      assert.equal(set[0] & 0x9f, type, `a parameter set of type ${type}`);
+      if (type === 7) assert.ok(set.subarray(1, 4).equals(record.subarray(1, 4)), `profile and level of the set ${set.toString('hex')} are those of the record`);
+    }
+  };
+  sets(n_sps & 0x1f, 7);
+  sets(record[at++], 8);
+  if ([100, 110, 122, 144].includes(profile)) {
+    assert.deepEqual([record[at], record[at + 1], record[at + 2]], [0xfd, 0xf8, 0xf8], '4:2:0, 8 bits');
+    assert.equal(record[at + 3], 0);
+    at += 4;
+  }
+  assert.equal(at, record.length);
+}
+
+/** The body of the first box of a kind. @param {string} file @param {string} kind */
+function box_in(file, kind) {
+  const bytes = fs.readFileSync(file);
+  const at = bytes.indexOf(kind, 0, 'latin1');
+  return bytes.subarray(at + 4, at - 4 + bytes.readUInt32BE(at - 4));
+}
+
 function assert_film(file, codec, n_frames, per_second = 30) {
   const {streams, format} = probed(file);
   const [video] = streams;
   assert.equal(video.codec_name, codec);
+  if (codec === 'h264') {
+    assert_avc_record(box_in(file, 'avcC'));
+    assert.equal(spawnSync('ffmpeg', ['-v', 'warning', '-i', file, '-f', 'null', '-'], {encoding: 'utf8'}).stderr, '');
+  }
   assert.equal(Number(video.nb_read_frames), n_frames);
   assert.equal(video.r_frame_rate, `${per_second}/1`);
   assert.equal(video.avg_frame_rate, `${per_second}/1`);
@@ -121,4 +159,4 @@ function spoiled(file, at) {
   return copy;
 }
 
-module.exports = {assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, probed, psnr, rgb_of, run, said, size, spoiled, verified};
+module.exports = {assert_avc_record, assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, probed, psnr, rgb_of, run, said, size, spoiled, verified};

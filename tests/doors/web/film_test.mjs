@@ -150,6 +150,32 @@ test('backwards, stops do not hold', () => {
   near(film.at_s, 1);
 });
 
+test('without stops, the key of the next one plays from the beginning to the end', () => {
+  const film = film_with();
+  film.at_s = 6; // its still, where nobody has moved it yet
+  film.next();
+  assert.equal(film.playing, true);
+  near(film.at_s, 0);
+  for (let i = 0; i < 120; ++i) film.advance(0.1);
+  assert.equal(film.is_over, true);
+  film.next();
+  assert.equal(film.is_over, true, 'the page opens what follows');
+  film.seek(4);
+  film.next();
+  film.advance(1);
+  near(film.at_s, 5);
+  film.next();
+  assert.equal(film.is_over, true, 'pressed while it plays, it goes to the end');
+  const chapters = film_with({loops: true, chapters: [{at_s: 0, title: ''}, {at_s: 4, title: ''}]});
+  chapters.next();
+  chapters.advance(1);
+  chapters.next();
+  near(chapters.at_s, 4);
+  assert.equal(chapters.playing, true);
+  chapters.next();
+  assert.equal(chapters.is_over, true, 'also where it would repeat');
+});
+
 test('steps through stops, chapters or the ends', () => {
   const film = film_with({stops: [stop(3), stop(8, 2)]});
   film.seek(5);

@@ -98,6 +98,24 @@ TEST(HtmlPage, TextOfASceneStaysText) {
     EXPECT_EQ(between(page, "<title>", "</title>").find('<'), std::string::npos);
 }
 
+TEST(HtmlPage, HoldsTheScenesThatFollow) {
+    PageContents contents = a_page();
+    PageContents second = a_page();
+    second.scene_name = "second";
+    second.title = "Second </script>";
+    second.scene_text = "# second";
+    second.n_stops = 3;
+    contents.following = {second};
+    const std::string page = html_page(contents);
+    EXPECT_EQ(n_of(page, "</script>"), 6);
+    const std::string scene =
+        between(page, "id=\"scene-data\" type=\"application/json\">", "</script>");
+    const std::string following = scene.substr(scene.find("\"following\": ["));
+    EXPECT_NE(following.find("\"# second\""), std::string::npos);
+    EXPECT_NE(following.find("\"n_stops\": 3"), std::string::npos);
+    EXPECT_LT(page.size(), html_page(a_page()).size() + 2000) << "one program for all scenes";
+}
+
 TEST(HtmlPage, AllowsItsOwnScriptsAndNoConnections) {
     const std::string page = html_page(a_page());
     const std::string policy = between(page, "Content-Security-Policy\" content=\"", "\"");

@@ -6,7 +6,7 @@ const crypto = require('node:crypto');
 const fs = require('node:fs');
 const path = require('node:path');
 const {browser_checks, is_firefox, opened_file, page_of, ready, scene_text, until, write_page, write_scene} = require('./browsers.js');
-const {assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, probed, psnr, rgb_of, run, said, size, spoiled, verified} =
+const {assert_avc_record, assert_film, assert_same_frames, film_file, folder, made, native_frames_of, poinsot, probed, psnr, rgb_of, run, said, size, spoiled, verified} =
   require('./film_checks.js');
 
 const [program, make_workbench, ...only] = process.argv.slice(2);
@@ -20,6 +20,9 @@ const generic = fs.readFileSync(path.join(__dirname, '../../../scenes/generic.to
 fs.writeFileSync(scene, generic.replace(/duration_s = [\d.]+/, 'duration_s = 2.0').replace(/still_s = [\d.]+\n/, '') +
   '\n[[stops]]\nat_s = 1.0\ntitle = "Half"\n[[fades]]\nat_s = 0.5\nover_s = 0.5\nelements = ["herpolhode"]\n');
 const page_file = page_of(program, scene, path.join(folder, 'short.html'));
+
+/** A scene to which the length of the film is added. */
+const plain = '[body]\nmoments_kg_m2 = [3, 2, 1.5]\n[start]\nomega_rad_s = [1, 0.5, 0.2]\n[film]\n';
 
 let native_frames = null;
 const native = () => (native_frames ??= native_frames_of(scene, 'native'));
@@ -64,6 +67,17 @@ check('makes a WebM film', async (browser) => {
   await tab.close();
 });
 
+/** Writes the first PNG file with the pixels of the second. */
+const swap_pixels = `import struct, sys
+def chunks(name):
+    data, at = open(name, "rb").read(), 8
+    while at < len(data):
+        end = at + 12 + struct.unpack(">I", data[at:at + 4])[0]
+        yield data[at + 4:at + 8], data[at:end]
+        at = end
+pixels = b"".join(chunk for kind, chunk in chunks(sys.argv[2]) if kind == b"IDAT")
+open(sys.argv[3], "wb").write(open(sys.argv[1], "rb").read(8) + b"".join(pixels if kind == b"IDAT" else chunk for kind, chunk in chunks(sys.argv[1])))`;
+
 check('makes PNG pictures of the frames that lead to a stop', async (browser) => {
   const {tab, faults} = await opened(browser);
   const file = await film_file(tab, 'page.zip', {kind: 'png', span: 'stop 0'});
@@ -73,6 +87,13 @@ check('makes PNG pictures of the frames that lead to a stop', async (browser) =>
   assert.equal(names[30], 'short_0030.png');
   assert_same_frames(rgb_of(['-i', path.join(folder, 'short_%04d.png')]), native());
   assert_record(path.join(folder, names[0]), [0, 30]);
+  const last = path.join(folder, names[30]);
+  assert.equal(JSON.parse(poinsot('explain', last, '--json')).frame, 30);
+  assert.equal(verified(last)[0], 0, verified(last)[1]);
+  // Its record beside the pixels of another frame is found out.
+  const swapped = path.join(folder, 'swapped.png');
+  run('python3', ['-c', swap_pixels, last, path.join(folder, names[0]), swapped]);
+  assert.match(verified(swapped)[1], /pixels do not match/);
   assert.deepEqual(faults, []);
   await tab.close();
 });
@@ -220,6 +241,7 @@ check('makes the slides that the program makes', async (browser) => {
     if (captions) assert.equal(fs.readFileSync(path.join(slides, captions), 'utf8'), fs.readFileSync(path.join(natively, captions), 'utf8'));
     const still = path.join(slides, png);
     assert.ok(psnr(rgb_of(['-i', still], small)[0], pictures[last_frame]) > 38);
+    assert.equal(verified(still)[0], 0, verified(still)[1]);
     assert.equal(JSON.parse(poinsot('explain', still, '--json')).frame, last_frame);
   }
   // The films meet in the same pixels.
@@ -274,7 +296,7 @@ check('leads from New to a film of a changed scene', async (browser) => {
   await tab.click('#show-options');
   await tab.evaluate(() => {
     window.showSaveFilePicker = undefined;
-    the_page.save = async (blob, suffix) => { window.first_film = {name: `${the_page.data.name}${suffix}`, bytes: await blob.arrayBuffer()}; };
+    the_page.save = async (blob, suffix, name) => { window.first_film = {name: name + suffix, bytes: await blob.arrayBuffer()}; };
   });
   await tab.select('#film-kind', 'mp4');
   await tab.click('#film-make');
@@ -315,7 +337,7 @@ check('can be cancelled, stays usable, and saves nothing then', async (browser) 
     document.getElementById('film-make').click();
     while (!the_page.options.films.run) await new Promise((resolve) => setTimeout(resolve, 20));
     document.getElementById('film-cancel').click();
-    while (the_page.options.films.is_making) await new Promise((resolve) => setTimeout(resolve, 20));
+    while (the_page.options.films.making) await new Promise((resolve) => setTimeout(resolve, 20));
     Program.start = start;
     return n_started;
   }), 1);
@@ -356,25 +378,147 @@ check('writes to a chosen file, and leaves nothing of a film that fails', async 
   const {tab, faults} = await opened(browser);
   const outcome = await tab.evaluate(async () => {
     const outcomes = [];
-    for (const most of [Infinity, 20000]) {
-      const file = {size: 0, closed: false, aborted: false};
-      window.showSaveFilePicker = async () => ({createWritable: async () => ({
-        write: async (chunk) => {
-          file.size = Math.max(file.size, chunk.position + chunk.data.length);
-          if (file.size > most) throw new DOMException('no space', 'QuotaExceededError');
-        },
-        close: async () => { file.closed = true; },
-        abort: async () => { file.aborted = true; },
-      })});
-      await the_page.options.films.make({...the_page.options.films.settings(), width: 320, height: 180});
+    // A film; a full disk; a film that is cancelled, in place of an own file and in a new one.
+    for (const [most, cancels, n_before] of [[Infinity, false, 0], [20000, false, 0], [Infinity, true, 0], [Infinity, true, 999]]) {
+      const file = {size: 0, closed: false, aborted: false, removed: false};
+      window.showSaveFilePicker = async () => ({
+        createWritable: async () => ({
+          write: async (chunk) => {
+            file.size = Math.max(file.size, chunk.position + chunk.data.length);
+            if (file.size > most) throw new DOMException('no space', 'QuotaExceededError');
+          },
+          close: async () => { file.closed = true; },
+          abort: async () => { file.aborted = true; },
+        }),
+        // What stands at the place before the film is there.
+        getFile: async () => ({size: n_before}),
+        remove: async () => { file.removed = true; },
+      });
+      const {films} = the_page.options;
+      const making = films.make({...films.settings(), width: 320, height: 180});
+      if (cancels) {
+        while (!(document.getElementById('film-done').value > 0.1)) await new Promise((resolve) => setTimeout(resolve, 20));
+        document.getElementById('film-cancel').click();
+      }
+      await making;
       outcomes.push({...file, said: document.getElementById('film-message').textContent});
     }
     return outcomes;
   });
-  assert.ok(outcome[0].closed && !outcome[0].aborted && outcome[0].size > 20000, JSON.stringify(outcome[0]));
-  assert.match(outcome[0].said, /is saved/);
-  assert.ok(outcome[1].aborted && !outcome[1].closed, JSON.stringify(outcome[1]));
-  assert.match(outcome[1].said, /disk is full/);
+  const [made, full, cancelled, replaced] = outcome;
+  assert.ok(made.closed && !made.aborted && !made.removed && made.size > 20000, JSON.stringify(made));
+  assert.match(made.said, /is saved/);
+  assert.ok(full.aborted && !full.closed && full.removed, JSON.stringify(full));
+  assert.match(full.said, /disk is full/);
+  assert.ok(cancelled.aborted && cancelled.removed, JSON.stringify(cancelled));
+  assert.ok(replaced.aborted && !replaced.removed, JSON.stringify(replaced));
+  assert.match(replaced.said, /nothing was saved/);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('makes every span that it offers, of one frame at least', async (browser) => {
+  const ended = path.join(folder, 'ended.toml');
+  fs.writeFileSync(ended, `${plain}duration_s = 0.5\n[[stops]]\nat_s = 0.2\n[[stops]]\nat_s = 0.5\n[[chapters]]\nat_s = 0\ntitle = "a"\n[[chapters]]\nat_s = 0.49\ntitle = "b"\n`);
+  const {tab, faults} = await opened_file(browser, page_of(program, ended, path.join(folder, 'ended.html')));
+  await ready(tab);
+  const spans = await tab.$$eval('#film-span option', (options) => options.map((option) => option.value));
+  assert.deepEqual(spans, ['whole', 'chapter 0', 'chapter 1', 'stop 0', 'stop 1'], 'nothing follows the last stop');
+  // Also at rates at which two marks are one frame, and of a link or script that asks for what is not offered.
+  for (const [span, rate] of [...spans.map((span) => [span, 30]), ['whole', 4], ['chapter 0', 4], ['chapter 1', 4], ['stop 0', 4], ['stop 1', 4]]) {
+    const bytes = await made(tab, {kind: 'png', width: 32, height: 18, rate, span});
+    assert.ok(bytes && bytes.length > 1000, `${span} at ${rate}: ${await said(tab)}`);
+  }
+  const spans_of = (film, kind) => tab.evaluate((film, kind) => [0, 1, 2, 3].map((index) => frames_of_span(film, {kind, index})), film, kind);
+  for (const kind of ['whole', 'chapter', 'stop'])
+    for (const film of [{n_frames: 15, chapters: [0, 14], stops: [6, 14]}, {n_frames: 1, chapters: [0, 0], stops: [0, 0]}, {n_frames: 9, chapters: [], stops: []}])
+      for (const [first, last] of await spans_of(film, kind)) assert.ok(first >= 0 && first <= last && last < film.n_frames, `${kind} ${first} ${last}`);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('says how many chapters an MP4 film leaves out', async (browser) => {
+  const many = path.join(folder, 'many.toml');
+  fs.writeFileSync(many, `${plain}duration_s = 10\n${Array.from({length: 290}, (_, k) => `[[chapters]]\nat_s = ${k / 30}\ntitle = "c${k}"\n`).join('')}`);
+  const {tab, faults} = await opened_file(browser, page_of(program, many, path.join(folder, 'many.html')));
+  await ready(tab);
+  const file = await film_file(tab, 'many.mp4', {kind: 'mp4', width: 32, height: 18, quality: 'draft'});
+  assert.equal(chapters_of(file).length, 255);
+  assert.match(await said(tab), /is saved\. .*255 chapters; the last 35 are left out/);
+  const webm = await film_file(tab, 'many.webm', {kind: 'webm', width: 32, height: 18, quality: 'draft'});
+  assert.equal(chapters_of(webm).length, 290);
+  assert.doesNotMatch(await said(tab), /left out/);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('mends the decoder configuration of Firefox’s H.264, and leaves a sound one alone', async () => {
+  const {sound_avc_record} = await import('../../../src/doors/web/page/film_encoder.js');
+  const sps = [0x67, 0x64, 0x00, 0x1e, 0xac, 0xd9, 0x40, 0xa0, 0x2f, 0xf9, 0x70, 0x11, 0, 0, 3, 0, 1, 0, 0, 3, 0, 0x3c, 0x0f, 0x16];
+  const pps = [0x68, 0xeb, 0xe3, 0xcb];
+  const sound = [1, 0x64, 0, 0x1e, 0xff, 0xe1, 0, sps.length, ...sps, 1, 0, pps.length, ...pps, 0xfd, 0xf8, 0xf8, 0];
+  // As Firefox 153 begins it: 01 64 00 1e 03 01 00 19 67 67 64.
+  const broken = [1, 0x64, 0, 0x1e, 3, 1, 0, 0x19, 0x67, ...sps, 1, 0, pps.length + 1, 0x68, ...pps];
+  assert.equal(Buffer.from(broken.slice(0, 11)).toString('hex'), '0164001e0301001967' + '6764');
+  assert.deepEqual([...sound_avc_record(Uint8Array.from(broken))], sound);
+  assert.deepEqual([...sound_avc_record(Uint8Array.from(sound))], sound);
+  assert_avc_record(Buffer.from(sound));
+  assert.throws(() => assert_avc_record(Buffer.from(broken)));
+  // The baseline profile has no further fields; its second parameter set may begin with equal bytes.
+  const baseline = [1, 0x42, 0xc0, 0x1e, 0xff, 0xe1, 0, 5, 0x67, 0x42, 0xc0, 0x1e, 0xd9, 1, 0, 3, 0x68, 0x68, 0x20];
+  assert.deepEqual([...sound_avc_record(Uint8Array.from(baseline))], baseline);
+});
+
+check('names a film after the scene that was filmed', async (browser) => {
+  const workbench = path.join(folder, 'named.html');
+  write_page(make_workbench, [workbench, path.join(__dirname, '../../../scenes/scene.schema.json'), scene]);
+  const {tab, faults} = await opened_file(browser, workbench);
+  await ready(tab);
+  const saved = await tab.evaluate(async () => {
+    const names = [];
+    window.showSaveFilePicker = undefined;
+    the_page.save = (blob, suffix, name) => names.push(name + suffix);
+    const {films} = the_page.options;
+    const making = films.make({...films.settings(), kind: 'mp4', width: 32, height: 18});
+    the_workbench.open({kind: 'new', name: 'x', text: 'title = "Another"\n[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n[start]\nomega_rad_s = [0.3, 1.25, 0.2]\n'}, {});
+    await making;
+    return [...names, the_page.data.name];
+  });
+  assert.deepEqual(saved, ['short.mp4', 'another']);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('refuses a size for which a tab has no memory before it begins', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const n_started = await tab.evaluate(() => {
+    const {start} = Program;
+    window.n_started = 0;
+    Program.start = (...given) => {
+      ++window.n_started;
+      return start.apply(Program, given);
+    };
+    return window.n_started;
+  });
+  for (const kind of ['mp4', 'webm', 'png']) {
+    assert.equal(await made(tab, {kind, width: 16384, height: 16384}), null);
+    assert.match(await said(tab), /^A frame of 16384 × 16384 pixels needs more memory .*; choose at most (35|67) million/);
+  }
+  assert.equal(n_started + await tab.evaluate('window.n_started'), 0);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('says how large pictures will be, within a fifth', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  for (const [width, height] of [[320, 180], [1440, 810]]) {
+    await tab.evaluate(() => { document.getElementById('film-hint').textContent = ''; });
+    const bytes = await made(tab, {kind: 'png', width, height, rate: 5});
+    await until(tab, 'document.getElementById("film-hint").textContent.includes("≈")');
+    const said_MB = Number((await tab.$eval('#film-hint', (hint) => hint.textContent)).match(/≈ ([\d.]+) MB/)[1]);
+    console.log(`      ${width} × ${height}: ${said_MB} MB said, ${bytes.length / 1e6} MB made`);
+    assert.ok(Math.abs(said_MB / (bytes.length / 1e6) - 1) < 0.2, `${said_MB} MB, not ${bytes.length / 1e6} MB`);
+  }
   assert.deepEqual(faults, []);
   await tab.close();
 });

@@ -279,6 +279,33 @@ check('stops a recording on request, and keeps it', async (browser) => {
   await tab.close();
 });
 
+check('ends a recording by its own button alone', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  await record(tab, thrown(60, 1.2));
+  await until(tab, 'parseFloat(document.getElementById("measure-time").textContent) > 0.5');
+  assert.equal(await tab.$eval('#measure-close', (button) => button.offsetParent), null, 'its cross is away from the thumb');
+  await tab.focus('#record-stop');
+  await tab.keyboard.press('Escape');
+  await tab.click('#measure-open');
+  await drop(tab, [['other.csv', csv_of(thrown(100, 5))]]);
+  await until(tab, 'document.getElementById("measure-message").textContent.includes("Stop ends it")');
+  assert.equal(await tab.evaluate(() => {
+    const event = new Event('beforeunload', {cancelable: true});
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+  }), true, 'it asks before the page is left');
+  await until(tab, 'parseFloat(document.getElementById("measure-time").textContent) > 1.1');
+  assert.equal(await tab.$eval('#measure', (part) => part.hidden), false);
+  await tab.click('#record-stop');
+  await until(tab, 'document.querySelector("#measure-message.refused")');
+  const rows = (await saved_by(tab, 'record-save')).trim().split('\n').length - 1;
+  assert.equal(rows, 72, 'every row is there');
+  await tab.click('#measure-close');
+  assert.equal(await tab.$eval('#measure', (part) => part.hidden), true);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('says what recording needs', async (browser) => {
   // No gyroscope answers.
   const none = await opened(browser);

@@ -269,25 +269,98 @@ check('warns before a page is left whose text the browser does not keep', async 
   }
 });
 
-check('makes room for a draft where the store is full', async (browser) => {
+check('gives no other draft up for one that the browser cannot keep', async (browser) => {
   const {tab, faults, context} = await opened_alone(browser);
   const kept = await tab.evaluate((mine) => {
-    const drafts = new Drafts();
     const source = {kind: 'new', name: 'a', text: ''};
-    const fills = {'a.obj': 'x'.repeat(1500000)};
-    const results = [];
-    for (let k = 0; k < 12; ++k) {
-      drafts.begin();
-      results.push(drafts.keep({name: `n${k}`, source, kept: {text: `${mine}# ${k}`}, files: fills}));
+    const keep = (name, text, files = {}) => {
+      const drafts = new Drafts();
+      return drafts.keep({name, source, kept: {text}, files});
+    };
+    const list = () => new Drafts().list().map(({name, kept, files, lacks}) => [name, kept.text.length, Object.keys(files), lacks]);
+    for (let k = 0; k < 8; ++k) keep(`n${k}`, `${mine}# ${k}`);
+    const eight = list();
+    const pasted = [keep('pasted', 'x'.repeat(5500000)), list()];
+    // Another program of this origin has filled the store.
+    let n = 6e6;
+    for (; n > 20; n = Math.floor(n / 2)) {
+      try {
+        localStorage.setItem(`other${n}`, 'x'.repeat(n));
+      } catch {
+        continue;
+      }
     }
-    drafts.begin();
-    // Larger than a store: the text alone.
-    results.push(drafts.keep({name: 'large', source, kept: {text: mine}, files: {'b.obj': 'y'.repeat(9000000)}}));
-    return {results, list: drafts.list().map(({name, kept, files}) => [name, kept.text.includes('Crème'), Object.keys(files)])};
+    const filled = [keep('filled', mine.repeat(1000)), list()];
+    for (const key of Object.keys(localStorage)) if (key.startsWith('other')) localStorage.removeItem(key);
+    return {eight, pasted, filled, at_last: [keep('ninth', mine), list()]};
   }, mine);
-  assert.ok(kept.results.every(Boolean), `${kept.results}`);
-  assert.deepEqual(kept.list[0], ['large', true, []]);
-  assert.deepEqual(kept.list[1], ['n11', true, ['a.obj']]);
+  assert.equal(kept.eight.length, 8);
+  assert.deepEqual(kept.pasted, [{text: false, lacks: []}, kept.eight]);
+  assert.deepEqual(kept.filled, [{text: false, lacks: []}, kept.eight]);
+  // A ninth that is kept takes the place of the oldest.
+  assert.deepEqual(kept.at_last[0], {text: true, lacks: []});
+  assert.deepEqual(kept.at_last[1].map(([name]) => name), ['ninth', ...kept.eight.slice(0, 7).map(([name]) => name)]);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+check('keeps texts rather than files where the store is full', async (browser) => {
+  const {tab, faults, context} = await opened_alone(browser);
+  const {results, list} = await tab.evaluate((mine) => {
+    const source = {kind: 'new', name: 'a', text: ''};
+    const results = Array.from({length: 7}, (_, k) =>
+      new Drafts().keep({name: `n${k}`, source, kept: {text: `${mine}# ${k}`}, files: {'a.obj': 'x'.repeat(1500000)}}));
+    // Larger than a store; and a text alone where meshes leave no room for it.
+    results.push(new Drafts().keep({name: 'large', source, kept: {text: mine}, files: {'b.obj': 'y'.repeat(9000000)}}));
+    results.push(new Drafts().keep({name: 'text', source, kept: {text: mine.repeat(12000)}, files: {}}));
+    return {results, list: new Drafts().list().map(({name, kept, files, lacks}) => [name, kept.text.includes('Crème'), Object.keys(files), lacks])};
+  }, mine);
+  assert.ok(results.every(({text}) => text), 'each text is kept');
+  assert.deepEqual(list.map(([name, has_text]) => [name, has_text]), ['text', 'large', 'n6', 'n5', 'n4', 'n3', 'n2', 'n1'].map((name) => [name, true]));
+  // Each draft has its file, or says that it lacks it.
+  for (const [name, , files, lacks] of list) assert.deepEqual([...files, ...lacks], name === 'text' ? [] : [name === 'large' ? 'b.obj' : 'a.obj'], name);
+  assert.ok(list.some(([, , files]) => files.length > 0), 'and not all lack it');
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+check('says what the browser does not keep', async (browser) => {
+  const {tab, faults, context} = await opened_alone(browser);
+  const said = () => tab.$eval('#findings', (part) => part.querySelector('.unkept')?.textContent ?? '');
+  const asked = () => tab.evaluate(() => {
+    const event = new Event('beforeunload', {cancelable: true});
+    window.dispatchEvent(event);
+    return event.defaultPrevented;
+  });
+  // Room for a text, and not for its mesh.
+  await tab.evaluate(() => {
+    const set = Storage.prototype.setItem;
+    window.most = 20000;
+    Storage.prototype.setItem = function (key, value) {
+      if (value.length > window.most) throw new DOMException('full', 'QuotaExceededError');
+      set.call(this, key, value);
+    };
+  });
+  await drop(tab, [['mine.toml', with_mesh], ['solid.obj', tetrahedron + '# long\n'.repeat(5000)]]);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  assert.equal(await said(), '', 'a file that was only opened is the viewer’s already');
+  await write_scene(tab, with_mesh.replace('0.1, 2', '0.1, 3'));
+  await until(tab, 'document.querySelector("#findings .unkept")');
+  assert.match(await said(), /keeps the text, but has no room for solid\.obj\. Save the scene/);
+  assert.equal(await asked(), true);
+  await tab.click('#new-open');
+  assert.match(await tab.$eval('#drafts', (list) => list.textContent), /without solid\.obj/);
+  assert.deepEqual(await violations(tab), []);
+  await tab.evaluate(() => document.querySelector('#new .dialog-close').click());
+  // No room at all; and then for everything.
+  await tab.evaluate(() => { window.most = 10; });
+  await write_scene(tab, mine);
+  await until(tab, 'document.querySelector("#findings .unkept")?.textContent.includes("cannot keep this text")');
+  assert.equal(await asked(), true);
+  await tab.evaluate(() => { window.most = Infinity; });
+  await write_scene(tab, `${mine}\n`);
+  await until(tab, '!document.querySelector("#findings .unkept")');
+  assert.equal(await asked(), false);
   assert.deepEqual(faults, []);
   await context.close();
 });
@@ -420,6 +493,35 @@ print(json.dumps({name: ours.read(name).decode() for name in ours.namelist()}))`
   await tab.close();
 });
 
+check('unpacks of an archive what the scene names', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const archive = path.join(folder, 'large.zip');
+  const python = spawnSync('/usr/bin/python3', ['-c', `import sys, zipfile
+with zipfile.ZipFile(sys.argv[1], "w", zipfile.ZIP_DEFLATED) as z:
+    z.writestr("mine.toml", ${JSON.stringify(with_mesh.replace('solid.obj', 'other.obj'))})
+    z.writestr("other.obj", ${JSON.stringify(tetrahedron)})
+    z.writestr("solid.obj", ${JSON.stringify(tetrahedron)} + "#" * 1000000)`, archive], {encoding: 'utf8'});
+  assert.equal(python.status, 0, python.stderr);
+  await tab.evaluate(() => {
+    window.n_unpacked = 0;
+    const Stream = window.DecompressionStream;
+    window.DecompressionStream = function (format) {
+      ++window.n_unpacked;
+      return new Stream(format);
+    };
+  });
+  await drop(tab, [['large.zip', fs.readFileSync(archive)]]);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  assert.equal(await tab.evaluate('window.n_unpacked'), 2, 'the text, and the mesh that it names');
+  // Named later, it is there.
+  await write_scene(tab, with_mesh.replace('0.1, 2', '0.1, 3'));
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 3');
+  assert.equal(await tab.evaluate('window.n_unpacked'), 3);
+  assert.equal(await tab.$('#findings button'), null);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('begins a scene with a mesh that is dropped', async (browser) => {
   const {tab, faults} = await opened(browser);
   await drop(tab, [['my solid.obj', tetrahedron]]);
@@ -458,7 +560,7 @@ check('refuses damaged and hostile archives', async (browser) => {
   const body = good.indexOf('a.toml') + 12;
   // A directory that promises less than the file unpacks to.
   const lies = Buffer.from(good);
-  lies.writeUInt32LE(5, good.lastIndexOf('PK\x01\x02', good.length, 'latin1') + 24);
+  lies.writeUInt32LE(5, good.indexOf('PK\x01\x02', 0, 'latin1') + 24);
   for (const [bytes, said] of [[Buffer.from(''), /damaged/], [Buffer.from('PK\x05\x06'), /damaged/], [good.subarray(0, good.length - 30), /damaged/],
     [good.subarray(40), /damaged/], [changed(body), /damaged/], [lies, /damaged/], [bomb, /more than 256 MB/], [bzip2, /a method that browsers do not have/]]) {
     await drop(tab, [['bad.zip', bytes]]);

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "image/downsample.h"
+#include "image/pixels_xxh64.h"
 #include "render/renderer.h"
 #include "text/json_text.h"
 #include "web/host/kept_fonts.h"
@@ -26,6 +27,8 @@ struct Program {
     std::map<std::string, std::string> files;
     std::unique_ptr<LiveScene> scene;
     std::unique_ptr<PageFilm> film;  // while one is made
+    std::int64_t drawn_frame = -1;   // of the film, as pixels
+    std::string drawn_pixels;        // its hash
     std::optional<Renderer> renderer;
     std::vector<Camera> held;  // cameras of the panels, while they stay as they are
 };
@@ -165,6 +168,7 @@ int open_film(const char* text, std::uint32_t text_size, const char* name, std::
     return answered([&] {
         const std::vector<std::string> given = texts_at(overrides, overrides_size);
         program().film.reset();
+        program().drawn_frame = -1;
         program().film = std::make_unique<PageFilm>(
             PageScene{text_at(text, text_size), std::string(text_at(name, name_size)), given,
                       program().files},
@@ -179,22 +183,32 @@ POINSOT_EXPORT(close_film) void close_film() { program().film.reset(); }
 POINSOT_EXPORT(film_frame) int film_frame(double frame, int kind) {
     return answered([&] {
         const Image image = frame_of(static_cast<std::int64_t>(frame));
-        if (kind != 0)
+        if (kind != 0) {
             answer() = planes_of(image, kind == 2);
-        else
-            answer().assign(image.bytes().begin(), image.bytes().end());
+            return;
+        }
+        program().drawn_frame = static_cast<std::int64_t>(frame);
+        program().drawn_pixels = pixels_xxh64(image);
+        answer().assign(image.bytes().begin(), image.bytes().end());
     });
 }
 
 // `kind`: a PageOutput::Kind. `texts`: the renderer, the maker and the hashes of the packets and of
-// the file, each followed by a NUL.
+// the file, each followed by a NUL. The record of a picture is that of the frame that film_frame
+// has drawn as pixels last.
 POINSOT_EXPORT(film_record)
 int film_record(const char* texts, std::uint32_t texts_size, double first, double last, int kind) {
     return answered([&] {
         const std::vector<std::string> given = texts_at(texts, texts_size);
-        answer() = film().record({static_cast<std::int64_t>(first), static_cast<std::int64_t>(last),
-                                  static_cast<PageOutput::Kind>(kind), given.at(0), given.at(1),
-                                  given.at(2), given.at(3)});
+        answer() = film().record({.first = static_cast<std::int64_t>(first),
+                                  .last = static_cast<std::int64_t>(last),
+                                  .kind = static_cast<PageOutput::Kind>(kind),
+                                  .frame = program().drawn_frame,
+                                  .pixels = program().drawn_pixels,
+                                  .renderer = given.at(0),
+                                  .maker = given.at(1),
+                                  .packets = given.at(2),
+                                  .file = given.at(3)});
     });
 }
 

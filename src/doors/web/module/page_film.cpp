@@ -1,5 +1,6 @@
 #include "web/module/page_film.h"
 
+#include <algorithm>
 #include <vector>
 
 #include "encoding/yuv.h"
@@ -7,7 +8,6 @@
 #include "image/alpha.h"
 #include "production/films/chapters.h"
 #include "production/films/subtitles.h"
-#include "production/records/record.h"
 #include "production/slides/slide_list.h"
 #include "text/json_text.h"
 #include "text/languages.h"
@@ -24,7 +24,10 @@ PageFilm::PageFilm(const PageScene& files, FontSource fonts)
 std::string PageFilm::description() const {
     const auto frames_of = [this](const auto& marks) {
         std::vector<std::string> frames;
-        for (const auto& mark : marks) frames.push_back(std::to_string(film_.frame_at(mark.at_s)));
+        // At the film's end, its last frame.
+        for (const auto& mark : marks)
+            frames.push_back(
+                std::to_string(std::min(film_.frame_at(mark.at_s), film_.n_frames - 1)));
         return json_list(frames);
     };
     return JsonObject()
@@ -67,21 +70,28 @@ std::string PageFilm::slides(std::span<const FileHash> files) const {
                       files);
 }
 
-std::string PageFilm::record(const PageOutput& output) const {
-    Record record =
-        record_of(session_, picture_.stage, in_words(picture_.bound, session_.accuracy.asked_px));
+std::string PageFilm::record(const PageOutput& output) {
+    if (!record_)
+        record_ = record_of(session_, picture_.stage,
+                            in_words(picture_.bound, session_.accuracy.asked_px));
+    Record record = *record_;
     record.renderer = output.renderer;
     record.mesa = "none";
     record.maker = output.maker;
     record.packets = output.packets;
     record.file = output.file;
-    if (output.kind != PageOutput::film) record.film_frames = film_.n_frames;
+    const bool is_slide =
+        output.kind == PageOutput::slide_film || output.kind == PageOutput::slide_still;
+    if (is_slide) record.film_frames = film_.n_frames;
     if (output.kind == PageOutput::slide_still) {
-        record.frame = output.last;
-        record.time_s = film_.time_of(output.last);
+        record.time_s = film_.time_of(output.frame);
         record.names = fading_names;
     } else {
         record.frames = {output.first, output.last};
+    }
+    if (output.kind == PageOutput::slide_still || output.kind == PageOutput::picture) {
+        record.frame = output.frame;
+        record.pixels = output.pixels;
     }
     return sealed_text(record);
 }

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <string>
 
+#include "production/records/record.h"
 #include "production/session/picture_setting.h"
 #include "system/seal.h"
 #include "web/module/live_scene.h"
@@ -15,10 +17,12 @@ namespace poinsot {
 
 // What a page makes of a film's frames `first` … `last`.
 struct PageOutput {
-    enum Kind { film, slide_film, slide_still };  // a still: of `last`
+    enum Kind { film, slide_film, slide_still, picture };
 
     std::int64_t first = 0, last = 0;
     Kind kind = film;
+    std::int64_t frame = 0;     // that a slide's still or a picture shows
+    std::string pixels;         // its hash, see Record
     std::string renderer;       // as the browser names it
     std::string maker;          // the browser and its encoder
     std::string packets, file;  // hashes, see Record
@@ -51,12 +55,13 @@ class PageFilm {
     std::string slides(std::span<const FileHash> files) const;
 
     // The record, sealed.
-    std::string record(const PageOutput& output) const;
+    std::string record(const PageOutput& output);
 
  private:
     Session session_;
     FilmPlan film_;
     PreparedPicture picture_;
+    std::optional<Record> record_;  // what the records of all outputs share
 };
 
 // A frame of straight R, G, B and alpha as the planes Y', Cb and Cr of a film, one after the other,

@@ -106,7 +106,11 @@ std::string files_json(const std::map<std::string, std::string>& files) {
 }
 
 std::string scene_json(const PageContents& contents) {
+    std::vector<std::string> following;
+    following.reserve(contents.following.size());
+    for (const PageContents& scene : contents.following) following.push_back(scene_json(scene));
     return JsonObject()
+        .json("title", script_string(contents.title))
         .json("name", script_string(contents.scene_name))
         .json("text", script_string(contents.scene_text))
         .json("overrides", list_of(contents.overrides))
@@ -116,6 +120,8 @@ std::string scene_json(const PageContents& contents) {
         .add("width", contents.width_px)
         .add("height", contents.height_px)
         .add("poster_at_s", contents.poster_at_s)
+        .add("n_stops", contents.n_stops)
+        .json("following", json_list(following))
         .line();
 }
 

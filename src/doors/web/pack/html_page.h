@@ -22,6 +22,9 @@ struct PageContents {
     std::string ground;                        // background colour, "#rrggbb"
     std::vector<std::uint8_t> poster_png;
     double poster_at_s = 0.0;  // second of the film that it shows
+    std::size_t n_stops = 0;
+    std::string next;                     // page that follows, see PageSpec
+    std::vector<PageContents> following;  // scenes that the page shows after this one
 };
 
 // Scripts and styles are allowed by their hashes, and connections not at all. Precondition: the

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <filesystem>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -87,7 +88,28 @@ PageContents contents_of(const SceneRequest& request) {
     contents.controls = controls_of(scene);
     contents.width_px = scene.film.width_px;
     contents.height_px = scene.film.height_px;
+    contents.n_stops = scene.stops.size();
+    contents.next = scene.page.next;
     return contents;
+}
+
+// The scenes whose pages follow, from page to page, where they lie beside this scene: in one page,
+// full screen, notes and keys go on.
+std::vector<PageContents> following(const SceneRequest& request, std::string next) {
+    std::vector<PageContents> scenes;
+    std::set<std::filesystem::path> seen{std::filesystem::path(request.file).filename()};
+    std::error_code unknown;
+    while (!next.empty()) {
+        const std::filesystem::path name = std::filesystem::path(next).replace_extension(".toml");
+        SceneRequest here;
+        here.file = (std::filesystem::path(request.file).parent_path() / name).string();
+        here.outside = request.outside;
+        if (!seen.insert(name).second || !std::filesystem::is_regular_file(here.file, unknown))
+            break;
+        scenes.push_back(contents_of(here));
+        next = scenes.back().next;
+    }
+    return scenes;
 }
 
 GalleryScene gallery_scene(const SceneRequest& request, PageContents& contents,
@@ -118,6 +140,7 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
     tell_notes(session, task);
     const OutputPlace place(output, session.scene, ".html");
     PageContents contents = contents_of(request);
+    contents.following = following(request, contents.next);
     std::string page;
     for (const int width_px : poster_widths_px) {
         contents.poster_png = still_png(request, contents, renderer, width_px);
@@ -129,7 +152,9 @@ void write_page(const SceneRequest& request, const std::string& output, LazyRend
     write_whole(place.path(), page);
     const std::string name = printable(place.path().string());
     task.say(fmt::format("{}\n{:.2f} MB", name, 1e-6 * static_cast<double>(page.size())));
-    const std::string& next = session.scene.page.next;
+    // The page that the last of its scenes leads to.
+    const std::string& next =
+        contents.following.empty() ? contents.next : contents.following.back().next;
     std::error_code unknown;
     if (!next.empty() && !std::filesystem::exists(place.path().parent_path() / next, unknown))
         task.say(

@@ -19,7 +19,7 @@ export class Address {
     const {values, shown, names, theme} = figure.choices;
     const has_moved = !film.untouched || views.list().length > 0 || values.size > 0;
     const look = this.follows_system ? '' : theme || (this.#system_is_dark ? 'scene' : '');
-    return fragment_of({at_s: has_moved ? film.at_s : null, speed: film.speed, views: views.list(), values, shown, names, theme: look});
+    return fragment_of({scene: this.page.place > 0 ? this.page.data.name : '', at_s: has_moved ? film.at_s : null, speed: film.speed, views: views.list(), values, shown, names, theme: look});
   }
 
   /** The address of this instant, view and values. */
@@ -38,8 +38,10 @@ export class Address {
 
   /** Takes instant, speed and views from the address. @returns {Choices} the choices that it holds */
   read() {
-    const {data, figure, views} = this.page;
+    const {figure, views} = this.page;
     const state = state_of(location.hash);
+    this.page.take_scene(state.scene);
+    const {data} = this.page;
     const {film} = figure;
     // A drag sets both.
     const controls = [...data.controls, ...(data.controls.includes('start.omega_rad_s') ? ['start.attitude'] : [])];

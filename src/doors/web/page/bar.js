@@ -15,14 +15,23 @@ export function input(id) {
   return /** @type {HTMLInputElement} */ (document.getElementById(id));
 }
 
+/** Offers a file for download. @param {Blob} blob @param {string} name */
+export function save_as(blob, name) {
+  const link = document.createElement('a');
+  link.href = URL.createObjectURL(blob);
+  link.download = name;
+  link.click();
+  window.setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
 /** @param {string} id @param {string} name */
 function set_icon(id, name) {
   part(id).querySelector('use')?.setAttribute('href', `#i-${name}`);
 }
 
 export class Bar {
-  /** @param {Figure} figure @param {() => Words} words @param {() => void} changed */
-  constructor(figure, words, changed) {
+  /** @param {Figure} figure @param {() => Words} words @param {{changed: () => void, next: () => void, previous: () => void}} events */
+  constructor(figure, words, {changed, next, previous}) {
     this.figure = figure;
     this.words = words;
     this.changed = changed;
@@ -32,8 +41,8 @@ export class Bar {
       changed();
     });
     act('play', () => film.toggle());
-    act('next', () => film.next());
-    act('previous', () => film.previous());
+    act('next', next);
+    act('previous', previous);
     part('full').addEventListener('click', () => this.full_screen());
     input('scrub').addEventListener('input', () => {
       film.pause();

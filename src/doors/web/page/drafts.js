@@ -4,8 +4,9 @@
 /** @import {SceneSource} from './workbench.js' */
 
 /**
- * @typedef {{id: string, writer: string, at_ms: number, name: string, source: SceneSource, kept: KeptText, files: Record<string, string>}} Draft
- *   `writer`: the visit to the page that wrote it last; `files`: as base64, those that the text names.
+ * @typedef {{id: string, writer: string, at_ms: number, name: string, source: SceneSource, kept: KeptText, files: Record<string, string>, lacks?: string[]}} Draft
+ *   `writer`: the visit to the page that wrote it last; `files`: as base64, those that the text names; `lacks`: those for which there was no room.
+ * @typedef {{text: boolean, lacks: string[]}} Kept whether the browser keeps the text, and the files of the scene that it does not keep
  */
 
 const draft_prefix = 'poinsot-draft-';
@@ -71,40 +72,59 @@ export class Drafts {
   }
 
   /**
-   * Keeps a scene; false: the browser did not.
+   * Keeps a scene. Other drafts than the oldest beyond `most_drafts` stay; for a text, not for files, the oldest give up their files.
+   * What does not help is undone.
    * @param {{name: string, source: SceneSource, kept: KeptText, files: Record<string, string>}} scene
+   * @returns {Kept}
    */
   keep({name, source, kept, files}) {
+    const all = Object.keys(files);
+    const nothing = {text: false, lacks: all};
     const store = Drafts.store();
-    if (!store) return false;
+    if (!store) return nothing;
     // Another tab goes on with this draft.
     const {writer} = this;
     if (this.has_written && !store.getItem(draft_prefix + this.id)?.startsWith(JSON.stringify({id: this.id, writer}).slice(0, -1))) this.begin();
-    const draft = {id: this.id, writer, at_ms: Date.now(), name, source};
+    // A scene that is no example never needs its first text again.
+    const draft = {id: this.id, writer, at_ms: Date.now(), name, source: source.kind === 'example' ? source : {...source, text: ''}};
     const text_alone = {text: kept.text};
     const has_short_state = JSON.stringify(kept.state ?? '').length <= most_state_characters;
-    // The files are left out where there is no room for them.
-    const versions = [{...draft, kept: has_short_state ? kept : text_alone, files}, {...draft, kept: text_alone, files: {}}].map((version) => JSON.stringify(version));
-    /** The other drafts, which are needed only now and then. @type {Draft[]|null} */
-    let others = null;
-    const oldest = (/** @type {number} */ n_stay) => (others ??= this.list().filter(({id}) => id !== this.id)).splice(n_stay);
-    if (!this.has_written) for (const old of oldest(most_drafts - 1)) this.remove(old.id);
-    for (const version of versions) {
-      if (version.length > most_draft_characters && version !== versions[1]) continue;
-      for (;;) {
-        try {
-          store.setItem(draft_prefix + this.id, version);
-          this.has_written = true;
-          return true;
-        } catch {
-          // The store is full: the oldest draft makes room.
-          oldest(Infinity);
-          const old = /** @type {Draft[]} */ (/** @type {unknown} */ (others)).pop();
-          if (!old) break;
-          this.remove(old.id);
-        }
+    const whole = JSON.stringify({...draft, kept: has_short_state ? kept : text_alone, files, lacks: []});
+    const text = JSON.stringify({...draft, kept: text_alone, files: {}, lacks: all});
+    const others = this.list().filter(({id}) => id !== this.id);
+    const surplus = this.has_written ? [] : others.splice(most_drafts - 1);
+    /** Drafts that have made room, as they were. @type {[string, string][]} */
+    const moved = [];
+    const shorten = (/** @type {Draft} */ old, /** @type {Draft|null} */ shorter) => {
+      const key = draft_prefix + old.id;
+      moved.push([key, store.getItem(key) ?? '']);
+      store.removeItem(key);
+      if (shorter) store.setItem(key, JSON.stringify(shorter));
+    };
+    const drop_surplus = () => {
+      for (const old of surplus.splice(0)) shorten(old, null);
+    };
+    const with_files = others.filter((old) => Object.keys(old.files).length > 0).reverse();
+    /** From what takes no room of others to what does. @type {[version: string, make_room: () => void][]} */
+    const attempts = [[whole, () => {}], [whole, drop_surplus], [text, () => {}],
+      ...with_files.map((old) => /** @type {[string, () => void]} */ ([text, () => shorten(old, {...old, files: {}, lacks: Object.keys(old.files)})]))];
+    for (const [version, make_room] of attempts) {
+      if (version.length > most_draft_characters) continue;
+      try {
+        make_room();
+        store.setItem(draft_prefix + this.id, version);
+      } catch {
+        continue;
       }
+      drop_surplus();
+      this.has_written = true;
+      return {text: true, lacks: version === whole ? [] : all};
     }
-    return false;
+    try {
+      for (const [key, before] of moved) store.setItem(key, before);
+    } catch {
+      // Another page of this origin has taken the room at this instant.
+    }
+    return nothing;
   }
 }

@@ -82,7 +82,7 @@ export class Film {
     else this.play();
   }
 
-  /** Goes on from a stop; between stops, to the next one. */
+  /** Goes on from a stop; between stops, to the next one. Without stops, plays; while it plays or stands between chapters, goes to the next one or the end. */
   next() {
     const {stops, length_s} = this.plan;
     if (this.is_looping) {
@@ -94,12 +94,20 @@ export class Film {
       } else this.leaving = true;
       return;
     }
-    if (this.waiting >= 0 || (stops.length > 0 && !this.playing && this.untouched)) {
+    const next = this.#marks().find((mark) => mark > this.at_s + this.#tick);
+    const begins = this.untouched || (stops.length === 0 && this.at_s <= this.#tick);
+    const has_no_marks = stops.length === 0 && next === undefined && this.plan.chapters.length === 0 && !this.is_over;
+    if (this.waiting >= 0 || (!this.playing && (begins || has_no_marks))) {
       this.play();
       return;
     }
-    const next = this.#marks().find((mark) => mark > this.at_s + this.#tick);
+    if (next === undefined) this.pause();
     this.#stand_at(next ?? length_s);
+  }
+
+  /** Whether the film stands at its end. */
+  get is_over() {
+    return !this.playing && this.at_s >= this.plan.length_s;
   }
 
   previous() {

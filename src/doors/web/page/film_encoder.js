@@ -1,6 +1,7 @@
 // The encoder of a film: which of the browser's codecs, and how many bits. No page and no drawing.
 
 import {message_of} from './figure.js';
+import {joined_bytes} from './png_frames.js';
 /** @import {FilmFile, FilmPacket} from './film_file.js' */
 
 /**
@@ -105,6 +106,45 @@ async function encodes(config, shape) {
   return n_chunks === 1;
 }
 
+/**
+ * The decoder configuration record of an H.264 film (`avcC`) as players need it. Firefox 153 writes the first byte of each parameter set
+ * twice, leaves the reserved bits 0, and leaves out the fields that the high profiles add (Mozilla bug 2031056). A sound record stays as
+ * it is. Source: ISO/IEC 14496-15 §5.3.3.1.2.
+ * @param {Uint8Array} record of film frames: 4:2:0, 8 bits @returns {Uint8Array<ArrayBuffer>}
+ */
+export function sound_avc_record(record) {
+  const profile = record[1] ?? 0;
+  let at = 5;
+  /** @type {Uint8Array[]} */
+  const parts = [record.subarray(0, 4), Uint8Array.of((record[4] ?? 0) | 0xfc)];
+  let is_doubled = false;
+  // Sequence parameter sets, whose second byte is the profile, and picture parameter sets.
+  for (const [reserved, count] of [[0xe0, 0x1f], [0, 0xff]]) {
+    const n_sets = (record[at++] ?? 0) & /** @type {number} */ (count);
+    parts.push(Uint8Array.of(n_sets | /** @type {number} */ (reserved)));
+    for (let k = 0; k < n_sets; ++k) {
+      const size = ((record[at] ?? 0) << 8) | (record[at + 1] ?? 0);
+      let set = record.subarray(at + 2, at + 2 + size);
+      at += 2 + size;
+      if (reserved) is_doubled = set[0] === set[1] && set[1] !== profile && set[2] === profile;
+      if (is_doubled && set[0] === set[1]) set = set.subarray(1);
+      parts.push(Uint8Array.of(set.length >> 8, set.length & 0xff), set);
+    }
+  }
+  const has_more = [100, 110, 122, 144].includes(profile);
+  const rest = record.subarray(at);
+  parts.push(!has_more ? new Uint8Array(0) : rest.length >= 4 ? rest : Uint8Array.of(0xfd, 0xf8, 0xf8, 0));
+  return joined_bytes(parts);
+}
+
+/** The record of a codec, if it has one. @param {VideoDecoderConfig} config @returns {VideoDecoderConfig} */
+function with_sound_record(config) {
+  if (!config.codec.startsWith('avc1') || !config.description) return config;
+  const {description} = config;
+  const bytes = ArrayBuffer.isView(description) ? new Uint8Array(description.buffer, description.byteOffset, description.byteLength) : new Uint8Array(description);
+  return {...config, description: sound_avc_record(bytes)};
+}
+
 /** Joins the packets of pictures with those of their transparency, which come from another encoder. */
 export class AlphaPairs {
   /** @param {FilmFile} file */
@@ -165,7 +205,7 @@ export class FrameEncoder {
         // The frame, from its time in whole microseconds.
         const index = Math.round((chunk.timestamp * shape.numerator) / (1e6 * shape.denominator));
         // Encoders tell it once; each film needs it.
-        if (about?.decoderConfig) this.about = {...about, decoderConfig: {...about.decoderConfig, colorSpace: film_colours}};
+        if (about?.decoderConfig) this.about = {...about, decoderConfig: {...with_sound_record(about.decoderConfig), colorSpace: film_colours}};
         const packet = {data, type: chunk.type, about: this.about};
         this.taken = this.taken.then(() => take(index, packet)).catch((error) => { this.fault ??= error; });
       },

@@ -88,16 +88,21 @@ function place_of(bytes, sought) {
 
 // Chapters take the place of a tag that Mediabunny writes as the last one, so that nothing else moves.
 
+/** Written at once: small, so that a full disk is noticed early. */
+const chunk_bytes = 1 << 20;
+
+/** The box counts them in a byte. */
+export const most_mp4_chapters = 255;
+
 /** The box of an MP4 film's chapters, as FFmpeg and Nero write it. @param {FilmChapter[]} chapters @param {number} frame_s */
 function mp4_chapters(chapters, frame_s) {
-  const most = 255;
-  const rows = chapters.slice(0, most).flatMap(({title, first_frame}) => {
-    let name = utf8(title).subarray(0, most);
+  const rows = chapters.slice(0, most_mp4_chapters).flatMap(({title, first_frame}) => {
+    let name = utf8(title).subarray(0, 255);
     // Ends between characters.
     while (name.length > 0 && new TextDecoder().decode(name).endsWith('\ufffd')) name = name.subarray(0, -1);
     return [number_bytes(Math.round(1e7 * first_frame * frame_s), 8), Uint8Array.of(name.length), name];
   });
-  const body = joined_bytes([utf8('chpl'), Uint8Array.of(1, 0, 0, 0, 0, 0, 0, 0, Math.min(chapters.length, most)), ...rows]);
+  const body = joined_bytes([utf8('chpl'), Uint8Array.of(1, 0, 0, 0, 0, 0, 0, 0, Math.min(chapters.length, most_mp4_chapters)), ...rows]);
   return joined_bytes([number_bytes(body.length + 4, 4), body]);
 }
 
@@ -190,7 +195,7 @@ export class FilmFile {
     this.head = null;
     const keep_head = (/** @type {Uint8Array<ArrayBuffer>} */ bytes, /** @type {number} */ at) => { this.head = {bytes: bytes.slice(), at}; };
     const chunks = {write: (/** @type {any} */ chunk) => /** @type {FileSink} */ (sink).write(chunk)};
-    this.target = sink ? new film_writer.StreamTarget(new WritableStream(chunks), {chunked: true}) : new film_writer.BufferTarget();
+    this.target = sink ? new film_writer.StreamTarget(new WritableStream(chunks), {chunked: true, chunkSize: chunk_bytes}) : new film_writer.BufferTarget();
     const format = kind === 'webm' ? new film_writer.WebMOutputFormat({onSegmentHeader: keep_head})
       : new film_writer.Mp4OutputFormat({fastStart: sink ? false : 'in-memory', metadataFormat: 'mdta', onMoov: keep_head});
     this.output = new film_writer.Output({format, target: this.target});

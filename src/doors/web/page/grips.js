@@ -14,6 +14,8 @@ import {toml_of} from './controls.js';
  *   take_back: (values: Map<string, string>) => void}} GripEvents
  */
 
+/** What a drag sets. */
+const dragged_keys = ['start.omega_rad_s', 'start.attitude', 'start.energy_J'];
 const grip_reach_px = 12; // CSS pixels
 const grip_step_px = 4; // of an arrow key
 
@@ -27,6 +29,8 @@ export class Grips {
     this.held = null;
     /** The values before the last drag. @type {Map<string, string>|null} */
     this.before = null;
+    /** The stop at which the first drag began, and the values before it. @type {{waiting: number, values: Map<string, string>}|null} */
+    this.first = null;
     /** Those of the picture that is seen; null: not asked for. @type {Grip[]|null} */
     this.seen = null;
     /** Whether the film goes on when the drag ends. */
@@ -54,6 +58,12 @@ export class Grips {
   /** After a picture was drawn: puts a ring around each grip while the film stands. */
   show() {
     this.seen = null;
+    const {waiting} = this.figure.film;
+    // The next stop shows what its words say.
+    if (this.first && !this.held && waiting >= 0 && waiting !== this.first.waiting) {
+      this.before = this.first.values;
+      this.take_back();
+    }
     if (this.held_at_s !== null && this.figure.film.at_s !== this.held_at_s) this.let_go();
     const {ratio} = this.figure;
     // Rings do not overlap; the contact point comes first.
@@ -118,6 +128,7 @@ export class Grips {
     this.offset = {x: grip.moved_x - x, y: grip.moved_y - y};
     if (film.playing) this.before = null;
     this.before ??= new Map(this.figure.choices.values);
+    this.first ??= {waiting: film.waiting, values: this.before};
     this.goes_on = film.playing;
     film.pause();
     program?.hold(true, time_s, film.at_s);
@@ -176,15 +187,28 @@ export class Grips {
     this.figure.invalidate();
   }
 
-  /** Undoes the drags since the film stood still. @returns {boolean} whether there was one */
+  /** Undoes the drags since the film stood still; what else was changed stays. @returns {boolean} whether there was one */
   take_back() {
-    const {before} = this;
+    const {before, first} = this;
     this.held = null;
     this.figure.beside_s = null;
     this.before = null;
     if (!before) return false;
+    if (before === first?.values) this.first = null;
     this.let_go();
-    this.events.take_back(before);
+    const values = new Map(this.figure.choices.values);
+    for (const key of dragged_keys) {
+      const value = before.get(key);
+      if (value === undefined) values.delete(key);
+      else values.set(key, value);
+    }
+    this.events.take_back(values);
     return true;
+  }
+
+  /** Leaves what was dragged as it is. */
+  forget() {
+    this.before = null;
+    this.first = null;
   }
 }

@@ -32,8 +32,7 @@ export const key_rows = [
   {word: 'key_play', keys: {' ': ({figure}) => figure.film.toggle()}},
   {word: 'key_frame', keys: {ArrowLeft: ({figure}) => figure.film.step(-1), ArrowRight: ({figure}) => figure.film.step(1)}},
   {word: 'key_stop', keys: {
-    PageUp: ({figure}) => figure.film.previous(), PageDown: (page) => page.next(),
-    ArrowUp: ({figure}) => figure.film.previous(), ArrowDown: ({figure}) => figure.film.next()}},
+    PageUp: (page) => page.previous(), PageDown: (page) => page.next(), ArrowUp: (page) => page.previous(), ArrowDown: (page) => page.next()}},
   {word: 'key_ends', keys: {Home: ({figure}) => figure.film.seek(0), End: ({figure}) => figure.film.seek(figure.film.plan.length_s)}},
   {word: 'key_digits', keys: Object.fromEntries([0, 1, 2, 3, 4, 5, 6, 7, 8, 9].map((n) => [n, (/** @type {Page} */ {figure}) => figure.film.to_chapter(n)]))},
   {word: 'key_speed', keys: {'[': ({bar}) => bar.shift_speed(-1), ']': ({bar}) => bar.shift_speed(1)}},

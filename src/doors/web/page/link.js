@@ -3,13 +3,14 @@
 /** @import {View} from './program.js' */
 
 /**
- * @typedef {{at_s: number|null, speed: number, views: View[], values: Map<string, string>,
+ * @typedef {{scene: string, at_s: number|null, speed: number, views: View[], values: Map<string, string>,
  *   shown: string[]|null, names: boolean|null, theme: string}} PageState
+ *   `scene`: its name, where a page has several; '': the first.
  */
 
 /** @returns {PageState} */
 export function empty_state() {
-  return {at_s: null, speed: 1, views: [], values: new Map(), shown: null, names: null, theme: ''};
+  return {scene: '', at_s: null, speed: 1, views: [], values: new Map(), shown: null, names: null, theme: ''};
 }
 
 /** @type {(keyof Omit<View, 'panel'>)[]} */
@@ -23,6 +24,7 @@ function short_number(x) {
 /** @param {PageState} state @returns {string} without "#" */
 export function fragment_of(state) {
   const fields = new URLSearchParams();
+  if (state.scene) fields.append('scene', state.scene);
   if (state.at_s !== null) fields.append('at', String(Number(state.at_s.toPrecision(12))));
   if (state.speed !== 1) fields.append('speed', short_number(state.speed));
   for (const view of state.views) {
@@ -45,6 +47,7 @@ export function state_of(fragment) {
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   /** @param {string|null} text */
   const number_of = (text) => (text !== null && text.trim() !== '' && Number.isFinite(Number(text)) ? Number(text) : null);
+  state.scene = fields.get('scene') ?? '';
   state.at_s = number_of(fields.get('at'));
   state.speed = number_of(fields.get('speed')) || 1;
   for (const text of fields.getAll('view')) {

@@ -1,13 +1,13 @@
 // Measuring: a recording of ω(t) with its flights, and the scene of the one that is picked.
 
-import {input, part} from './bar.js';
+import {input, part, save_as} from './bar.js';
 import {message_of} from './figure.js';
 import {unpacked} from './loader.js';
 import {OmegaChart} from './measure_chart.js';
 import {ProgramError, WasmModule} from './program.js';
 import {Recorder, is_caught, longest_record_s, table_of_rows} from './record.js';
 import {all_words} from './words.js';
-import {base64_of_bytes, files_of_zip, table_among} from './zip_reader.js';
+import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_reader.js';
 /** @import {Words} from './words.js' */
 
 /**
@@ -36,6 +36,7 @@ const measure_words = {
   record: ['Record', 'Aufnehmen', 'Enregistrer', 'Grabar', 'Registra', '記録'],
   record_stop: ['Stop', 'Stopp', 'Arrêter', 'Parar', 'Ferma', '停止'],
   record_save: ['Save recording', 'Aufnahme speichern', 'Enregistrer le tableau', 'Guardar grabación', 'Salva registrazione', '記録を保存'],
+  record_runs: ['The recording runs; Stop ends it.', 'Die Aufnahme läuft; Stopp beendet sie.', 'L’enregistrement est en cours ; Arrêter le termine.', 'La grabación está en marcha; Parar la termina.', 'La registrazione è in corso; Ferma la termina.', '記録中です。「停止」で終わります。'],
   record_wait: ['Waiting for the gyroscope …', 'Wartet auf das Gyroskop …', 'En attente du gyroscope…', 'Esperando el giroscopio…', 'In attesa del giroscopio…', 'ジャイロスコープを待っています…'],
   record_throw: ['Spin the phone and let it fly for half a second, onto something soft. The recording ends by itself after the catch.',
     'Lassen Sie das Telefon sich drehend eine halbe Sekunde fliegen, auf etwas Weiches. Die Aufnahme endet nach dem Fang von selbst.',
@@ -124,17 +125,28 @@ export class Measure {
     return !part('measure').hidden;
   }
 
+  /** Whether a recording runs: nothing but its own button ends it before the catch. */
+  get is_recording() {
+    return this.recorder !== null;
+  }
+
+  /** While a recording runs, says how to end it; false: none runs. */
+  #refuses() {
+    if (this.is_recording) this.#say('record_runs');
+    return this.is_recording;
+  }
+
   /** @param {boolean} is_open */
   show(is_open) {
+    if (!is_open && this.#refuses()) return;
     part('measure').hidden = !is_open;
     part('measure-open').setAttribute('aria-expanded', String(is_open));
     document.body.classList.toggle('measures', is_open);
-    if (!is_open) this.#end_recording();
   }
 
   /** Reads a table, or the one in an archive, and shows the flight that says most about the body. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
   async take(name, bytes) {
-    this.#end_recording();
+    if (this.#refuses()) return;
     this.show(true);
     this.table = null;
     this.picked = 0;
@@ -142,9 +154,10 @@ export class Measure {
     this.#say('', `${this.words.of('reading')} ${name} …`);
     try {
       if (/\.zip$/i.test(name)) {
-        const table = table_among(await files_of_zip(bytes).catch((error) => { throw new Error(`${name}: ${message_of(error)}`); }));
+        const table = await in_archive(name, () => table_among(files_of_zip(bytes)));
         if (!table) throw new Error(`${name}: there is no table (.csv) in it; export the recording as CSV`);
-        ({name, bytes} = table);
+        bytes = await in_archive(name, table.read);
+        name = table.name;
       }
       const module = await this.#started();
       await painted();
@@ -192,11 +205,13 @@ export class Measure {
       this.#say('record_needs', '', true);
       return;
     }
-    this.#end_recording();
+    if (this.#refuses()) return;
     const recorder = new Recorder(() => this.#show_live());
     this.recorder = recorder;
     part('record').hidden = true;
     part('record-stop').hidden = false;
+    // Near the thumb that holds the phone.
+    part('measure-close').hidden = true;
     part('record-save').hidden = true;
     this.table = null;
     this.#show_table();
@@ -262,6 +277,7 @@ export class Measure {
     this.recorder = null;
     part('record').hidden = !Recorder.is_possible;
     part('record-stop').hidden = true;
+    part('measure-close').hidden = false;
     part('measure-time').textContent = '';
   }
 
@@ -297,6 +313,9 @@ export class Measure {
       // The keys of the figure are not for here.
       event.stopPropagation();
       if (event.key === 'Escape') part('measure-close').click();
+    });
+    window.addEventListener('beforeunload', (event) => {
+      if (this.is_recording) event.preventDefault();
     });
   }
 
@@ -381,15 +400,6 @@ export class Measure {
 export async function painted() {
   // A frame's callbacks run before it is painted, and the next task after it.
   await new Promise((resolve) => requestAnimationFrame(() => setTimeout(resolve)));
-}
-
-/** @param {Blob} blob @param {string} name */
-export function save_as(blob, name) {
-  const link = document.createElement('a');
-  link.href = URL.createObjectURL(blob);
-  link.download = name;
-  link.click();
-  window.setTimeout(() => URL.revokeObjectURL(link.href), 10000);
 }
 
 /** The last rows of a recording. @param {number[]} rows */

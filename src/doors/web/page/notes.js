@@ -3,10 +3,20 @@
 /** @import {Film, FilmPlan} from './film.js' */
 /** @import {Words} from './words.js' */
 
+/**
+ * Where a scene stands among those of the page: stops of the scenes before it, and of all; its title, and that of the scene that follows.
+ * @typedef {{n_stops_before: number, n_stops: number, title: string, next_title: string}} Place
+ */
+
 export class Notes {
-  /** @param {HTMLElement} fallback part of the page for where windows are not allowed @param {() => Words} words @param {(event: KeyboardEvent) => void} keys @param {(film_s: number) => ImageData|null} picture of a second of film */
-  constructor(fallback, words, keys, picture) {
+  /**
+   * @param {HTMLElement} fallback part of the page for where windows are not allowed @param {() => Words} words @param {(event: KeyboardEvent) => void} keys
+   * @param {(film_s: number) => ImageData|null} picture of a second of film
+   * @param {() => Place} place
+   */
+  constructor(fallback, words, keys, picture, place) {
     this.fallback = fallback;
+    this.place = place;
     this.words = words;
     this.keys = keys;
     this.picture = picture;
@@ -96,11 +106,12 @@ export class Notes {
     const planned = shown?.planned_s == null ? [] : [`${words.of('planned')} ${clock_text(shown.planned_s)}`];
     this.#write('clock', [now, `${words.of('elapsed')} ${clock_text(passed_s)}`, ...planned,
       `${words.of('film')} ${clock_text(film.at_s)} / ${clock_text(film.plan.length_s)}`].join(' · '));
-    const number = stops.length > 0 ? `${(stop ? coming : stops.length - 1) + 1} / ${stops.length}` : '';
-    this.#write('where', [number, shown?.title || film.chapter()?.title].filter(Boolean).join(' · '));
+    const place = this.place();
+    const number = stops.length > 0 ? `${place.n_stops_before + (stop ? coming : stops.length - 1) + 1} / ${place.n_stops}` : '';
+    this.#write('where', [number, shown?.title || film.chapter()?.title || place.title].filter(Boolean).join(' · '));
     this.#write('note', shown?.note ?? '');
     const at = waits && after?.planned_s != null ? `${clock_text(after.planned_s)} · ` : '';
-    this.#write('next', `${words.of('next')}: ${at}${after ? after.title || clock_text(after.at_s) : words.of('end')}`);
+    this.#write('next', `${words.of('next')}: ${at}${after ? after.title || clock_text(after.at_s) : place.next_title || words.of('end')}`);
     this.#draw(film, after ? after.at_s : film.plan.length_s);
   }
 

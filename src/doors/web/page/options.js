@@ -169,7 +169,10 @@ export class Options {
       this.open(false);
       part('show-options').focus();
     });
-    part('original').addEventListener('click', () => this.page.reload({values: new Map()}));
+    part('original').addEventListener('click', () => {
+      this.page.grips.forget();
+      this.page.reload({values: new Map()});
+    });
     part('scene-view').addEventListener('click', () => this.page.views.reset());
     part('save-png').addEventListener('click', () => this.#save_png());
     part('save-svg').addEventListener('click', () => this.#save_svg());

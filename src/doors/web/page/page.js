@@ -1,17 +1,18 @@
 // The page: joins the figure with its controls, tells screen readers, and decides when the figure starts and rests.
 
 import {Address} from './address.js';
-import {Bar, part} from './bar.js';
+import {Bar, part, save_as} from './bar.js';
 import {Figure, message_of} from './figure.js';
 import {Grips} from './grips.js';
 import {action_of, is_for_field} from './keys.js';
-import {scene_data, unpacked} from './loader.js';
+import {bytes_of_base64, scene_data, unpacked} from './loader.js';
 import {Notes} from './notes.js';
 import {Options} from './options.js';
 import {ProgramError} from './program.js';
 import {Views} from './view.js';
 import {Words} from './words.js';
 /** @import {Choices} from './figure.js' */
+/** @import {SceneData} from './loader.js' */
 
 const idle_after_ms = 2500;
 const settled_after_ms = 400;
@@ -19,6 +20,10 @@ const settled_after_ms = 400;
 export class Page {
   constructor() {
     this.data = scene_data();
+    /** The scenes that this page shows, one after the other. */
+    this.scenes = [this.data, ...this.data.following];
+    /** Which of them it shows. */
+    this.place = 0;
     this.words = new Words(this.data.language);
     this.embedded = window.self !== window.top;
     /** @type {Promise<void>|null} */
@@ -35,7 +40,7 @@ export class Page {
         failed: (kind, message) => (kind === 'draw' ? this.show_message(message) : this.#fail(kind, message)),
       });
     const words = () => this.words;
-    this.bar = new Bar(this.figure, words, () => this.changed());
+    this.bar = new Bar(this.figure, words, {changed: () => this.changed(), next: () => this.next(), previous: () => this.previous()});
     this.views = new Views(part('views'), {
       changed: () => {
         this.grips.let_go();
@@ -64,6 +69,11 @@ export class Page {
     this.notes = new Notes(part('notes'), words, (event) => this.#key(event), (film_s) => {
       const {program, loaded, is_lost} = this.figure;
       return program && loaded && !is_lost ? this.figure.image(film_s, 480, Math.round((480 * loaded.film_height) / loaded.film_width)) : null;
+    }, () => {
+      // The scene that runs may have another number of stops than when the page was written.
+      const stops = this.scenes.map((scene, k) => (k === this.place ? this.figure.film.plan.stops.length : scene.n_stops));
+      const sum = (/** @type {number[]} */ counts) => counts.reduce((all, count) => all + count, 0);
+      return {n_stops_before: sum(stops.slice(0, this.place)), n_stops: sum(stops), title: this.figure.loaded?.title ?? '', next_title: this.scenes[this.place + 1]?.title ?? ''};
     });
     /** Called after a scene is loaded. @type {() => void} */
     this.on_loaded = () => {};
@@ -164,9 +174,14 @@ export class Page {
     }
     this.#colour(loaded.theme.background, loaded.theme.text);
     this.bar.mark();
-    if (loaded.next && !this.embedded) {
-      part('onward').setAttribute('href', encodeURIComponent(loaded.next));
-      part('onward').textContent = `${this.words.of('next')}: ${loaded.next.slice(0, -5).replaceAll('_', ' ')}`;
+    const following = this.scenes[this.place + 1];
+    if (following || (loaded.next && !this.embedded)) {
+      part('onward').setAttribute('href', following ? `#scene=${encodeURIComponent(following.name)}` : encodeURIComponent(loaded.next));
+      part('onward').textContent = `${this.words.of('next')}: ${following?.title || loaded.next.slice(0, -5).replaceAll('_', ' ')}`;
+    }
+    if (this.scenes.length > 1) {
+      document.title = loaded.title;
+      this.figure.canvas.setAttribute('aria-label', loaded.title);
     }
     this.views.place(loaded.panels, this.figure.ratio);
     this.options.show(loaded);
@@ -178,10 +193,44 @@ export class Page {
     this.on_loaded();
   }
 
-  /** Whether the film is over and another page follows. */
+  /** Whether the film is over and another scene or page follows. */
   #at_end() {
     const {loaded, film} = this.figure;
-    return Boolean(loaded?.next) && !this.embedded && !film.playing && film.at_s >= film.plan.length_s;
+    return film.is_over && (this.place + 1 < this.scenes.length || (Boolean(loaded?.next) && !this.embedded));
+  }
+
+  /** Takes one of the page's scenes, by its name, for the next time that it is read; '' is the first. @param {string} name */
+  take_scene(name) {
+    const place = name ? this.scenes.findIndex((scene) => scene.name === name) : 0;
+    if (place < 0 || this.scenes[place] === this.data || this.scenes.length === 1) return;
+    this.place = place;
+    this.data = /** @type {SceneData} */ (this.scenes[place]);
+  }
+
+  /** Shows another of the page's scenes, from its beginning or at its end. Full screen, notes and look stay. @param {number} place @param {boolean} at_end */
+  show_scene(place, at_end) {
+    const data = this.scenes[place];
+    const {figure} = this;
+    if (!data || !figure.program) return;
+    this.grips.let_go();
+    this.grips.forget();
+    this.take_scene(data.name);
+    for (const [name, bytes] of Object.entries(data.files)) figure.program.addFile(name, bytes_of_base64(bytes));
+    this.views.reset();
+    const {film} = figure;
+    film.pause();
+    film.seek(0);
+    film.untouched = true;
+    try {
+      figure.reload({values: new Map(), shown: null}, data);
+    } catch (error) {
+      this.show_message(error);
+      return;
+    }
+    if (at_end) film.seek(film.plan.length_s);
+    part('sentence').hidden = true;
+    this.#settle();
+    this.changed();
   }
 
   #drawn() {
@@ -278,13 +327,9 @@ export class Page {
     this.options.name();
   }
 
-  /** Offers a file for download. @param {Blob} blob @param {string} suffix */
-  save(blob, suffix) {
-    const link = document.createElement('a');
-    link.href = URL.createObjectURL(blob);
-    link.download = `${this.data.name}${suffix}`;
-    link.click();
-    window.setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+  /** Offers a file for download. @param {Blob} blob @param {string} suffix @param {string} [name] by default, the scene's */
+  save(blob, suffix, name = this.data.name) {
+    save_as(blob, name + suffix);
   }
 
   // ── Size ────────────────────────────────────────────────────────────────────────────────
@@ -324,6 +369,11 @@ export class Page {
       }, () => {});
     });
     part('say').addEventListener('click', () => this.notes.toggle());
+    part('onward').addEventListener('click', (event) => {
+      if (this.place + 1 >= this.scenes.length) return;
+      event.preventDefault();
+      this.show_scene(this.place + 1, false);
+    });
     part('blank').addEventListener('pointerdown', () => this.blank(''));
     part('stage').addEventListener('click', () => {
       if (!this.figure.program && this.failure !== 'no-webgl' && this.failure !== 'no-wasm') this.start().catch(() => {});
@@ -336,7 +386,12 @@ export class Page {
     sizes.observe(part('stage'));
     sizes.observe(part('options'));
     window.addEventListener('hashchange', () => {
-      const choices = this.address.read();
+      const {data} = this;
+      let choices = this.address.read();
+      if (this.figure.program && this.data !== data) {
+        this.show_scene(this.place, false);
+        choices = this.address.read();
+      }
       if (this.figure.program) this.reload(choices);
       else this.figure.choices = choices;
     });
@@ -391,10 +446,17 @@ export class Page {
     return true;
   }
 
-  /** To the next stop or chapter; from the end of the film to the next page. */
+  /** To the next stop or chapter; from the end of the film to the next scene or page. */
   next() {
     if (this.#at_end()) part('onward').click();
     else this.figure.film.next();
+  }
+
+  /** To the stop or chapter before; from the beginning of the film to the end of the scene before. */
+  previous() {
+    const {film} = this.figure;
+    if (this.place > 0 && (film.untouched || film.at_s <= 0) && !film.playing) this.show_scene(this.place - 1, true);
+    else film.previous();
   }
 
   /** Covers the page, as presenters' remotes and slide programs do; '' shows it again. @param {string} colour */

@@ -549,7 +549,8 @@ export class Program extends WasmModule {
   /**
    * The record of a film's frames.
    * @param {[number, number]} span first and last frame @param {string} maker the browser and its encoder
-   * @param {{packets?: string, file?: string}} [hashes] @param {0|1|2} [kind] a film, that of a slide, or a picture of its last frame
+   * @param {{packets?: string, file?: string}} [hashes] @param {0|1|2|3} [kind]
+   *   A film, that of a slide, or the picture, of a slide or among others, that `filmFrame` has drawn last.
    */
   filmRecord(span, maker, {packets = '', file = ''} = {}, kind = 0) {
     const gl = /** @type {WebGL2RenderingContext} */ (this.gl);

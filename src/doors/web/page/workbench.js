@@ -1,18 +1,19 @@
 // The workbench: examples, text of the scene, files, drafts, and what it saves.
 
-import {input, part} from './bar.js';
+import {input, part, save_as} from './bar.js';
 import {Drafts} from './drafts.js';
 import {new_editor} from './editor.js';
 import {message_of} from './figure.js';
 import {block, bytes_of_base64} from './loader.js';
-import {Measure, painted, save_as} from './measure.js';
+import {Measure, painted} from './measure.js';
 import {ZipWriter} from './png_frames.js';
 import './pptx.js';
 import {ProgramError} from './program.js';
 import {the_page} from './scripting.js';
 import {Words, all_words} from './words.js';
-import {base64_of_bytes, files_of_zip, table_among} from './zip_reader.js';
-/** @import {Draft} from './drafts.js' */
+import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_reader.js';
+/** @import {ReadableFile} from './zip_reader.js' */
+/** @import {Draft, Kept} from './drafts.js' */
 /** @import {Finding} from './editor.js' */
 /** @import {Choices} from './figure.js' */
 /** @import {Page} from './page.js' */
@@ -24,6 +25,8 @@ import {base64_of_bytes, files_of_zip, table_among} from './zip_reader.js';
  * @typedef {{kind: 'file'|'example'|'new', name: string, text: string}} SceneSource where a scene comes from: the name of its file, and its first text
  */
 
+/** @type {Kept} */
+const kept_whole = {text: true, lacks: []};
 const write_after_ms = 250;
 const most_rows = 20000;
 /** As in workbench.css. */
@@ -49,6 +52,19 @@ const workbench_words = {
   draft_offer: ['This browser has kept your scene “{name}” of {time}.', 'Dieser Browser hat Ihre Szene „{name}“ von {time} aufbewahrt.', 'Ce navigateur a conservé votre scène « {name} » de {time}.', 'Este navegador ha guardado su escena «{name}» de {time}.', 'Questo browser ha conservato la Sua scena «{name}» delle {time}.', 'このブラウザーに {time} のシーン「{name}」が残っています。'],
   draft_take: ['Go on with it', 'Daran weiterarbeiten', 'Continuer', 'Continuar', 'Continua', '続ける'],
   draft_leave: ['Start anew', 'Neu beginnen', 'Recommencer', 'Empezar de nuevo', 'Ricomincia', '新しく始める'],
+  draft_lacks: ['without {files}', 'ohne {files}', 'sans {files}', 'sin {files}', 'senza {files}', '{files} なし'],
+  unkept_text: ['This browser cannot keep this text: it is too long, or the browser’s store is full. Save the scene before you leave the page.',
+    'Dieser Browser kann diesen Text nicht aufbewahren: Er ist zu lang, oder der Speicher des Browsers ist voll. Speichern Sie die Szene, bevor Sie die Seite verlassen.',
+    'Ce navigateur ne peut pas conserver ce texte : il est trop long, ou la mémoire du navigateur est pleine. Enregistrez la scène avant de quitter la page.',
+    'Este navegador no puede guardar este texto: es demasiado largo, o el almacén del navegador está lleno. Guarde la escena antes de salir de la página.',
+    'Questo browser non può conservare questo testo: è troppo lungo, o la memoria del browser è piena. Salvi la scena prima di lasciare la pagina.',
+    'このテキストは長すぎるか、ブラウザーの保存領域がいっぱいのため、保存できません。ページを離れる前にシーンを保存してください。'],
+  unkept_files: ['This browser keeps the text, but has no room for {files}. Save the scene before you leave the page, or remove old scenes under New.',
+    'Dieser Browser bewahrt den Text auf, hat aber keinen Platz für {files}. Speichern Sie die Szene, bevor Sie die Seite verlassen, oder entfernen Sie unter Neu alte Szenen.',
+    'Ce navigateur conserve le texte, mais n’a pas la place pour {files}. Enregistrez la scène avant de quitter la page, ou supprimez d’anciennes scènes sous Nouveau.',
+    'Este navegador guarda el texto, pero no tiene sitio para {files}. Guarde la escena antes de salir de la página, o elimine escenas antiguas en Nuevo.',
+    'Questo browser conserva il testo, ma non ha posto per {files}. Salvi la scena prima di lasciare la pagina, o elimini vecchie scene sotto Nuovo.',
+    'テキストは保存されていますが、{files} を保存する空きがありません。ページを離れる前にシーンを保存するか、「新規」で古いシーンを削除してください。'],
   draft_remove: ['Remove', 'Entfernen', 'Supprimer', 'Eliminar', 'Elimina', '削除'],
   file_here: ['{file} is at hand, but the scene does not name it.', '{file} liegt bereit, aber die Szene nennt die Datei nicht.', '{file} est là, mais la scène ne le nomme pas.', '{file} está disponible, pero la escena no lo nombra.', '{file} è disponibile, ma la scena non lo nomina.', '{file} を読み込みましたが、シーンには名前がありません。'],
   file_begin: ['Begin a scene with it', 'Eine Szene damit beginnen', 'Commencer une scène avec ce fichier', 'Empezar una escena con él', 'Inizia una scena con esso', 'これでシーンを始める'],
@@ -103,14 +119,17 @@ class Workbench {
     this.changes = {};
     /** Files dropped or of the gallery, as base64. @type {Record<string, string>} */
     this.files = {...page.data.files};
+    /** Files at hand that no scene has named yet. @type {Map<string, ReadableFile>} */
+    this.unread = new Map();
     /** The files that a program has. @type {WeakMap<Program, Map<string, string>>} */
     this.given = new WeakMap();
     this.drafts = new Drafts();
     /** @type {SceneSource} */
     this.source = {kind: 'example', name: page.data.name, text: page.data.text};
-    /** Whether the text is the viewer's work, and whether the browser keeps it. */
+    /** Whether the text is the viewer's work, and what of it the browser keeps. */
     this.is_edited = false;
-    this.is_kept = true;
+    /** @type {Kept} */
+    this.kept = kept_whole;
     this.editor = new_editor(JSON.parse(this.data.schema), () => this.#soon(), this.words);
     this.editor.text = page.data.text;
     this.#name();
@@ -319,10 +338,25 @@ class Workbench {
 
   // ── Drafts ──────────────────────────────────────────────────────────────────────────────
 
-  /** Keeps the scene in the browser if it is the viewer's work; false: the browser refused. */
+  /** Keeps the scene in the browser if it is the viewer's work; false: a part of it would be lost with the page. */
   #keep() {
-    if (this.is_edited) this.is_kept = this.drafts.keep({name: this.name, source: this.source, kept: this.editor.kept, files: this.named_files});
-    return this.is_kept;
+    if (this.is_edited) this.kept = this.drafts.keep({name: this.name, source: this.source, kept: this.editor.kept, files: this.named_files});
+    this.#show_unkept();
+    return this.kept.text && this.kept.lacks.length === 0;
+  }
+
+  /** Says what the browser does not keep. */
+  #show_unkept() {
+    const {text, lacks} = this.kept;
+    const said = !text ? this.words.of('unkept_text') : lacks.length > 0 ? this.words.of('unkept_files').replace('{files}', () => lacks.join(', ')) : '';
+    const before = part('findings').querySelector('.unkept');
+    if (said === (before?.textContent ?? '')) return;
+    before?.remove();
+    if (!said) return;
+    const row = document.createElement('p');
+    row.className = 'unkept';
+    row.textContent = said;
+    part('findings').append(row);
   }
 
   /** A time of day, with its date if it was not today. @param {number} at_ms */
@@ -357,7 +391,8 @@ class Workbench {
       const [take, remove] = [document.createElement('button'), document.createElement('button')];
       const title = title_in(draft.kept.text) || draft.name;
       const time = document.createElement('small');
-      time.textContent = this.#time(draft.at_ms);
+      const lacks = draft.lacks?.length ? `, ${this.words.of('draft_lacks').replace('{files}', () => draft.lacks?.join(', ') ?? '')}` : '';
+      time.textContent = this.#time(draft.at_ms) + lacks;
       take.type = remove.type = 'button';
       take.append(title, ' ', time);
       take.addEventListener('click', () => {
@@ -391,7 +426,7 @@ class Workbench {
     this.#close_offer();
     this.source = source;
     this.is_edited = is_edited;
-    this.is_kept = true;
+    this.kept = kept_whole;
     if (draft) this.editor.kept = draft.kept;
     else this.editor.text = source.text;
     this.files = {...this.files, ...files};
@@ -408,40 +443,58 @@ class Workbench {
   async #take(dropped) {
     if (dropped.length === 0) return;
     try {
-      /** @type {{name: string, bytes: Uint8Array<ArrayBuffer>}[]} */
+      /** @type {ReadableFile[]} */
       const files = [];
-      await this.#show_reading(dropped);
+      await this.#show_reading(dropped.map((file) => file.name));
       for (const file of dropped) {
-        const bytes = new Uint8Array(await file.arrayBuffer());
-        if (/\.zip$/i.test(file.name)) files.push(...await files_of_zip(bytes).catch((error) => { throw new Error(`${file.name}: ${message_of(error)}`); }));
-        else files.push({name: file.name, bytes});
+        const read = async () => new Uint8Array(await file.arrayBuffer());
+        if (!/\.zip$/i.test(file.name)) files.push({name: file.name, read});
+        else {
+          const bytes = await read();
+          for (const one of await in_archive(file.name, () => files_of_zip(bytes))) files.push({name: one.name, read: () => in_archive(file.name, one.read)});
+        }
       }
       const scene = files.find(({name}) => name.toLowerCase().endsWith('.toml'));
       const table = table_among(files);
       if (table && !scene && (this.measure.is_open || !this.editor.text.includes(table.name))) {
         this.#find();
-        await this.measure.take(table.name, table.bytes);
+        await this.measure.take(table.name, await table.read());
         return;
       }
-      /** @type {Record<string, string>} */
-      const taken = {};
-      for (const file of files) if (file !== scene) taken[file.name] = base64_of_bytes(file.bytes);
-      if (scene) this.open({kind: 'file', name: scene.name.replace(/^.*\//, '').replace(/\.toml$/i, ''), text: new TextDecoder().decode(scene.bytes)}, taken);
+      const text = scene ? new TextDecoder().decode(await scene.read()) : this.editor.text;
+      for (const file of files) {
+        // The new file takes the place of one of the same name.
+        if (file !== scene) this.unread.set(file.name, file);
+      }
+      const taken = await this.#read_named(text);
+      if (scene) this.open({kind: 'file', name: scene.name.replace(/^.*\//, '').replace(/\.toml$/i, ''), text}, taken);
       else {
         this.files = {...this.files, ...taken};
         this.#write();
         this.#keep();
-        this.#show_unnamed(Object.keys(taken).filter((name) => !this.editor.text.includes(name)));
+        this.#show_unnamed(files.map(({name}) => name).filter((name) => !text.includes(name)));
       }
     } catch (error) {
       this.#find(error);
     }
   }
 
-  /** Says which files the program reads, and waits until that is painted: a large mesh takes seconds. @param {File[]} files */
-  async #show_reading(files) {
+  /** Reads the files at hand that a text names and that were not read before, as base64. @param {string} text */
+  async #read_named(text) {
+    /** @type {Record<string, string>} */
+    const taken = {};
+    for (const [name, file] of this.unread) {
+      if (!text.includes(name)) continue;
+      this.unread.delete(name);
+      taken[name] = base64_of_bytes(await file.read());
+    }
+    return taken;
+  }
+
+  /** Says which files the program reads, and waits until that is painted: a large mesh takes seconds. @param {string[]} names */
+  async #show_reading(names) {
     const row = document.createElement('p');
-    row.textContent = `${this.words.of('reading')} ${files.map((file) => file.name).join(', ')} …`;
+    row.textContent = `${this.words.of('reading')} ${names.join(', ')} …`;
     part('findings').replaceChildren(row);
     await painted();
   }
@@ -497,6 +550,11 @@ class Workbench {
   #write(changes = {}) {
     const {page} = this;
     this.changes = {...this.changes, ...changes};
+    const named = [...this.unread.keys()].filter((name) => this.editor.text.includes(name));
+    if (named.length > 0) {
+      void this.#read_and_write(named);
+      return;
+    }
     const data = {...page.data, name: this.name, text: this.editor.text, files: this.files};
     try {
       const {program} = page.figure;
@@ -520,6 +578,20 @@ class Workbench {
       page.data = {...page.data, name: data.name};
       this.#find(error);
     }
+  }
+
+  /** Reads files that the text has just named, and gives the text to the program. @param {string[]} names */
+  async #read_and_write(names) {
+    await this.#show_reading(names);
+    try {
+      const taken = await this.#read_named(this.editor.text);
+      this.files = {...this.files, ...taken};
+    } catch (error) {
+      this.#find(error);
+      return;
+    }
+    this.#write();
+    this.#keep();
   }
 
   /** What a body that moves freely does, in words that need no theory; '' of any other motion. @param {Loaded} loaded */
@@ -564,6 +636,7 @@ class Workbench {
       }
     }
     part('findings').replaceChildren(...rows);
+    this.#show_unkept();
     part('tab-text').classList.toggle('has-refusal', findings.length > 0);
     this.editor.mark(findings);
   }
@@ -597,7 +670,7 @@ class Workbench {
     const files = Object.fromEntries(Object.entries(page.data.files).filter(([name]) => text.includes(name)));
     const scene = {...page.data, files, controls: loaded?.controls.map((c) => c.key) ?? [],
       overrides: [...figure.choices.values].map(([key, value]) => `${key}=${value}`), language, width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
-      poster_at_s: figure.film.at_s};
+      poster_at_s: figure.film.at_s, title: loaded?.title ?? '', n_stops: loaded?.stops.length ?? 0, following: []};
     /** @type {Record<string, string>} */
     const values = {
       language: escaped(language), 'no-script': escaped(this.data.no_script[language] ?? ''), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),

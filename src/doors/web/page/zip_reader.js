@@ -1,9 +1,15 @@
 // Reads ZIP archives: stored and deflated files. Source: PKWARE's APPNOTE 6.3.3, without encryption and ZIP64.
 
+import {message_of} from './figure.js';
 import {crc32_of, joined_bytes} from './png_frames.js';
 
 const most_unzipped_bytes = 256e6;
 const most_zip_files = 5000;
+
+/**
+ * A file that is read when its bytes are needed.
+ * @typedef {{name: string, read: () => Promise<Uint8Array<ArrayBuffer>>}} ReadableFile
+ */
 
 /** The bytes of a stream, at most so many. @param {ReadableStream<Uint8Array>} stream @param {number} most @returns {Promise<Uint8Array<ArrayBuffer>>} */
 async function bytes_of_stream(stream, most) {
@@ -23,10 +29,10 @@ async function bytes_of_stream(stream, most) {
 }
 
 /**
- * The files of an archive, by the names that it gives them; throws a sentence without the archive's name.
- * @param {Uint8Array<ArrayBuffer>} bytes @returns {Promise<{name: string, bytes: Uint8Array<ArrayBuffer>}[]>}
+ * The files of an archive, by the names that it gives them. It throws a sentence without the archive's name, as reading one of them does.
+ * @param {Uint8Array<ArrayBuffer>} bytes @returns {ReadableFile[]}
  */
-export async function files_of_zip(bytes) {
+export function files_of_zip(bytes) {
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
   const damaged = () => new RangeError('the archive is damaged, or is no ZIP archive; make it again');
   const need = (/** @type {boolean} */ holds) => {
@@ -39,7 +45,7 @@ export async function files_of_zip(bytes) {
   const n_files = view.getUint16(end + 10, true);
   let at = view.getUint32(end + 16, true);
   if (n_files > most_zip_files || at === 0xffffffff) throw new RangeError('the archive has too many files, or is larger than 4 GB; unpack it, and drop the files');
-  /** @type {{name: string, bytes: Uint8Array<ArrayBuffer>}[]} */
+  /** @type {ReadableFile[]} */
   const files = [];
   let n_bytes = 0;
   for (let k = 0; k < n_files; ++k) {
@@ -60,18 +66,29 @@ export async function files_of_zip(bytes) {
     const from = head + 30 + view.getUint16(head + 26, true) + view.getUint16(head + 28, true);
     need(from + packed <= bytes.length);
     const body = bytes.subarray(from, from + packed);
-    const unpack = () => bytes_of_stream(new Blob([body]).stream().pipeThrough(new DecompressionStream('deflate-raw')), size);
-    const file = method === 0 ? body : await unpack().catch(() => { throw damaged(); });
-    need(file.length === size && crc32_of(file) === crc);
-    files.push({name, bytes: file});
+    files.push({name, read: async () => {
+      const unpack = () => bytes_of_stream(new Blob([body]).stream().pipeThrough(new DecompressionStream('deflate-raw')), size);
+      const file = method === 0 ? body : await unpack().catch(() => { throw damaged(); });
+      need(file.length === size && crc32_of(file) === crc);
+      return file;
+    }});
   }
   // A folder in which all files lie is that of the archive.
   const folder = /^[^/]+\//.exec(files[0]?.name ?? '')?.[0] ?? '';
   const is_shared = folder !== '' && folder !== 'meta/' && files.every(({name}) => name.startsWith(folder));
-  return is_shared ? files.map(({name, bytes}) => ({name: name.slice(folder.length), bytes})) : files;
+  return is_shared ? files.map(({name, read}) => ({name: name.slice(folder.length), read})) : files;
 }
 
-/** The table of a recording in an archive: phyphox's of the gyroscope, or the only one. @param {{name: string, bytes: Uint8Array<ArrayBuffer>}[]} files */
+/** What an action on an archive gives, or its refusal with the archive's name. @template T @param {string} name @param {() => T|Promise<T>} action */
+export async function in_archive(name, action) {
+  try {
+    return await action();
+  } catch (error) {
+    throw new Error(`${name}: ${message_of(error)}`);
+  }
+}
+
+/** The table of a recording in an archive: phyphox's of the gyroscope, or the only one. @param {ReadableFile[]} files */
 export function table_among(files) {
   const tables = files.filter(({name}) => /\.(csv|tsv|txt)$/i.test(name) && !name.startsWith('meta/'));
   return tables.find(({name}) => /gyro/i.test(name)) ?? tables[0];
