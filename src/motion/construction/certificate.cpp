@@ -54,13 +54,13 @@ double fastest_rate(const InertiaTensor& inertia, const PoinsotConstruction& con
 }
 
 // Chooses where speeds are measured. The step is a power of two near a five-hundredth of a radian
-// at |ω| of the start, which keeps the difference's own error near 1e-12, or near a hundredth at
-// the motion's fastest rate, if that is shorter.
+// at |ω| of the start, which keeps the difference's own error near 1e-12, or near a 250th at the
+// motion's fastest rate, if that is shorter.
 class Differences {
  public:
     Differences(const Motion& motion, double fastest_rad_s)
         : motion_(motion),
-          rate_(std::max(motion.problem().start.omega_body.stableNorm(), 0.25 * fastest_rad_s)) {
+          rate_(std::max(motion.problem().start.omega_body.stableNorm(), 0.5 * fastest_rad_s)) {
         const double step = 2e-3 / rate_;
         if (std::isfinite(step) && step > 0.0) step_s_ = std::exp2(std::round(std::log2(step)));
     }

@@ -84,7 +84,7 @@ Body physical_turned(Source& source, bool one_size) {
 
 Body needle(Source& source, bool one_size) {
     Body body = physical_in_principal_axes(source, one_size);
-    const double thin_decades = source.between(0.0, 290.0);
+    const double thin_decades = source.between(0.0, 280.0);
     const double thin = std::pow(10.0, -thin_decades);
     const Vector3d moments(thin, 1.0, 1.0 + thin * source.between(0.0, 1.0));
     body.tensor_kg_m2 = std::pow(10.0, source.between(thin_decades - decades, decades)) *

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "error/error.h"
 #include "numerics/elliptic_integrals.h"
@@ -63,20 +64,22 @@ int exponent_of_unit(const Vector3d& omega) {
     return std::clamp(exponent_of(omega), -farthest, farthest);
 }
 
-// Throws where the motion is faster, in the unit of ω, than doubles can follow: the directions of L
-// that belong to such rates would underflow. No body is whose
-// moments differ by less than 1e297.
+// Throws where a rate, in the unit of ω, is farther from one than doubles can follow: it, or the
+// directions of L that belong to it, would underflow. None is of a body whose moments differ by
+// less than 1e288.
 void check_rates(const JacobiSolution& j, int exponent) {
-    const auto is_too_fast = [=](const WideDouble& rate) {
-        constexpr int most_exponent = 990;
-        return !rate.is_zero() && rate.exponent() - exponent > most_exponent;
+    constexpr int slowest = -960, fastest = 990;
+    const auto is_followed = [=](const WideDouble& rate, int least) {
+        const int e = rate.exponent() - exponent;
+        return rate.is_zero() || (e >= least && e <= fastest);
     };
-    bool is_fast = is_too_fast(j.rate) || is_too_fast(j.mean_turn_rate);
-    for (const WideDouble& I : j.moments) is_fast = is_fast || is_too_fast(j.momentum / I);
-    if (!is_fast) return;
+    constexpr int any = std::numeric_limits<int>::min();
+    bool follows = is_followed(j.rate, any) && is_followed(j.mean_turn_rate, any);
+    for (const WideDouble& I : j.moments) follows = follows && is_followed(j.momentum / I, slowest);
+    if (follows) return;
     throw InputError(fmt::format(
-        "omega_rad_s: a body whose moments {}, {}, {} differ so much moves faster than "
-        "double-precision numbers can follow; choose moments that are nearer to each other",
+        "omega_rad_s: the motion of a body whose moments {}, {}, {} differ so much has rates that "
+        "double-precision numbers cannot follow; choose moments that are nearer to each other",
         j.moments[0].rounded(), j.moments[1].rounded(), j.moments[2].rounded()));
 }
 

@@ -43,7 +43,7 @@ class FreeRotation {
  public:
     // Constructs the motion through a state at start.time_s. `on_separatrix`: see MotionProblem.
     // Throws InputError if ω, the attitude or the time is not finite, if the attitude is zero, if L
-    // overflows, or if the moments differ by so much (1e297) that the motion cannot be followed.
+    // overflows, or if the moments differ by so much (1e288) that the motion cannot be followed.
     FreeRotation(const InertiaTensor& inertia, const RotationState& start,
                  bool on_separatrix = false);
 
