@@ -3,8 +3,8 @@
 
 Each library of the tests is hidden in turn, then all of them. The program alone (BUILD_TESTING=OFF, as `./run film` configures it)
 must configure without any message about tests; with BUILD_TESTING=ON the tests are omitted and a warning names the Debian package.
-Each library of the program is hidden in turn, too: CMake must stop and name its Debian package. Without a package for pages it must go
-on and name it, and stop where a module was given.
+Each library of the program is hidden in turn, too: CMake must stop and name its Debian package. Pages are built with the tests, or if they
+are asked for. Without a package for pages it must go on and name it, and stop where a module was given.
 Usage: configure_check.py CMAKE SOURCE
 """
 import pathlib
@@ -67,7 +67,12 @@ def main():
         for name, hidden in PROGRAM_PACKAGES.items():
             code, said = configure(tests_off, hidden)
             expect(code != 0 and f"install {name}" in said, f"without {name}", said)
-        code, said = configure(tests_off, NO_XZ)
+        # Pages are asked for, not come upon: without tests nobody opens one.
+        for options, pages in (([tests_off], "OFF"), ([tests_on], "auto"), ([tests_off, "-DPOINSOT_PAGE=auto"], "auto")):
+            code, said = configure(*options)
+            cache = pathlib.Path(build, "CMakeCache.txt").read_text("utf-8")
+            expect(code == 0 and f"\nPOINSOT_PAGE:STRING={pages}\n" in cache, f"POINSOT_PAGE with {options} is not {pages}", said)
+        code, said = configure(tests_off, "-DPOINSOT_PAGE=auto", NO_XZ)
         expect(code == 0 and re.search(r"cannot write pages [^:]*: these packages are missing:[^:]* xz-utils", said), "pages without xz", said)
         module = pathlib.Path(build, "given.wasm")
         code, said = configure(tests_off, f"-DPOINSOT_PAGE={module}")

@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "text/rational.h"
+
 namespace poinsot {
 
 namespace {
@@ -153,13 +155,20 @@ std::optional<Rational> take_number(std::string_view& rest) {
     return negative ? -*number : *number;
 }
 
-Unit unit_of(const NamedUnit& named) {
+// One of it is factor · π^power_of_pi SI units (kg, m, s, rad).
+struct ExactUnit {
+    Dimension dimension;
+    Rational factor = 1;
+    int power_of_pi = 0;
+};
+
+ExactUnit unit_of(const NamedUnit& named) {
     std::string_view factor = named.factor;
     return {{named.powers}, *take_number(factor), named.power_of_pi};
 }
 
 // unit becomes unit · other^power.
-void multiply(Unit& unit, const Unit& other, int power) {
+void multiply(ExactUnit& unit, const ExactUnit& other, int power) {
     for (std::size_t i = 0; i < 4; ++i)
         unit.dimension.powers[i] += power * other.dimension.powers[i];
     for (int k = 0; k < std::abs(power); ++k)
@@ -180,31 +189,8 @@ double with_pi(Rational number, int power) {
     return nearest_double(number);
 }
 
-struct MeasuredExactly {
-    Rational value;  // in the unit
-    Unit unit;
-};
-
-std::optional<MeasuredExactly> measured_exactly(std::string_view text) {
-    skip_spaces(text);
-    const auto number = take_number(text);
-    if (!number) return std::nullopt;
-    const auto unit = unit_named(text);
-    if (!unit) return std::nullopt;
-    return MeasuredExactly{*number, *unit};
-}
-
-}  // namespace
-
-std::string known_units() {
-    std::string names;
-    for (const NamedUnit& unit : units)
-        if (!unit.factor.empty()) names += (names.empty() ? "" : ", ") + std::string(unit.name);
-    return names;
-}
-
-std::optional<Unit> unit_named(std::string_view text) {
-    Unit unit;
+std::optional<ExactUnit> exact_unit(std::string_view text) {
+    ExactUnit unit;
     skip_spaces(text);
     while (!text.empty() && text.back() == ' ') text.remove_suffix(1);
     bool any = take(text, "1/");
@@ -226,7 +212,7 @@ std::optional<Unit> unit_named(std::string_view text) {
         if (bracket) {
             const std::size_t close = text.find(')');
             if (close == std::string_view::npos) return std::nullopt;
-            const auto inner = unit_named(text.substr(0, close));
+            const auto inner = exact_unit(text.substr(0, close));
             if (!inner) return std::nullopt;
             text.remove_prefix(close + 1);
             multiply(unit, *inner, sign);
@@ -243,11 +229,41 @@ std::optional<Unit> unit_named(std::string_view text) {
     return unit;
 }
 
+struct MeasuredExactly {
+    Rational value;  // in the unit
+    ExactUnit unit;
+    std::string_view written;  // the unit
+};
+
+std::optional<MeasuredExactly> measured_exactly(std::string_view text) {
+    skip_spaces(text);
+    const auto number = take_number(text);
+    if (!number) return std::nullopt;
+    const auto unit = exact_unit(text);
+    if (!unit) return std::nullopt;
+    return MeasuredExactly{*number, *unit, text};
+}
+
+}  // namespace
+
+std::string known_units() {
+    std::string names;
+    for (const NamedUnit& unit : units)
+        if (!unit.factor.empty()) names += (names.empty() ? "" : ", ") + std::string(unit.name);
+    return names;
+}
+
+std::optional<Unit> unit_named(std::string_view text) {
+    const auto exactly = exact_unit(text);
+    if (!exactly) return std::nullopt;
+    return Unit{exactly->dimension, std::string(text)};
+}
+
 ShownUnit unit_shown(std::span<const std::string> wanted, std::string_view si_unit) {
-    const auto plain = unit_named(si_unit);
+    const auto plain = exact_unit(si_unit);
     if (!plain) return {std::string(si_unit), 1.0};
     const auto shown_in = [&plain](const std::string& name) -> std::optional<ShownUnit> {
-        const auto unit = unit_named(name);
+        const auto unit = exact_unit(name);
         if (!unit || unit->dimension != plain->dimension) return std::nullopt;
         return ShownUnit{
             name, with_pi(plain->factor / unit->factor, plain->power_of_pi - unit->power_of_pi)};
@@ -255,7 +271,7 @@ ShownUnit unit_shown(std::span<const std::string> wanted, std::string_view si_un
     for (const std::string& name : wanted)
         if (auto shown = shown_in(name)) return *shown;
     for (const std::string& name : wanted) {
-        const auto unit = unit_named(name);
+        const auto unit = exact_unit(name);
         if (!unit || unit->dimension.powers != angle) continue;
         if (auto shown = shown_in(name + "/s")) return *shown;
     }
@@ -286,15 +302,17 @@ std::string printed_unit(std::string_view name) {
 std::optional<Measured> measured(std::string_view text) {
     const auto exactly = measured_exactly(text);
     if (!exactly) return std::nullopt;
-    const Unit& unit = exactly->unit;
-    return Measured{with_pi(exactly->value * unit.factor, unit.power_of_pi), unit};
+    const ExactUnit& unit = exactly->unit;
+    return Measured{with_pi(exactly->value * unit.factor, unit.power_of_pi),
+                    {unit.dimension, std::string(exactly->written)}};
 }
 
 std::optional<double> measured_in(std::string_view text, const Unit& wanted) {
     const auto exactly = measured_exactly(text);
     if (!exactly || exactly->unit.dimension != wanted.dimension) return std::nullopt;
-    return with_pi(exactly->value * exactly->unit.factor / wanted.factor,
-                   exactly->unit.power_of_pi - wanted.power_of_pi);
+    const ExactUnit in = wanted.text.empty() ? ExactUnit{} : *exact_unit(wanted.text);
+    return with_pi(exactly->value * exactly->unit.factor / in.factor,
+                   exactly->unit.power_of_pi - in.power_of_pi);
 }
 
 }  // namespace poinsot

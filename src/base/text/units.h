@@ -7,8 +7,6 @@
 #include <string>
 #include <string_view>
 
-#include "text/rational.h"
-
 namespace poinsot {
 
 // A physical dimension as powers of mass, length, time and angle. Angle counts as a dimension, so
@@ -18,11 +16,10 @@ struct Dimension {
     bool operator==(const Dimension&) const = default;
 };
 
-// One of it is factor · π^power_of_pi SI units (kg, m, s, rad).
 struct Unit {
     Dimension dimension;
-    Rational factor = 1;
-    int power_of_pi = 0;
+    std::string
+        text;  // as it was written; how much it is in SI is computed, exactly, where it is needed
 };
 
 // A product of powers of named units: "kg m²", "kg*m^2", "rad/s", "N m", "1/s". Empty if the text

@@ -85,7 +85,7 @@ def built(config_settings: dict | None) -> Path:
     # pip's own environment hides the distribution's Python packages, which the build's tools need.
     environment = {key: value for key, value in os.environ.items() if not key.startswith("PYTHON")}
     subprocess.run(["cmake", "-S", root, "-B", build, *generator, "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF",
-                    "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=8", "-DPOINSOT_PYTHON=ON",
+                    "-DCMAKE_UNITY_BUILD=ON", "-DCMAKE_UNITY_BUILD_BATCH_SIZE=24", "-DPOINSOT_PYTHON=ON", "-DPOINSOT_PAGE=auto",
                     f"-DPython_EXECUTABLE={sys.executable}", *options], check=True, env=environment)
     subprocess.run(["cmake", "--build", build, "--target", "poinsot_python", "--parallel"], check=True,
                    env=environment)

@@ -4,7 +4,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 #include <optional>
 #include <span>
 #include <utility>
@@ -115,9 +114,9 @@ constexpr std::array<std::string_view, 9> of_matrix{"11", "12", "13", "21", "22"
 
 // SI units in one of this unit; nothing if it is none, or of another kind than `si`.
 std::optional<double> factor_of(std::string_view unit, std::string_view si) {
-    const std::optional<Unit> own = unit_named(unit), wanted = unit_named(si);
-    if (!own || !wanted || own->dimension != wanted->dimension) return std::nullopt;
-    return nearest_double(own->factor) * std::pow(std::numbers::pi, own->power_of_pi);
+    const std::optional<Unit> wanted = unit_named(si);
+    if (!wanted) return std::nullopt;
+    return measured_in("1 " + std::string(unit), *wanted);
 }
 
 }  // namespace
