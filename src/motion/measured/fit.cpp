@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,6 +11,7 @@
 #include "error/error.h"
 #include "measured/flight_fit.h"
 #include "measured/flight_model.h"
+#include "numerics/small_solvers.h"
 
 namespace poinsot {
 
@@ -44,9 +44,9 @@ void check_wandering(std::span<const MeasuredRow> rows) {
     if (noise > most_noise_share * rate) throw_no_motion(noise, rate);
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const MeasuredRow& row : rows) squares += row.omega_body * row.omega_body.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
-    const double beside = std::sqrt((eigen.eigenvalues()[0] + eigen.eigenvalues()[1]) / 2.0 /
-                                    static_cast<double>(rows.size()));
+    const Eigen::VectorXd values = eigenpairs_of(squares).values;
+    const double beside =
+        std::sqrt((values[0] + values[1]) / 2.0 / static_cast<double>(rows.size()));
     constexpr double least_share = 1e-6, least_noises = 3.0;
     if (beside < least_noises * noise || beside < least_share * rate)
         throw InputError(
@@ -144,22 +144,21 @@ FlightErrors errors_of(const Flight& flight, const std::vector<MeasuredRow>& row
     FlightErrors errors;
     const std::vector<int> places = places_of(fitted_changes(moments, flight.drag));
     std::vector<Eigen::Vector3d> residuals;
-    const Square normal = chosen(flight_sums(flight, rows, &residuals).normal, places);
+    const Eigen::MatrixXd normal = chosen(flight_sums(flight, rows, &residuals).normal, places);
     // Scaled, so that units do not matter.
-    const Column scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
     if (!scale.allFinite()) throw_undetermined();
-    const Eigen::SelfAdjointEigenSolver<Square> eigen(
-        Square(scale.asDiagonal() * normal * scale.asDiagonal()));
+    const Eigenpairs eigen = eigenpairs_of(scale.asDiagonal() * normal * scale.asDiagonal());
     constexpr double least_eigenvalue = 1e-13;
-    if (!(eigen.eigenvalues()[0] > least_eigenvalue)) throw_undetermined();
+    if (!(eigen.values[0] > least_eigenvalue)) throw_undetermined();
     if (!moments && is_on_separatrix(flight)) throw_undetermined();
     errors.correlation = correlation_of(residuals);
-    const Square spread =
+    const Eigen::MatrixXd spread =
         chosen(flight_sums(flight, rows, nullptr, errors.correlation).spread, places);
-    const Square inverse = eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
-                           eigen.eigenvectors().transpose();
-    const Square scaled_spread = scale.asDiagonal() * spread * scale.asDiagonal();
-    const Square covariance = inverse * scaled_spread * inverse;
+    const Eigen::MatrixXd inverse =
+        eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
+    const Eigen::MatrixXd scaled_spread = scale.asDiagonal() * spread * scale.asDiagonal();
+    const Eigen::MatrixXd covariance = inverse * scaled_spread * inverse;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         errors.sd[places[k]] = residual * std::sqrt(std::max(covariance(i, i), 0.0)) * scale[i];

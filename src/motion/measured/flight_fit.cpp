@@ -1,13 +1,12 @@
 #include "measured/flight_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "measured/fit_start.h"
 #include "measured/table_faults.h"
+#include "numerics/small_solvers.h"
 #include "system/interrupt.h"
 
 namespace poinsot {
@@ -123,9 +122,9 @@ std::vector<int> places_of(const IsFitted& is_fitted) {
     return places;
 }
 
-Square chosen(const FlightSquare& square, const std::vector<int>& places) {
+Eigen::MatrixXd chosen(const FlightSquare& square, const std::vector<int>& places) {
     const auto n = static_cast<Eigen::Index>(places.size());
-    Square normal(n, n);
+    Eigen::MatrixXd normal(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = 0; k < n; ++k)
             normal(i, k) =
@@ -149,15 +148,15 @@ FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
     double trust = 1e-3;
     for (int n_steps = 0; n_steps < most_steps && std::isfinite(sums.squares); ++n_steps) {
         stop_if_interrupted();
-        const Square normal = chosen(sums.normal, places);
-        Column gradient(normal.rows());
+        const Eigen::MatrixXd normal = chosen(sums.normal, places);
+        Eigen::VectorXd gradient(normal.rows());
         for (Eigen::Index i = 0; i < gradient.size(); ++i)
             gradient[i] = sums.gradient[places[static_cast<std::size_t>(i)]];
-        Square damped = normal;
+        Eigen::MatrixXd damped = normal;
         const double floor = 1e-12 * normal.diagonal().maxCoeff();
         for (Eigen::Index i = 0; i < damped.rows(); ++i)
             damped(i, i) += trust * normal(i, i) + floor;
-        const Column step = damped.ldlt().solve(-gradient);
+        const Eigen::VectorXd step = solved(damped, -gradient);
         FlightChange by = FlightChange::Zero();
         for (Eigen::Index i = 0; i < step.size(); ++i)
             by[places[static_cast<std::size_t>(i)]] = step[i];

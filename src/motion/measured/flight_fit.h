@@ -33,10 +33,7 @@ IsFitted fitted_start(DragModel drag, bool with_drag = true);
 int count(const IsFitted& is_fitted);
 std::vector<int> places_of(const IsFitted& is_fitted);
 
-using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_flight_changes,
-                             most_flight_changes>;
-using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_flight_changes, 1>;
-Square chosen(const FlightSquare& square, const std::vector<int>& places);
+Eigen::MatrixXd chosen(const FlightSquare& square, const std::vector<int>& places);
 
 struct FoundFlight {
     Flight flight;

@@ -1,6 +1,5 @@
 #include "measured/flights.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>

@@ -1,6 +1,5 @@
 #include "measured/joint_fit.h"
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,6 +11,7 @@
 #include "measured/flight_model.h"
 #include "measured/joint_outliers.h"
 #include "measured/joint_sums.h"
+#include "numerics/small_solvers.h"
 
 namespace poinsot {
 
@@ -140,9 +140,9 @@ FittedBody fitted_body(const std::vector<JointPart>& counted, const Flight& star
 
 // Errors of the shared numbers.
 struct SharedErrors {
-    SharedSquare covariance;
-    Shared sd;
-    std::vector<Shared> steps_without;  // to the minimum without one flight, for each
+    Eigen::MatrixXd covariance;
+    Eigen::VectorXd sd;
+    std::vector<Eigen::VectorXd> steps_without;  // to the minimum without one flight, for each
 };
 
 // From the scatter of the residuals within the flights and, with three flights or more, from that
@@ -152,7 +152,7 @@ SharedErrors errors_of(const std::vector<JointPart>& parts, const JointPlaces& p
     const auto n = static_cast<Eigen::Index>(places.shared.size());
     const int n_own = static_cast<int>(places.own.size());
     SharedErrors errors;
-    SharedSquare normal = SharedSquare::Zero(n, n), within = normal, between = normal;
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n), within = normal, between = normal;
     std::vector<Reduced> pieces;
     for (const JointPart& part : parts) {
         std::vector<Eigen::Vector3d> residuals;
@@ -163,9 +163,8 @@ SharedErrors errors_of(const std::vector<JointPart>& parts, const JointPlaces& p
         const Reduced piece = reduced(sums, places, 0.0);
         normal += piece.normal;
         // The scores of the shared numbers, free of those of the flight: P s with P = (1, −BC⁻¹).
-        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> free(n, most_flight_changes);
-        free.setZero();
-        const Mixed taken = piece.own_normal.solve(Mixed(piece.mixed).transpose()).transpose();
+        Eigen::MatrixXd free = Eigen::MatrixXd::Zero(n, most_flight_changes);
+        const Eigen::MatrixXd taken = solved(piece.own_normal, piece.mixed.transpose()).transpose();
         for (Eigen::Index i = 0; i < n; ++i) {
             free(i, places.shared[static_cast<std::size_t>(i)]) = 1.0;
             for (Eigen::Index k = 0; k < taken.cols(); ++k)
@@ -174,18 +173,17 @@ SharedErrors errors_of(const std::vector<JointPart>& parts, const JointPlaces& p
         within += free * sums.spread * free.transpose() * (part.weight * residual * residual);
         pieces.push_back(piece);
     }
-    const SharedSquare inverse = normal.ldlt().solve(SharedSquare::Identity(n, n));
+    const Eigen::MatrixXd inverse = solved(normal, Eigen::MatrixXd::Identity(n, n));
     const auto n_used = static_cast<double>(parts.size());
     for (const Reduced& piece : pieces) {
-        const SharedSquare others = normal - piece.normal;
-        const Shared step = others.ldlt().solve(piece.gradient);
+        const Eigen::VectorXd step = solved(normal - piece.normal, piece.gradient);
         between += step * step.transpose() * ((n_used - 1.0) / n_used);
         errors.steps_without.push_back(step);
     }
     errors.covariance = inverse * within * inverse;
     errors.sd = errors.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     if (constexpr std::size_t least_flights = 3; parts.size() >= least_flights) {
-        Shared larger = Shared::Ones(n);
+        Eigen::VectorXd larger = Eigen::VectorXd::Ones(n);
         for (Eigen::Index k = 0; k < n; ++k)
             if (errors.sd[k] > 0.0 && between(k, k) > errors.sd[k] * errors.sd[k])
                 larger[k] = std::sqrt(between(k, k)) / errors.sd[k];
