@@ -15,6 +15,7 @@
 #include "measured/measured_motion.h"
 #include "measured/prediction.h"
 #include "orders/fitted_rows.h"
+#include "production/fits/fit_words.h"
 #include "production/fits/fitted_scene.h"
 #include "production/vectors/flight_page.h"
 #include "python/bindings.h"
@@ -117,6 +118,11 @@ std::optional<Eigen::Vector3d> known_moments(const Maybe& moments) {
     const Eigen::Vector3d known(moments->at(0), moments->at(1), moments->at(2));
     if (!(known.minCoeff() > 0.0) || !known.allFinite())
         throw InputError("moments: give three positive numbers in kg m²");
+    try {
+        check_known_moments(known);
+    } catch (const InputError& error) {
+        throw InputError(std::string("moments: ") + error.what());
+    }
     return known;
 }
 
@@ -189,8 +195,9 @@ Prediction predicted(int n_rows, const Make& make) {
     }
 }
 
-py::dict fit(const Doubles& times, const Doubles& omega, const Maybe& moments,
-             const std::optional<std::string>& drag, std::optional<int> predict) {
+py::dict fit(const Doubles& times, const Doubles& omega, bool has_measured_omega,
+             const Maybe& moments, const std::optional<std::string>& drag,
+             std::optional<int> predict) {
     const Rows rows = rows_of(times, omega);
     const auto known = known_moments(moments);
     const auto model = known_drag(drag);
@@ -204,6 +211,7 @@ py::dict fit(const Doubles& times, const Doubles& omega, const Maybe& moments,
             });
     });
     py::dict made = dict_of(found);
+    made["notes"] = notes_of(found, {rows, has_measured_omega, false});
     made["prediction"] = dict_of(prediction);
     return made;
 }
@@ -221,6 +229,10 @@ py::dict fit_together(const std::vector<std::pair<Doubles, Doubles>>& flights, c
     const std::vector<std::span<const MeasuredRow>> spans(rows.begin(), rows.end());
     const auto known = known_moments(moments);
     const auto model = known_drag(drag);
+    if (const auto repeated = repeated_flight(spans))
+        throw InputError("flights " + std::to_string(repeated->first) + " and " +
+                         std::to_string(repeated->second) +
+                         " hold the same rows; give each flight once");
     JointFit joint;
     std::vector<std::optional<Prediction>> predictions(flights.size());
     run_interruptibly([&] {
@@ -340,7 +352,8 @@ void check_rows(const Doubles& times, const Maybe& omega, const Maybe& attitude)
 
 void add_fit(py::module_& module) {
     using namespace py::literals;
-    module.def("fit", fit, "times"_a, "omega"_a, "moments"_a, "drag"_a, "predict"_a);
+    module.def("fit", fit, "times"_a, "omega"_a, "has_measured_omega"_a, "moments"_a, "drag"_a,
+               "predict"_a);
     module.def("fit_together", fit_together, "flights"_a, "moments"_a, "drag"_a, "share_drag"_a,
                "predict"_a);
     module.def("flights", flights, "times"_a, "omega"_a, "attitude"_a);

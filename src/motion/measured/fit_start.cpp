@@ -170,6 +170,22 @@ std::vector<Flight> first_flights(std::span<const MeasuredRow> rows,
     return flights;
 }
 
+std::vector<Flight> physical_flights(std::span<const MeasuredRow> rows) {
+    Tensor squares = Tensor::Zero();
+    for (const MeasuredRow& row : rows) squares += row.omega_body * row.omega_body.transpose();
+    const Eigen::Matrix3d axes = eigenpairs_of(squares).vectors;
+    // A slab, a rod and a disc.
+    const Eigen::Vector3d bodies[] = {{1.0, 0.8, 0.3}, {1.0, 0.9, 0.2}, {1.0, 0.6, 0.5}};
+    std::vector<Flight> flights;
+    std::array<int, 3> order{0, 1, 2};
+    do {
+        const Eigen::Matrix3d permuted = axes(Eigen::all, order);
+        for (const Eigen::Vector3d& moments : bodies)
+            flights.push_back(flight_of(moments, permuted, 0.0, rows));
+    } while (std::next_permutation(order.begin(), order.end()));
+    return flights;
+}
+
 double unexplained_share(std::span<const MeasuredRow> rows) {
     constexpr double window_rad = 0.7;
     std::vector<Eigen::Matrix<double, 3, 6>> sums(rows.size()), momenta(rows.size());

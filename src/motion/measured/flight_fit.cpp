@@ -198,8 +198,20 @@ double residual_of(const FoundFlight& found, std::size_t n_rows, int n_fitted) {
 FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
                      const std::optional<Eigen::Vector3d>& moments) {
     const IsFitted is_fitted = fitted_changes(moments, DragModel::linear);
-    const FoundFlight found = valley_of(rows, noise, moments, is_fitted);
-    return std::isfinite(found.squares) ? minimised(rows, found.flight, is_fitted) : found;
+    FoundFlight best = valley_of(rows, noise, moments, is_fitted);
+    if (std::isfinite(best.squares)) best = minimised(rows, best.flight, is_fitted);
+    if (moments || excess_of(best.flight.moments) < most_excess) return best;
+    constexpr double first_span_rad = 12.0;
+    for (const Flight& start : physical_flights(rows)) {
+        const FoundFlight found = grown(rows, start, is_fitted, first_span_rad);
+        if (found.squares < best.squares && excess_of(found.flight.moments) < most_excess)
+            best = found;
+    }
+    return minimised(rows, best.flight, is_fitted);
+}
+
+double excess_of(const Eigen::Vector3d& moments) {
+    return 2.0 - moments.sum() / moments.maxCoeff();
 }
 
 // The three axes share the damping at first, which does not grow.

@@ -1,9 +1,13 @@
 #include "measured/joint_fit.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <string>
+#include <tuple>
 #include <utility>
 
 #include "error/error.h"
@@ -18,6 +22,12 @@ namespace poinsot {
 namespace {
 
 using Flights = std::span<const std::span<const MeasuredRow>>;
+
+[[noreturn]] void throw_undetermined_together() {
+    throw InputError(
+        "the flights do not determine the body; give some whose axis of rotation moves farther "
+        "through the body");
+}
 
 // Start and drag of a flight of this body.
 FoundFlight fitted_start_of(const JointPart& part, const Flight& body, DragModel drag) {
@@ -190,11 +200,21 @@ SharedErrors errors_of(const std::vector<JointPart>& parts, const JointPlaces& p
         errors.covariance = (larger.asDiagonal() * errors.covariance * larger.asDiagonal()).eval();
         errors.sd = errors.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     }
-    if (!errors.sd.allFinite())
-        throw InputError(
-            "the flights do not determine the body; give some whose axis of rotation "
-            "moves farther through the body");
+    if (!errors.sd.allFinite()) throw_undetermined_together();
     return errors;
+}
+
+// As of a single flight.
+void check_body(const JointFit& joint) {
+    constexpr double most_sd = 0.25, least_sds = 3.0;
+    if (!(joint.moments_sd.maxCoeff() < most_sd)) throw_undetermined_together();
+    const double sd = std::hypot(joint.moments_sd[1], joint.moments_sd[2]);
+    if (const double excess = excess_of(joint.moments);
+        excess > std::max(most_excess, least_sds * sd))
+        throw InputError(fmt::format(
+            "no rigid body has the moments that fit these flights best, since I1 exceeds I2 + I3 "
+            "by {:.2g} ± {:.1g} of I1; check units and axes, and that the flights are of one body",
+            excess, sd));
 }
 
 // Sets the body with its errors, and its drag.
@@ -237,11 +257,37 @@ void set_flight(const JointPart& part, DragModel drag, int n_own, JointFlight& f
 
 }  // namespace
 
+std::optional<std::pair<std::size_t, std::size_t>> repeated_flight(Flights flights) {
+    // ω of three numbers with all their digits is seldom the same in two flights.
+    using Row = std::tuple<double, double, double, std::size_t>;
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < flights.size(); ++i)
+        for (const MeasuredRow& row : flights[i])
+            rows.emplace_back(row.omega_body[0], row.omega_body[1], row.omega_body[2], i);
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    const auto omega = [](const Row& row) {
+        return std::tie(std::get<0>(row), std::get<1>(row), std::get<2>(row));
+    };
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> n_common;
+    for (std::size_t i = 1; i < rows.size(); ++i)
+        for (std::size_t k = i; k-- > 0 && omega(rows[k]) == omega(rows[i]);)
+            if (std::size_t& n = n_common[{std::get<3>(rows[k]), std::get<3>(rows[i])}];
+                2 * ++n > std::min(flights[std::get<3>(rows[k])].size(),
+                                   flights[std::get<3>(rows[i])].size()))
+                return std::pair(std::get<3>(rows[k]), std::get<3>(rows[i]));
+    return std::nullopt;
+}
+
 JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
                       const std::optional<Eigen::Vector3d>& moments_kg_m2,
                       const std::optional<DragModel>& wanted, bool shares_drag) {
     std::optional<Eigen::Vector3d> moments = moments_kg_m2;
+    if (moments) check_known_moments(*moments);
     if (moments) std::sort(moments->begin(), moments->end(), std::greater<>());
+    if (const auto repeated = repeated_flight(all))
+        throw InputError(fmt::format("flights {} and {} hold the same rows; give each flight once",
+                                     repeated->first + 1, repeated->second + 1));
     JointFit joint;
     joint.flights = fitted_alone(all, moments_kg_m2, wanted);
     const FittedMotion& reference = *joint.flights[most_typical(joint.flights)].own;
@@ -271,6 +317,7 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
                     errors.steps_without[f][static_cast<Eigen::Index>(k)];
 
     set_body(fitted, errors, places, joint);
+    if (!moments) check_body(joint);
     if (moments) joint.I1_kg_m2 = (*moments)[0];
     joint.shares_drag = shares_drag && fitted.drag != DragModel::none;
     repeat_rate(fitted.drag, joint.drag_rates);

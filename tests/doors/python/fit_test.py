@@ -155,8 +155,8 @@ def test_tables_name_their_columns(throw, tmp_path):
     frame.drop(columns="note").to_csv(file, index=False)
     for given in (frame, indexed, file, str(file)):
         np.testing.assert_allclose(poinsot.fit(given).ratios, found.ratios, rtol=1e-9)
-    joint = poinsot.fit([frame, (TIMES, throw)])
-    assert joint.n_used == 2
+    with pytest.raises(poinsot.InputError, match="flights 0 and 1 hold the same rows; give each flight once"):
+        poinsot.fit([frame, (TIMES, throw)])
     with pytest.raises(poinsot.InputError, match="names no column for the time"):
         poinsot.fit(frame.drop(columns="Time (ms)"))
     with pytest.raises(poinsot.InputError, match="no columns of numbers"):
@@ -197,6 +197,8 @@ def test_a_scene_of_a_fit_has_its_motion(throw, tmp_path):
 
 def test_the_program_finds_the_same(program):
     found, said = poinsot.fit(RACKET), json.loads(program("fit", RACKET, "--json"))
+    notes = [line[len("note: "):] for line in program("fit", RACKET).splitlines() if line.startswith("note: ")]
+    assert found.notes == notes and "residual is larger than the noise" in notes[0]
     np.testing.assert_allclose(found.moments, said["moments"], rtol=1e-14)
     np.testing.assert_allclose(found.moments_sd, said["moments_sd"], rtol=1e-14)
     np.testing.assert_allclose(found.axes.T, said["axes"], atol=1e-14)
@@ -228,8 +230,10 @@ def test_the_flights_of_a_recording_are_found():
     (lambda t, w: poinsot.fit("no.csv"), "no.csv: cannot be read"),
     (lambda t, w: poinsot.fit(t, w, drag="air"), "drag: is 'air'; choose one of none, linear"),
     (lambda t, w: poinsot.fit(t, w, drag=3), "drag: is the name of a model"),
+    (lambda t, w: poinsot.fit(t, np.tile([4.4, 7.1, 8.5], (len(t), 1))), "do not determine the moments"),
     (lambda t, w: poinsot.fit(t, w, moments=[1, 2]), "moments: give the three principal moments"),
     (lambda t, w: poinsot.fit(t, w, moments=[1, 2, -3]), "moments: give three positive numbers"),
+    (lambda t, w: poinsot.fit(t, w, moments=[1, 3, 1]), "moments: no rigid body has these moments, since 1"),
     (lambda t, w: poinsot.fit(t, w, share_drag=True), "share_drag: one flight"),
     (lambda t, w: poinsot.fit(t, w, predict=0), "predict 0: give the number of rows"),
     (lambda t, w: poinsot.fit(t, w, predict=250), "predict 250: 250 rows are fitted of 250"),

@@ -116,6 +116,7 @@ def keywords(verb: str) -> List[Tuple[str, str, Any]]: ...
 def fit(
     times: NDArray[np.float64],
     omega: NDArray[np.float64],
+    has_measured_omega: bool,
     moments: Optional[NDArray[np.float64]],
     drag: Optional[str],
     predict: Optional[int],
