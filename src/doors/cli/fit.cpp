@@ -274,7 +274,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
     if (!choices.output.empty()) {
         FittedScene scene{.fit = fit,
                           .from = printable(file.filename().string()),
-                          .words = words_of(fit, flight.measured),
+                          .words = words_of(table, flight),
                           .last_time_s = flight.measured.rows.back().time_s,
                           .attitude = {}};
         if (table.is_recording) scene.from += fmt::format(", flight {}", flight.number);
@@ -311,7 +311,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
         fmt::print("flight {}{}:\n", flight.number,
                    choices.flight.empty() ? ", which says most about the body" : "");
     }
-    for (const std::string& line : words_of(fit, flight.measured)) fmt::print("{}\n", line);
+    for (const std::string& line : words_of(table, flight)) fmt::print("{}\n", line);
     if (prediction) fmt::print("{}\n", words_of(*prediction));
     if (!choices.chart.empty()) fmt::print("{}\n", printable(choices.chart));
     if (choices.output.empty()) return 0;

@@ -15,7 +15,7 @@
 #include "measured/measured_motion.h"
 #include "measured/prediction.h"
 #include "orders/fitted_rows.h"
-#include "production/fits/fit_words.h"
+#include "production/fits/fit_flights.h"
 #include "production/fits/fitted_scene.h"
 #include "production/vectors/flight_page.h"
 #include "python/bindings.h"
@@ -195,23 +195,31 @@ Prediction predicted(int n_rows, const Make& make) {
     }
 }
 
-py::dict fit(const Doubles& times, const Doubles& omega, bool has_measured_omega,
+// The rows as one flight, if the caller says so, or the flight of theirs that says most about the
+// body; with the rows that are fitted.
+py::dict fit(const Doubles& times, const Maybe& omega, const Maybe& attitude, bool is_flight,
              const Maybe& moments, const std::optional<std::string>& drag,
              std::optional<int> predict) {
-    const Rows rows = rows_of(times, omega);
-    const auto known = known_moments(moments);
-    const auto model = known_drag(drag);
-    FittedMotion found;
+    MeasuredMotion measured{rows_of(times, omega, attitude), omega.has_value(),
+                            attitude.has_value()};
+    const FitKnown known{known_moments(moments), known_drag(drag)};
+    FitTable table;
     std::optional<Prediction> prediction;
+    const TableFlight* best = nullptr;
     run_interruptibly([&] {
-        found = fit_motion(rows, known, model);
+        table = is_flight ? table_of_flight(std::move(measured), "", known)
+                          : fitted_table(std::move(measured), "", known);
+        best = &best_of(table);
+        if (!best->fit) throw InputError(best->refusal);
         if (predict)
             prediction = predicted(*predict, [&](std::size_t n_rows) {
-                return predicted_alone(rows, n_rows, known, model);
+                return predicted_alone(best->measured.rows, n_rows, known.moments_kg_m2,
+                                       known.drag);
             });
     });
-    py::dict made = dict_of(found);
-    made["notes"] = notes_of(found, {rows, has_measured_omega, false});
+    py::dict made = dict_of(*best->fit);
+    made["notes"] = notes_of(table, *best);
+    made["rows"] = columns_of(best->measured.rows, true, best->measured.has_attitude);
     made["prediction"] = dict_of(prediction);
     return made;
 }
@@ -352,7 +360,7 @@ void check_rows(const Doubles& times, const Maybe& omega, const Maybe& attitude)
 
 void add_fit(py::module_& module) {
     using namespace py::literals;
-    module.def("fit", fit, "times"_a, "omega"_a, "has_measured_omega"_a, "moments"_a, "drag"_a,
+    module.def("fit", fit, "times"_a, "omega"_a, "attitude"_a, "is_flight"_a, "moments"_a, "drag"_a,
                "predict"_a);
     module.def("fit_together", fit_together, "flights"_a, "moments"_a, "drag"_a, "share_drag"_a,
                "predict"_a);

@@ -3,11 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <compare>
 #include <functional>
 #include <map>
 #include <string>
-#include <tuple>
 #include <utility>
 
 #include "error/error.h"
@@ -259,23 +260,25 @@ void set_flight(const JointPart& part, DragModel drag, int n_own, JointFlight& f
 
 std::optional<std::pair<std::size_t, std::size_t>> repeated_flight(Flights flights) {
     // ω of three numbers with all their digits is seldom the same in two flights.
-    using Row = std::tuple<double, double, double, std::size_t>;
+    struct Row {
+        std::array<double, 3> omega;
+        std::size_t flight;
+        auto operator<=>(const Row&) const = default;
+    };
     std::vector<Row> rows;
     for (std::size_t i = 0; i < flights.size(); ++i)
         for (const MeasuredRow& row : flights[i])
-            rows.emplace_back(row.omega_body[0], row.omega_body[1], row.omega_body[2], i);
+            rows.push_back({{row.omega_body[0], row.omega_body[1], row.omega_body[2]}, i});
     std::sort(rows.begin(), rows.end());
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
-    const auto omega = [](const Row& row) {
-        return std::tie(std::get<0>(row), std::get<1>(row), std::get<2>(row));
-    };
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> n_common;
-    for (std::size_t i = 1; i < rows.size(); ++i)
-        for (std::size_t k = i; k-- > 0 && omega(rows[k]) == omega(rows[i]);)
-            if (std::size_t& n = n_common[{std::get<3>(rows[k]), std::get<3>(rows[i])}];
-                2 * ++n > std::min(flights[std::get<3>(rows[k])].size(),
-                                   flights[std::get<3>(rows[i])].size()))
-                return std::pair(std::get<3>(rows[k]), std::get<3>(rows[i]));
+    for (std::size_t k = 1; k < rows.size(); ++k)
+        for (std::size_t i = k; i-- > 0 && rows[i].omega == rows[k].omega;) {
+            const std::pair both(rows[i].flight, rows[k].flight);
+            const std::size_t shorter =
+                std::min(flights[both.first].size(), flights[both.second].size());
+            if (2 * ++n_common[both] > shorter) return both;
+        }
     return std::nullopt;
 }
 

@@ -197,12 +197,38 @@ def test_a_scene_of_a_fit_has_its_motion(throw, tmp_path):
 
 def test_the_program_finds_the_same(program):
     found, said = poinsot.fit(RACKET), json.loads(program("fit", RACKET, "--json"))
-    notes = [line[len("note: "):] for line in program("fit", RACKET).splitlines() if line.startswith("note: ")]
-    assert found.notes == notes and "residual is larger than the noise" in notes[0]
+    assert found.notes == notes_in(program("fit", RACKET)) and "larger than the noise" in found.notes[0]
     np.testing.assert_allclose(found.moments, said["moments"], rtol=1e-14)
     np.testing.assert_allclose(found.moments_sd, said["moments_sd"], rtol=1e-14)
     np.testing.assert_allclose(found.axes.T, said["axes"], atol=1e-14)
     assert found.drag.model == said["drag"] and found.residual == pytest.approx(said["residual_rad_s"], rel=1e-14)
+
+
+def notes_in(said):
+    return [line[len("note: "):] for line in said.decode().splitlines() if line.startswith("note: ")]
+
+
+def test_a_throw_is_fitted_whole_and_a_hand_is_left_out(program, tmp_path):
+    whole = poinsot.fit(RACKET)
+    times, omega = whole.times, whole.omega
+    assert len(times) == len(RACKET.read_text().splitlines()) - 1
+    # A hand stops it within a tenth of a second, and swings it.
+    later = times[-1] + 0.01 * np.arange(1, 31)
+    left = np.clip(1 - (later - times[-1]) / 0.1, 0, 1)[:, None] ** 2
+    swing = np.sin(9 * later[:, None] + np.arange(3)) * (1 - left)
+    table = np.column_stack([np.r_[times, later], np.r_[omega, omega[-1] * left + 3 * swing]])
+    file = tmp_path / "caught.csv"
+    np.savetxt(file, table, delimiter=",", header="t,wx,wy,wz", comments="", fmt="%.17g")
+    caught, said = poinsot.fit(file), json.loads(program("fit", str(file), "--json"))
+    assert 0.9 * len(times) < len(caught.times) <= len(times) + 3
+    assert caught.notes[0].startswith(f"{len(caught.times)} of {len(table)} rows are fitted, from ")
+    assert caught.notes == notes_in(program("fit", str(file)))
+    np.testing.assert_allclose(caught.moments, said["moments"], rtol=1e-14)
+    np.testing.assert_allclose(caught.ratios, whole.ratios, atol=0.02)
+    # Of many flights, the one that the program takes.
+    best, said = poinsot.fit(RECORDING), json.loads(program("fit", str(RECORDING), "--json"))
+    np.testing.assert_allclose(best.moments, said["moments"], rtol=1e-14)
+    assert f"flight {said['flight']} of {len(said['flights'])}" in best.notes[0]
 
 
 def test_the_flights_of_a_recording_are_found():

@@ -14,7 +14,7 @@ from .arrays import Numbers, numbers, seconds, whole
 from .errors import InputError, shown
 from .paths import Path, path_text
 from .pictures import Figure, write_file
-from .recordings import is_table, rows_of, with_omega
+from .recordings import Flight, is_table, rows_of, with_omega
 from .scene import Scene
 from .toml import unicode_text
 
@@ -178,7 +178,7 @@ class Fit(_Body):
     Standard deviations are those that the residuals imply, as large and as alike from row to row as they are.
 
     Attributes:
-        times, omega, attitude: the rows: s, shape (n,); rad/s, axes of the instrument, shape (n, 3); unit
+        times, omega, attitude: the fitted rows: s, shape (n,); rad/s, axes of the instrument, shape (n, 3); unit
             quaternions, shape (n, 4), or None.
         prediction: with predict=N, what the first N rows predict for the others; else None.
         left_out: of a flight of a joint fit: why it does not count; "" if it counts.
@@ -331,6 +331,9 @@ def fit(
     pandas or polars, a dict, a record array, or the path of a CSV file), or a flight that `flights` found. Times may
     also be differences of dates (Timedelta). Returns a `Fit`.
 
+    Where the rows are not one free motion, as those of a recording with walking and catching, the flight among them
+    that says most about the body is fitted: the result holds its rows, and `notes` says which.
+
     A list of tables, flights or tuples (times, omega) holds several flights of one body. Returns a `JointFit`; with
     share_drag, all flights have the same drag.
 
@@ -360,9 +363,9 @@ def fit(
     if not is_list:
         if share_drag:
             raise InputError("share_drag: one flight shares its drag with none; give a list of flights")
-        given = rows_of(times, omega, attitude)
-        rows = with_omega(given)
-        return Fit(_poinsot.fit(rows[0], rows[1], given[1] is not None, known, model, n_first), *rows)
+        rows = rows_of(times, omega, attitude)
+        found = _poinsot.fit(*rows, isinstance(times, (Flight, Fit)), known, model, n_first)
+        return Fit(found, **found.pop("rows"))
     held = [with_omega(_rows_in_list(place, one)) for place, one in enumerate(times)]
     if len(held) < 2:
         raise InputError(f"times: a list of {len(held)} flights; give two or more, or times and omega of one flight")

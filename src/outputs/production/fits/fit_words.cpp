@@ -116,7 +116,7 @@ std::vector<std::string> notes_of(const FittedMotion& fit, const MeasuredMotion&
     return notes;
 }
 
-std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured) {
+std::vector<std::string> result_lines(const FittedMotion& fit) {
     std::vector<std::string> lines = body_lines(fit);
     lines.push_back(fmt::format("ω at {:g} s = ({}, {}, {}) rad/s", fit.first_time_s,
                                 with_sd(fit.omega_rad_s[0], fit.omega_sd_rad_s[0]),
@@ -125,8 +125,6 @@ std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion&
     add_drag(fit, lines);
     lines.push_back(
         fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
-    for (const std::string& note : notes_of(fit, measured))
-        lines.push_back(fmt::format("note: {}", note));
     return lines;
 }
 

@@ -26,7 +26,7 @@ std::vector<std::string> body_lines(const Fit& fit, std::string_view before = ""
 // noise, faults of the table. A line each.
 std::vector<std::string> notes_of(const FittedMotion& fit, const MeasuredMotion& measured);
 
-// The results and the notes, a line each: for the console, and as comments of the scene.
-std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured);
+// The results, a line each: for the console, and as comments of the scene.
+std::vector<std::string> result_lines(const FittedMotion& fit);
 
 }  // namespace poinsot
