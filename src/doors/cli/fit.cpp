@@ -67,7 +67,13 @@ Eigen::Vector3d moments_in(const std::string& text) {
             fmt::format("--moments {}: give three positive numbers in kg m², as in "
                         "--moments 4,3,1.5",
                         printable(text)));
-    return {moments[0], moments[1], moments[2]};
+    const Eigen::Vector3d known(moments[0], moments[1], moments[2]);
+    try {
+        check_known_moments(known);
+    } catch (const InputError& error) {
+        throw InputError(fmt::format("--moments {}: {}", printable(text), error.what()));
+    }
+    return known;
 }
 
 std::optional<DragModel> drag_named(const std::string& text) {
@@ -225,6 +231,10 @@ int fit_all(const FitChoices& choices, const std::vector<FitTable>& tables, cons
             fmt::format("{}: the table has one flight; give more tables, or leave "
                         "--flight out",
                         printable(tables.front().file.string())));
+    if (const auto repeated = repeated_flight(rows))
+        throw InputError(fmt::format("{} and {} hold the same rows; give each flight once",
+                                     flights[repeated->first]->name,
+                                     flights[repeated->second]->name));
     const JointFit joint = fit_together(rows, known.moments_kg_m2, known.drag, choices.share_drag);
     FlightPredictions predictions(choices.predict ? flights.size() : 0);
     for (std::size_t i = 0; i < predictions.size(); ++i) {
@@ -264,7 +274,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
     if (!choices.output.empty()) {
         FittedScene scene{.fit = fit,
                           .from = printable(file.filename().string()),
-                          .words = words_of(fit, flight.measured),
+                          .words = words_of(table, flight),
                           .last_time_s = flight.measured.rows.back().time_s,
                           .attitude = {}};
         if (table.is_recording) scene.from += fmt::format(", flight {}", flight.number);
@@ -301,7 +311,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
         fmt::print("flight {}{}:\n", flight.number,
                    choices.flight.empty() ? ", which says most about the body" : "");
     }
-    for (const std::string& line : words_of(fit, flight.measured)) fmt::print("{}\n", line);
+    for (const std::string& line : words_of(table, flight)) fmt::print("{}\n", line);
     if (prediction) fmt::print("{}\n", words_of(*prediction));
     if (!choices.chart.empty()) fmt::print("{}\n", printable(choices.chart));
     if (choices.output.empty()) return 0;

@@ -15,6 +15,7 @@
 #include "measured/measured_motion.h"
 #include "measured/prediction.h"
 #include "orders/fitted_rows.h"
+#include "production/fits/fit_flights.h"
 #include "production/fits/fitted_scene.h"
 #include "production/vectors/flight_page.h"
 #include "python/bindings.h"
@@ -117,6 +118,11 @@ std::optional<Eigen::Vector3d> known_moments(const Maybe& moments) {
     const Eigen::Vector3d known(moments->at(0), moments->at(1), moments->at(2));
     if (!(known.minCoeff() > 0.0) || !known.allFinite())
         throw InputError("moments: give three positive numbers in kg m²");
+    try {
+        check_known_moments(known);
+    } catch (const InputError& error) {
+        throw InputError(std::string("moments: ") + error.what());
+    }
     return known;
 }
 
@@ -189,21 +195,31 @@ Prediction predicted(int n_rows, const Make& make) {
     }
 }
 
-py::dict fit(const Doubles& times, const Doubles& omega, const Maybe& moments,
-             const std::optional<std::string>& drag, std::optional<int> predict) {
-    const Rows rows = rows_of(times, omega);
-    const auto known = known_moments(moments);
-    const auto model = known_drag(drag);
-    FittedMotion found;
+// The rows as one flight, if the caller says so, or the flight of theirs that says most about the
+// body; with the rows that are fitted.
+py::dict fit(const Doubles& times, const Maybe& omega, const Maybe& attitude, bool is_flight,
+             const Maybe& moments, const std::optional<std::string>& drag,
+             std::optional<int> predict) {
+    MeasuredMotion measured{rows_of(times, omega, attitude), omega.has_value(),
+                            attitude.has_value()};
+    const FitKnown known{known_moments(moments), known_drag(drag)};
+    FitTable table;
     std::optional<Prediction> prediction;
+    const TableFlight* best = nullptr;
     run_interruptibly([&] {
-        found = fit_motion(rows, known, model);
+        table = is_flight ? table_of_flight(std::move(measured), "", known)
+                          : fitted_table(std::move(measured), "", known);
+        best = &best_of(table);
+        if (!best->fit) throw InputError(best->refusal);
         if (predict)
             prediction = predicted(*predict, [&](std::size_t n_rows) {
-                return predicted_alone(rows, n_rows, known, model);
+                return predicted_alone(best->measured.rows, n_rows, known.moments_kg_m2,
+                                       known.drag);
             });
     });
-    py::dict made = dict_of(found);
+    py::dict made = dict_of(*best->fit);
+    made["notes"] = notes_of(table, *best);
+    made["rows"] = columns_of(best->measured.rows, true, best->measured.has_attitude);
     made["prediction"] = dict_of(prediction);
     return made;
 }
@@ -221,6 +237,10 @@ py::dict fit_together(const std::vector<std::pair<Doubles, Doubles>>& flights, c
     const std::vector<std::span<const MeasuredRow>> spans(rows.begin(), rows.end());
     const auto known = known_moments(moments);
     const auto model = known_drag(drag);
+    if (const auto repeated = repeated_flight(spans))
+        throw InputError("flights " + std::to_string(repeated->first) + " and " +
+                         std::to_string(repeated->second) +
+                         " hold the same rows; give each flight once");
     JointFit joint;
     std::vector<std::optional<Prediction>> predictions(flights.size());
     run_interruptibly([&] {
@@ -340,7 +360,8 @@ void check_rows(const Doubles& times, const Maybe& omega, const Maybe& attitude)
 
 void add_fit(py::module_& module) {
     using namespace py::literals;
-    module.def("fit", fit, "times"_a, "omega"_a, "moments"_a, "drag"_a, "predict"_a);
+    module.def("fit", fit, "times"_a, "omega"_a, "attitude"_a, "is_flight"_a, "moments"_a, "drag"_a,
+               "predict"_a);
     module.def("fit_together", fit_together, "flights"_a, "moments"_a, "drag"_a, "share_drag"_a,
                "predict"_a);
     module.def("flights", flights, "times"_a, "omega"_a, "attitude"_a);

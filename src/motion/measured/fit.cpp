@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -12,6 +11,8 @@
 #include "error/error.h"
 #include "measured/flight_fit.h"
 #include "measured/flight_model.h"
+#include "measured/table_faults.h"
+#include "numerics/small_solvers.h"
 
 namespace poinsot {
 
@@ -34,6 +35,14 @@ constexpr double least_whole_turn_rad = 0.1;  // from the first row to the last
         "measure a motion in which the axis of rotation moves farther through the body, or measure "
         "for longer");
 }
+[[noreturn]] void throw_no_body(double excess, double sd) {
+    throw InputError(fmt::format(
+        "no rigid body has the moments that fit these rows best, since I1 exceeds I2 + I3 by "
+        "{:.2g} ± {:.1g} of I1; check units and axes, cut the table to the time in which the body "
+        "is free, or measure a motion in which the axis of rotation moves farther through the "
+        "body",
+        excess, sd));
+}
 constexpr double most_noise_share = 0.3;      // of the rate
 constexpr double most_residual_share = 0.05;  // of the rate, where the rows scatter less
 
@@ -44,11 +53,19 @@ void check_wandering(std::span<const MeasuredRow> rows) {
     if (noise > most_noise_share * rate) throw_no_motion(noise, rate);
     Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
     for (const MeasuredRow& row : rows) squares += row.omega_body * row.omega_body.transpose();
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(squares);
-    const double beside = std::sqrt((eigen.eigenvalues()[0] + eigen.eigenvalues()[1]) / 2.0 /
-                                    static_cast<double>(rows.size()));
-    constexpr double least_share = 1e-6, least_noises = 3.0;
-    if (beside < least_noises * noise || beside < least_share * rate)
+    // Not from the eigenvalues: those of constant ω are 0 but for the rounding of the largest.
+    const Eigen::Vector3d axis = eigenpairs_of(squares).vectors.col(2);
+    double squares_beside = 0.0, squares_of_steps = 0.0;
+    for (const MeasuredRow& row : rows)
+        squares_beside += (row.omega_body - axis.dot(row.omega_body) * axis).squaredNorm();
+    const double beside = std::sqrt(squares_beside / 2.0 / static_cast<double>(rows.size()));
+    // Rounded values that change slowly scatter less from row to row than they are wrong.
+    for (int k = 0; k < 3; ++k)
+        if (const double step = resolution_of(rows, k); std::isfinite(step))
+            squares_of_steps += step * step;
+    const double rounding = std::sqrt(squares_of_steps / 3.0 / 12.0);
+    constexpr double least_share = 1e-5, least_noises = 3.0;
+    if (!(beside > std::max(least_noises * std::max(noise, rounding), least_share * rate)))
         throw InputError(
             "the rows do not determine the moments: but for noise the body turns about one axis; "
             "measure a motion whose axis of rotation wanders through the body");
@@ -144,22 +161,21 @@ FlightErrors errors_of(const Flight& flight, const std::vector<MeasuredRow>& row
     FlightErrors errors;
     const std::vector<int> places = places_of(fitted_changes(moments, flight.drag));
     std::vector<Eigen::Vector3d> residuals;
-    const Square normal = chosen(flight_sums(flight, rows, &residuals).normal, places);
+    const Eigen::MatrixXd normal = chosen(flight_sums(flight, rows, &residuals).normal, places);
     // Scaled, so that units do not matter.
-    const Column scale = normal.diagonal().cwiseSqrt().cwiseInverse();
+    const Eigen::VectorXd scale = normal.diagonal().cwiseSqrt().cwiseInverse();
     if (!scale.allFinite()) throw_undetermined();
-    const Eigen::SelfAdjointEigenSolver<Square> eigen(
-        Square(scale.asDiagonal() * normal * scale.asDiagonal()));
+    const Eigenpairs eigen = eigenpairs_of(scale.asDiagonal() * normal * scale.asDiagonal());
     constexpr double least_eigenvalue = 1e-13;
-    if (!(eigen.eigenvalues()[0] > least_eigenvalue)) throw_undetermined();
+    if (!(eigen.values[0] > least_eigenvalue)) throw_undetermined();
     if (!moments && is_on_separatrix(flight)) throw_undetermined();
     errors.correlation = correlation_of(residuals);
-    const Square spread =
+    const Eigen::MatrixXd spread =
         chosen(flight_sums(flight, rows, nullptr, errors.correlation).spread, places);
-    const Square inverse = eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal() *
-                           eigen.eigenvectors().transpose();
-    const Square scaled_spread = scale.asDiagonal() * spread * scale.asDiagonal();
-    const Square covariance = inverse * scaled_spread * inverse;
+    const Eigen::MatrixXd inverse =
+        eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
+    const Eigen::MatrixXd scaled_spread = scale.asDiagonal() * spread * scale.asDiagonal();
+    const Eigen::MatrixXd covariance = inverse * scaled_spread * inverse;
     for (std::size_t k = 0; k < places.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         errors.sd[places[k]] = residual * std::sqrt(std::max(covariance(i, i), 0.0)) * scale[i];
@@ -189,10 +205,7 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
                         const std::optional<DragModel>& wanted, bool goes_on) {
     std::optional<Eigen::Vector3d> moments = moments_kg_m2;
     if (moments) std::sort(moments->begin(), moments->end(), std::greater<>());
-    if (moments && (*moments)[0] == (*moments)[2])
-        throw InputError(
-            "the three moments are equal: every axis of such a body is a principal axis, and its ω "
-            "does not change");
+    if (moments) check_known_moments(*moments);
     check(all);
     const std::vector<MeasuredRow> unscaled = thinned(all);
     check(unscaled);
@@ -236,14 +249,32 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
     fit.correlation = correlation;
     fit.n_rows = rows.size();
     fit.noise_rad_s = rate * noise;
-    if (constexpr double most = 0.25; fit.moments_sd.maxCoeff() > most) throw_undetermined();
+    if (constexpr double most = 0.25; !(fit.moments_sd.maxCoeff() < most)) throw_undetermined();
+    constexpr double least_sds = 3.0;
+    const double excess_sd = std::hypot(fit.moments_sd[1], fit.moments_sd[2]);
+    if (!moments && excess_of(fit) > std::max(most_excess, least_sds * excess_sd))
+        throw_no_body(excess_of(fit), excess_sd);
     return fit;
 }
 
 double excess_of(const FittedMotion& fit) {
-    const double excess = 1.0 - fit.moments[1] - fit.moments[2];
+    const double excess = excess_of(fit.moments);
     constexpr double rounding = 1e-12;  // of a plate's moments
     return std::abs(excess) < rounding ? 0.0 : excess;
+}
+
+void check_known_moments(const Eigen::Vector3d& moments_kg_m2) {
+    Eigen::Vector3d moments = moments_kg_m2;
+    std::sort(moments.begin(), moments.end(), std::greater<>());
+    if (moments[0] == moments[2])
+        throw InputError(
+            "the three moments are equal: every axis of such a body is a principal axis, and its ω "
+            "does not change");
+    if (excess_of(moments) > most_excess)
+        throw InputError(fmt::format(
+            "no rigid body has these moments, since {} + {} < {}; give the moments about its three "
+            "principal axes through the centre of mass",
+            moments[1], moments[2], moments[0]));
 }
 
 }  // namespace poinsot

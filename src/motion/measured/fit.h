@@ -54,8 +54,9 @@ struct FittedMotion {
 // Fits rows with ω, in order of time. Of more than 20,000 rows it takes every second, third or so
 // on; only the beginning, if the body would turn too far between these. Throws
 // InputError for fewer than 30 rows, a body at rest, samples too far apart to follow the turning, a
-// turn about one axis, which says nothing about the other moments, and motions that no rigid body
-// makes. `moments_kg_m2`: the body's principal moments in any order, if they are known; then only
+// turn about one axis, which says nothing about the other moments, motions that no rigid body
+// makes, and moments that none has, by more than 2 % and three standard deviations.
+// `moments_kg_m2`: the body's principal moments in any order, if they are known; then only
 // axes, start and drag are fitted. Without `drag` it is linear where this describes the rows to
 // their noise, else the one of `axes`, `quadratic` and `growing` that describes them best;
 // `growing` is left out where the motion goes on beyond the rows, since growth cannot be continued.
@@ -66,5 +67,9 @@ FittedMotion fit_motion(std::span<const MeasuredRow> rows,
 
 // By how much I1 exceeds I2 + I3, in units of I1; no body has more than 0.
 double excess_of(const FittedMotion& fit);
+
+// Refuses known moments, in any order, that no body has, by more than 2 %, and three equal ones,
+// which any axes fit. Throws InputError; fit_motion and fit_together do, too.
+void check_known_moments(const Eigen::Vector3d& moments_kg_m2);
 
 }  // namespace poinsot

@@ -1,12 +1,13 @@
 #include "measured/fit_start.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
+
+#include "numerics/small_solvers.h"
 
 namespace poinsot {
 
@@ -17,9 +18,8 @@ using Tensor = Eigen::Matrix3d;
 // f of the eigenvalues of a symmetric tensor.
 template <typename Function>
 Tensor mapped(const Tensor& tensor, Function f) {
-    const Eigen::SelfAdjointEigenSolver<Tensor> eigen(tensor);
-    const Tensor made = eigen.eigenvectors() * eigen.eigenvalues().unaryExpr(f).asDiagonal() *
-                        eigen.eigenvectors().transpose();
+    const auto [values, vectors] = eigenpairs_of(tensor);
+    const Tensor made = vectors * values.unaryExpr(f).asDiagonal() * vectors.transpose();
     return 0.5 * (made + made.transpose());  // symmetric to the last bit
 }
 
@@ -79,17 +79,17 @@ Normal normal_of(std::span<const MeasuredRow> rows, double damping, double windo
 std::pair<Tensor, double> first_tensor(const Normal& normal) {
     // Rows too short for a window say nothing.
     if (normal.isZero(0.0)) return {Tensor::Identity(), std::numeric_limits<double>::infinity()};
-    const Eigen::SelfAdjointEigenSolver<Normal> eigen(normal);
+    const auto [values, vectors] = eigenpairs_of(normal);
     Tensor tensor;
     for (int k = 0; k < 6; ++k) {
         const auto [i, j] = places[static_cast<std::size_t>(k)];
-        tensor(i, j) = tensor(j, i) = eigen.eigenvectors()(k, 0);
+        tensor(i, j) = tensor(j, i) = vectors(k, 0);
     }
     if (tensor.trace() < 0.0) tensor = -tensor;
-    const double largest = Eigen::SelfAdjointEigenSolver<Tensor>(tensor).eigenvalues().maxCoeff();
+    const double largest = eigenpairs_of(tensor).values.maxCoeff();
     // Noise may make a moment negative.
     tensor = mapped(tensor / largest, [](double x) { return std::max(x, 0.05); });
-    return {tensor, eigen.eigenvalues()[0] / std::max(normal.trace(), 1e-300)};
+    return {tensor, values[0] / std::max(normal.trace(), 1e-300)};
 }
 
 // That of these dampings which Euler's equations hold best with, for windows of this angle. Each is
@@ -130,10 +130,10 @@ std::vector<Flight> first_flights(std::span<const MeasuredRow> rows,
     std::vector<std::pair<double, Flight>> ordered;
     for (const double window_rad : {1.0, 0.5, 2.0, 4.0}) {
         const FirstTensor first = tensor_of(rows, window_rad, losses);
-        const Eigen::SelfAdjointEigenSolver<Tensor> eigen(first.tensor);
-        const Eigen::Matrix3d axes = eigen.eigenvectors().rowwise().reverse();
+        const Eigenpairs eigen = eigenpairs_of(first.tensor);
+        const Eigen::Matrix3d axes = eigen.vectors.rowwise().reverse();
         if (!moments) {
-            flights.push_back(flight_of(eigen.eigenvalues().reverse(), axes, first.damping, rows));
+            flights.push_back(flight_of(eigen.values.reverse(), axes, first.damping, rows));
             continue;
         }
         // Noise may have put the axes into another order.
@@ -158,16 +158,31 @@ std::vector<Flight> first_flights(std::span<const MeasuredRow> rows,
     if (!moments)
         for (const double& loss : losses) {
             const FirstTensor first = tensor_of(rows, 1.0, std::span(&loss, 1));
-            const Eigen::SelfAdjointEigenSolver<Tensor> eigen(first.tensor);
-            flights.push_back(flight_of(eigen.eigenvalues().reverse(),
-                                        eigen.eigenvectors().rowwise().reverse(), first.damping,
-                                        rows));
+            const Eigenpairs eigen = eigenpairs_of(first.tensor);
+            flights.push_back(flight_of(eigen.values.reverse(), eigen.vectors.rowwise().reverse(),
+                                        first.damping, rows));
         }
     constexpr std::size_t most = 6;
     std::stable_sort(ordered.begin(), ordered.end(),
                      [](const auto& a, const auto& b) { return a.first < b.first; });
     for (std::size_t i = 0; i < std::min(most, ordered.size()); ++i)
         flights.push_back(ordered[i].second);
+    return flights;
+}
+
+std::vector<Flight> physical_flights(std::span<const MeasuredRow> rows) {
+    Tensor squares = Tensor::Zero();
+    for (const MeasuredRow& row : rows) squares += row.omega_body * row.omega_body.transpose();
+    const Eigen::Matrix3d axes = eigenpairs_of(squares).vectors;
+    // A slab, a rod and a disc.
+    const Eigen::Vector3d bodies[] = {{1.0, 0.8, 0.3}, {1.0, 0.9, 0.2}, {1.0, 0.6, 0.5}};
+    std::vector<Flight> flights;
+    std::array<int, 3> order{0, 1, 2};
+    do {
+        const Eigen::Matrix3d permuted = axes(Eigen::all, order);
+        for (const Eigen::Vector3d& moments : bodies)
+            flights.push_back(flight_of(moments, permuted, 0.0, rows));
+    } while (std::next_permutation(order.begin(), order.end()));
     return flights;
 }
 
@@ -201,7 +216,7 @@ double unexplained_share(std::span<const MeasuredRow> rows) {
         whole += change.transpose() * change;
     }
     if (rest.isZero(0.0)) return 1.0;
-    const Elements tensor = Eigen::SelfAdjointEigenSolver<Normal>(rest).eigenvectors().col(0);
+    const Elements tensor = eigenpairs_of(rest).vectors.col(0);
     const double changes = tensor.dot(whole * tensor);
     return changes > 0.0 ? std::sqrt(std::max(tensor.dot(rest * tensor), 0.0) / changes) : 1.0;
 }

@@ -17,6 +17,10 @@ namespace poinsot {
 std::vector<Flight> first_flights(std::span<const MeasuredRow> rows,
                                   const std::optional<Eigen::Vector3d>& moments);
 
+// Initial values of real bodies, whatever Euler's equations say: their axes are those along which ω
+// scatters, in each order. Precondition as above.
+std::vector<Flight> physical_flights(std::span<const MeasuredRow> rows);
+
 // The distance of these rows from any free motion: the share of the changes of the angular
 // momentum, over windows of 0.7 rad, that Euler's equations leave unexplained for the tensor that
 // explains most. About 0 for a free motion and 1 for any other; larger by noise. Rows in their own

@@ -1,13 +1,12 @@
 #include "measured/flight_fit.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <functional>
 
 #include "measured/fit_start.h"
 #include "measured/table_faults.h"
+#include "numerics/small_solvers.h"
 #include "system/interrupt.h"
 
 namespace poinsot {
@@ -123,9 +122,9 @@ std::vector<int> places_of(const IsFitted& is_fitted) {
     return places;
 }
 
-Square chosen(const FlightSquare& square, const std::vector<int>& places) {
+Eigen::MatrixXd chosen(const FlightSquare& square, const std::vector<int>& places) {
     const auto n = static_cast<Eigen::Index>(places.size());
-    Square normal(n, n);
+    Eigen::MatrixXd normal(n, n);
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = 0; k < n; ++k)
             normal(i, k) =
@@ -149,15 +148,15 @@ FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
     double trust = 1e-3;
     for (int n_steps = 0; n_steps < most_steps && std::isfinite(sums.squares); ++n_steps) {
         stop_if_interrupted();
-        const Square normal = chosen(sums.normal, places);
-        Column gradient(normal.rows());
+        const Eigen::MatrixXd normal = chosen(sums.normal, places);
+        Eigen::VectorXd gradient(normal.rows());
         for (Eigen::Index i = 0; i < gradient.size(); ++i)
             gradient[i] = sums.gradient[places[static_cast<std::size_t>(i)]];
-        Square damped = normal;
+        Eigen::MatrixXd damped = normal;
         const double floor = 1e-12 * normal.diagonal().maxCoeff();
         for (Eigen::Index i = 0; i < damped.rows(); ++i)
             damped(i, i) += trust * normal(i, i) + floor;
-        const Column step = damped.ldlt().solve(-gradient);
+        const Eigen::VectorXd step = solved(damped, -gradient);
         FlightChange by = FlightChange::Zero();
         for (Eigen::Index i = 0; i < step.size(); ++i)
             by[places[static_cast<std::size_t>(i)]] = step[i];
@@ -199,8 +198,20 @@ double residual_of(const FoundFlight& found, std::size_t n_rows, int n_fitted) {
 FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
                      const std::optional<Eigen::Vector3d>& moments) {
     const IsFitted is_fitted = fitted_changes(moments, DragModel::linear);
-    const FoundFlight found = valley_of(rows, noise, moments, is_fitted);
-    return std::isfinite(found.squares) ? minimised(rows, found.flight, is_fitted) : found;
+    FoundFlight best = valley_of(rows, noise, moments, is_fitted);
+    if (std::isfinite(best.squares)) best = minimised(rows, best.flight, is_fitted);
+    if (moments || excess_of(best.flight.moments) < most_excess) return best;
+    constexpr double first_span_rad = 12.0;
+    for (const Flight& start : physical_flights(rows)) {
+        const FoundFlight found = grown(rows, start, is_fitted, first_span_rad);
+        if (found.squares < best.squares && excess_of(found.flight.moments) < most_excess)
+            best = found;
+    }
+    return minimised(rows, best.flight, is_fitted);
+}
+
+double excess_of(const Eigen::Vector3d& moments) {
+    return 2.0 - moments.sum() / moments.maxCoeff();
 }
 
 // The three axes share the damping at first, which does not grow.

@@ -33,10 +33,7 @@ IsFitted fitted_start(DragModel drag, bool with_drag = true);
 int count(const IsFitted& is_fitted);
 std::vector<int> places_of(const IsFitted& is_fitted);
 
-using Square = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, most_flight_changes,
-                             most_flight_changes>;
-using Column = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, most_flight_changes, 1>;
-Square chosen(const FlightSquare& square, const std::vector<int>& places);
+Eigen::MatrixXd chosen(const FlightSquare& square, const std::vector<int>& places);
 
 struct FoundFlight {
     Flight flight;
@@ -55,7 +52,14 @@ FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
                       const IsFitted& is_fitted);
 // So many that long tables do not take longer than some seconds.
 int steps_to_a_minimum(std::size_t n_rows);
-// With linear drag, from the starts that Euler's equations give.
+// By how much the largest moment exceeds the sum of the others, in units of the largest; no body
+// has more than 0.
+double excess_of(const Eigen::Vector3d& moments);
+// The error of an instrument's scale and axes makes so much of a lamina's excess.
+constexpr double most_excess = 0.02;
+
+// With linear drag, from the starts that Euler's equations give; from those of real bodies where
+// these end in a body that cannot be.
 FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
                      const std::optional<Eigen::Vector3d>& moments);
 // The rates of this drag that a fit begins with, after a linear fit.

@@ -228,11 +228,12 @@ FlightSums flight_sums(const Flight& flight, std::span<const MeasuredRow> rows,
             if (residuals != nullptr) residuals->push_back(r);
             sums.squares += r.squaredNorm();
             sums.gradient += derivative.transpose() * r;
-            const FlightSquare square = derivative.transpose() * derivative;
+            // Lazily: the product of blocks costs more than these three rows.
+            const FlightSquare square = derivative.transpose().lazyProduct(derivative);
             sums.normal += square;
             if (!(correlation > 0.0)) return;
             before *= correlation;
-            const FlightSquare mixed = derivative.transpose() * before;
+            const FlightSquare mixed = derivative.transpose().lazyProduct(before);
             sums.spread += square + mixed + mixed.transpose();
             before += derivative;
         });

@@ -1,6 +1,5 @@
 #include "measured/flights.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -96,6 +95,7 @@ class FlightFinder {
     void grow(Stretch& stretch) const;
     void trim(Stretch& stretch) const;
     bool refit(Stretch& stretch, std::size_t begin, std::size_t end) const;
+    Eigen::Vector3d omega_at(const Stretch& stretch, std::size_t row) const;
     void mark(const Stretch& stretch, bool is_used);
     void join(std::vector<Stretch>& stretches);
     std::vector<Stretch> stretches_from(const std::vector<Window>& windows);
@@ -277,13 +277,32 @@ void FlightFinder::trim(Stretch& stretch) const {
     }
 }
 
+// ω of the stretch's flight at this row, in units of the stretch's rate. A single row's own ω has
+// noise, which leads fits of many turns astray.
+Eigen::Vector3d FlightFinder::omega_at(const Stretch& stretch, std::size_t row) const {
+    const double t = (rows_[row].time_s - rows_[stretch.begin].time_s) * stretch.rate;
+    const std::vector<double> times{0.0, std::abs(t)};
+    const Flight& flight = stretch.flight;
+    const auto omegas = flight_omega(t < 0.0 ? reversed(flight, flight.omega) : flight, times);
+    if (omegas.size() < times.size()) return rows_[row].omega_body / stretch.rate;
+    return t < 0.0 ? Eigen::Vector3d(-omegas[1]) : omegas[1];
+}
+
 // From the flight of the stretch on, for other rows and in units of their rate.
 bool FlightFinder::refit(Stretch& stretch, std::size_t begin, std::size_t end) const {
     const double rate = rate_of(between(begin, end));
     Flight start = stretch.flight;
-    start.omega = rows_[begin].omega_body / rate;
+    start.omega = omega_at(stretch, begin) * (stretch.rate / rate);
     if (start.drag != DragModel::quadratic) start.drag_rates *= stretch.rate / rate;
-    const auto made = fitted(begin, end, &start);
+    auto made = fitted(begin, end, &start);
+    // Few rows leave a curved valley, in which the fit goes on while it gains.
+    constexpr double most_worse = 1.2, least_gain = 0.01;
+    constexpr int most_times = 4;
+    for (int n = 0; n < most_times && made && made->share > most_worse * stretch.share; ++n) {
+        const Stretch before = *made;
+        made = fitted(begin, end, &before.flight);
+        if (made && made->share > (1.0 - least_gain) * before.share) break;
+    }
     if (!made || !(made->share < most())) return false;
     stretch = *made;
     return true;

@@ -1,9 +1,13 @@
 #include "measured/joint_fit.h"
 
-#include <Eigen/Cholesky>
+#include <fmt/format.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <compare>
 #include <functional>
+#include <map>
 #include <string>
 #include <utility>
 
@@ -12,12 +16,19 @@
 #include "measured/flight_model.h"
 #include "measured/joint_outliers.h"
 #include "measured/joint_sums.h"
+#include "numerics/small_solvers.h"
 
 namespace poinsot {
 
 namespace {
 
 using Flights = std::span<const std::span<const MeasuredRow>>;
+
+[[noreturn]] void throw_undetermined_together() {
+    throw InputError(
+        "the flights do not determine the body; give some whose axis of rotation moves farther "
+        "through the body");
+}
 
 // Start and drag of a flight of this body.
 FoundFlight fitted_start_of(const JointPart& part, const Flight& body, DragModel drag) {
@@ -140,9 +151,9 @@ FittedBody fitted_body(const std::vector<JointPart>& counted, const Flight& star
 
 // Errors of the shared numbers.
 struct SharedErrors {
-    SharedSquare covariance;
-    Shared sd;
-    std::vector<Shared> steps_without;  // to the minimum without one flight, for each
+    Eigen::MatrixXd covariance;
+    Eigen::VectorXd sd;
+    std::vector<Eigen::VectorXd> steps_without;  // to the minimum without one flight, for each
 };
 
 // From the scatter of the residuals within the flights and, with three flights or more, from that
@@ -152,7 +163,7 @@ SharedErrors errors_of(const std::vector<JointPart>& parts, const JointPlaces& p
     const auto n = static_cast<Eigen::Index>(places.shared.size());
     const int n_own = static_cast<int>(places.own.size());
     SharedErrors errors;
-    SharedSquare normal = SharedSquare::Zero(n, n), within = normal, between = normal;
+    Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n), within = normal, between = normal;
     std::vector<Reduced> pieces;
     for (const JointPart& part : parts) {
         std::vector<Eigen::Vector3d> residuals;
@@ -163,9 +174,8 @@ SharedErrors errors_of(const std::vector<JointPart>& parts, const JointPlaces& p
         const Reduced piece = reduced(sums, places, 0.0);
         normal += piece.normal;
         // The scores of the shared numbers, free of those of the flight: P s with P = (1, −BC⁻¹).
-        Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic> free(n, most_flight_changes);
-        free.setZero();
-        const Mixed taken = piece.own_normal.solve(Mixed(piece.mixed).transpose()).transpose();
+        Eigen::MatrixXd free = Eigen::MatrixXd::Zero(n, most_flight_changes);
+        const Eigen::MatrixXd taken = solved(piece.own_normal, piece.mixed.transpose()).transpose();
         for (Eigen::Index i = 0; i < n; ++i) {
             free(i, places.shared[static_cast<std::size_t>(i)]) = 1.0;
             for (Eigen::Index k = 0; k < taken.cols(); ++k)
@@ -174,29 +184,38 @@ SharedErrors errors_of(const std::vector<JointPart>& parts, const JointPlaces& p
         within += free * sums.spread * free.transpose() * (part.weight * residual * residual);
         pieces.push_back(piece);
     }
-    const SharedSquare inverse = normal.ldlt().solve(SharedSquare::Identity(n, n));
+    const Eigen::MatrixXd inverse = solved(normal, Eigen::MatrixXd::Identity(n, n));
     const auto n_used = static_cast<double>(parts.size());
     for (const Reduced& piece : pieces) {
-        const SharedSquare others = normal - piece.normal;
-        const Shared step = others.ldlt().solve(piece.gradient);
+        const Eigen::VectorXd step = solved(normal - piece.normal, piece.gradient);
         between += step * step.transpose() * ((n_used - 1.0) / n_used);
         errors.steps_without.push_back(step);
     }
     errors.covariance = inverse * within * inverse;
     errors.sd = errors.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     if (constexpr std::size_t least_flights = 3; parts.size() >= least_flights) {
-        Shared larger = Shared::Ones(n);
+        Eigen::VectorXd larger = Eigen::VectorXd::Ones(n);
         for (Eigen::Index k = 0; k < n; ++k)
             if (errors.sd[k] > 0.0 && between(k, k) > errors.sd[k] * errors.sd[k])
                 larger[k] = std::sqrt(between(k, k)) / errors.sd[k];
         errors.covariance = (larger.asDiagonal() * errors.covariance * larger.asDiagonal()).eval();
         errors.sd = errors.covariance.diagonal().cwiseMax(0.0).cwiseSqrt();
     }
-    if (!errors.sd.allFinite())
-        throw InputError(
-            "the flights do not determine the body; give some whose axis of rotation "
-            "moves farther through the body");
+    if (!errors.sd.allFinite()) throw_undetermined_together();
     return errors;
+}
+
+// As of a single flight.
+void check_body(const JointFit& joint) {
+    constexpr double most_sd = 0.25, least_sds = 3.0;
+    if (!(joint.moments_sd.maxCoeff() < most_sd)) throw_undetermined_together();
+    const double sd = std::hypot(joint.moments_sd[1], joint.moments_sd[2]);
+    if (const double excess = excess_of(joint.moments);
+        excess > std::max(most_excess, least_sds * sd))
+        throw InputError(fmt::format(
+            "no rigid body has the moments that fit these flights best, since I1 exceeds I2 + I3 "
+            "by {:.2g} ± {:.1g} of I1; check units and axes, and that the flights are of one body",
+            excess, sd));
 }
 
 // Sets the body with its errors, and its drag.
@@ -239,11 +258,39 @@ void set_flight(const JointPart& part, DragModel drag, int n_own, JointFlight& f
 
 }  // namespace
 
+std::optional<std::pair<std::size_t, std::size_t>> repeated_flight(Flights flights) {
+    // ω of three numbers with all their digits is seldom the same in two flights.
+    struct Row {
+        std::array<double, 3> omega;
+        std::size_t flight;
+        auto operator<=>(const Row&) const = default;
+    };
+    std::vector<Row> rows;
+    for (std::size_t i = 0; i < flights.size(); ++i)
+        for (const MeasuredRow& row : flights[i])
+            rows.push_back({{row.omega_body[0], row.omega_body[1], row.omega_body[2]}, i});
+    std::sort(rows.begin(), rows.end());
+    rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
+    std::map<std::pair<std::size_t, std::size_t>, std::size_t> n_common;
+    for (std::size_t k = 1; k < rows.size(); ++k)
+        for (std::size_t i = k; i-- > 0 && rows[i].omega == rows[k].omega;) {
+            const std::pair both(rows[i].flight, rows[k].flight);
+            const std::size_t shorter =
+                std::min(flights[both.first].size(), flights[both.second].size());
+            if (2 * ++n_common[both] > shorter) return both;
+        }
+    return std::nullopt;
+}
+
 JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
                       const std::optional<Eigen::Vector3d>& moments_kg_m2,
                       const std::optional<DragModel>& wanted, bool shares_drag) {
     std::optional<Eigen::Vector3d> moments = moments_kg_m2;
+    if (moments) check_known_moments(*moments);
     if (moments) std::sort(moments->begin(), moments->end(), std::greater<>());
+    if (const auto repeated = repeated_flight(all))
+        throw InputError(fmt::format("flights {} and {} hold the same rows; give each flight once",
+                                     repeated->first + 1, repeated->second + 1));
     JointFit joint;
     joint.flights = fitted_alone(all, moments_kg_m2, wanted);
     const FittedMotion& reference = *joint.flights[most_typical(joint.flights)].own;
@@ -273,6 +320,7 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
                     errors.steps_without[f][static_cast<Eigen::Index>(k)];
 
     set_body(fitted, errors, places, joint);
+    if (!moments) check_body(joint);
     if (moments) joint.I1_kg_m2 = (*moments)[0];
     joint.shares_drag = shares_drag && fitted.drag != DragModel::none;
     repeat_rate(fitted.drag, joint.drag_rates);

@@ -7,6 +7,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "measured/fit.h"
@@ -50,10 +51,16 @@ struct JointFit {
 // larger than its own by this factor. The rule needs five flights.
 constexpr double outlier_deviations = 5.0, outlier_residuals = 2.0;
 
+// Flights that hold the same rows: their indices, the smaller one first. Half of the rows of the
+// shorter one are enough, so that a part of a flight counts as the flight.
+std::optional<std::pair<std::size_t, std::size_t>> repeated_flight(
+    std::span<const std::span<const MeasuredRow>> flights);
+
 // Fits flights of one body. Flights count by their own residuals. The standard deviations are the
 // larger of those that residuals within the flights imply and those that the scatter from flight to
 // flight implies (the jackknife of three or more flights). Throws InputError if fewer than two
-// flights count, and as fit_motion does.
+// flights count, if one
+// of them repeats another, if together they do not tell the body, and as fit_motion does.
 JointFit fit_together(std::span<const std::span<const MeasuredRow>> flights,
                       const std::optional<Eigen::Vector3d>& moments_kg_m2 = {},
                       const std::optional<DragModel>& drag = {}, bool shares_drag = false);

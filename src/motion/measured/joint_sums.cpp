@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/small_solvers.h"
 #include "system/interrupt.h"
 
 namespace poinsot {
@@ -38,25 +39,23 @@ Reduced reduced(const FlightSums& sums, const JointPlaces& places, double trust)
     const auto own = [&places](Eigen::Index i) { return places.own[static_cast<std::size_t>(i)]; };
     Reduced made;
     made.squares = sums.squares;
-    SharedSquare normal(n, n);
-    Mixed mixed(n, m);
-    OwnSquare own_normal(m, m);
+    made.normal.resize(n, n);
+    made.mixed.resize(n, m);
+    made.own_normal.resize(m, m);
     made.gradient.resize(n);
     made.own_gradient.resize(m);
     for (Eigen::Index i = 0; i < n; ++i) {
         made.gradient[i] = sums.gradient[shared(i)];
-        for (Eigen::Index k = 0; k < n; ++k) normal(i, k) = sums.normal(shared(i), shared(k));
-        for (Eigen::Index k = 0; k < m; ++k) mixed(i, k) = sums.normal(shared(i), own(k));
+        for (Eigen::Index k = 0; k < n; ++k) made.normal(i, k) = sums.normal(shared(i), shared(k));
+        for (Eigen::Index k = 0; k < m; ++k) made.mixed(i, k) = sums.normal(shared(i), own(k));
     }
     for (Eigen::Index i = 0; i < m; ++i) {
         made.own_gradient[i] = sums.gradient[own(i)];
-        for (Eigen::Index k = 0; k < m; ++k) own_normal(i, k) = sums.normal(own(i), own(k));
-        own_normal(i, i) *= 1.0 + trust + 1e-12;
+        for (Eigen::Index k = 0; k < m; ++k) made.own_normal(i, k) = sums.normal(own(i), own(k));
+        made.own_normal(i, i) *= 1.0 + trust + 1e-12;
     }
-    made.own_normal.compute(own_normal);
-    made.mixed = mixed;
-    made.normal = normal - mixed * made.own_normal.solve(Mixed(mixed).transpose());
-    made.gradient -= mixed * made.own_normal.solve(made.own_gradient);
+    made.normal -= made.mixed * solved(made.own_normal, made.mixed.transpose());
+    made.gradient -= made.mixed * solved(made.own_normal, made.own_gradient);
     return made;
 }
 
@@ -72,8 +71,8 @@ JointMinimum minimised_together(std::vector<JointPart> parts, const JointPlaces&
         stop_if_interrupted();
         std::vector<Reduced> all;
         all.reserve(parts.size());
-        SharedSquare normal = SharedSquare::Zero(n, n);
-        Shared gradient = Shared::Zero(n);
+        Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n);
+        Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
         double squares = 0.0;
         for (const JointPart& part : parts) {
             all.push_back(reduced(weighted_sums(part, part.flight, shares_drag), places, trust));
@@ -82,13 +81,13 @@ JointMinimum minimised_together(std::vector<JointPart> parts, const JointPlaces&
             squares += all.back().squares;
         }
         normal.diagonal() *= 1.0 + trust;
-        const Shared step = normal.ldlt().solve(-gradient);
+        const Eigen::VectorXd step = solved(normal, -gradient);
         if (!std::isfinite(squares) || !step.allFinite()) return {parts, squares};
         std::vector<JointPart> next = parts;
         double there = 0.0;
         for (std::size_t f = 0; f < parts.size(); ++f) {
-            const Own own = -all[f].own_normal.solve(
-                Own(all[f].own_gradient + all[f].mixed.transpose() * step));
+            const Eigen::VectorXd own =
+                -solved(all[f].own_normal, all[f].own_gradient + all[f].mixed.transpose() * step);
             FlightChange by = FlightChange::Zero();
             for (std::size_t k = 0; k < places.shared.size(); ++k)
                 by[places.shared[k]] = step[static_cast<Eigen::Index>(k)];

@@ -2,7 +2,6 @@
 // normal equations, and the shared ones remain.
 #pragma once
 
-#include <Eigen/Cholesky>
 #include <Eigen/Core>
 #include <limits>
 #include <optional>
@@ -23,12 +22,6 @@ struct JointPart {
 };
 
 // Numbers that all flights share, at most the body's five and three of the drag, and those of one.
-using Shared = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 8, 1>;
-using SharedSquare = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 8>;
-using Mixed = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 8, 6>;
-using Own = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 6, 1>;
-using OwnSquare = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, 0, 6, 6>;
-
 struct JointPlaces {
     std::vector<int> shared, own;
 };
@@ -39,11 +32,11 @@ JointPlaces joint_places(const std::optional<Eigen::Vector3d>& moments, DragMode
 
 // A flight's sums for the shared numbers after its own numbers are eliminated.
 struct Reduced {
-    SharedSquare normal;
-    Shared gradient;
-    Mixed mixed;
-    Own own_gradient;
-    Eigen::LDLT<OwnSquare> own_normal;
+    Eigen::MatrixXd normal;
+    Eigen::VectorXd gradient;
+    Eigen::MatrixXd mixed;  // a row for each shared number, a column for each own one
+    Eigen::VectorXd own_gradient;
+    Eigen::MatrixXd own_normal;
     double squares = 0.0;
 };
 

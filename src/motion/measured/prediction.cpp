@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <Eigen/Cholesky>
 #include <algorithm>
 #include <cmath>
 #include <functional>
@@ -13,6 +12,7 @@
 #include "measured/flight_fit.h"
 #include "measured/flight_model.h"
 #include "mechanics/free/free_rotation.h"
+#include "numerics/small_solvers.h"
 
 namespace poinsot {
 
@@ -33,11 +33,11 @@ FlightSquare covariance_of(const Flight& flight, std::span<const MeasuredRow> ro
     const FlightSums spread = flight_sums(flight, rows, nullptr, correlation_of(residuals));
     const std::vector<int> places = places_of(is_fitted);
     const double residual = residual_of({flight, sums.squares}, rows.size(), count(is_fitted));
-    const Square normal = chosen(sums.normal, places);
+    const Eigen::MatrixXd normal = chosen(sums.normal, places);
     const auto n = normal.rows();
-    const Square inverse = normal.ldlt().solve(Square::Identity(n, n));
-    const Square seen = chosen(spread.spread, places) * inverse;
-    const Square small = residual * residual * (inverse * seen);
+    const Eigen::MatrixXd inverse = solved(normal, Eigen::MatrixXd::Identity(n, n));
+    const Eigen::MatrixXd seen = chosen(spread.spread, places) * inverse;
+    const Eigen::MatrixXd small = residual * residual * (inverse * seen);
     FlightSquare covariance = FlightSquare::Zero();
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = 0; k < n; ++k)
@@ -215,10 +215,8 @@ Prediction predicted_by_others(std::span<const MeasuredRow> rows, std::size_t n_
 
     // The start follows the body and the drag that it is fitted with.
     const FlightSquare normal = flight_sums(flight, scaled).normal;
-    const Eigen::Matrix<double, 3, most_flight_changes> start_by =
-        -normal.block<3, 3>(first_of_omega, first_of_omega)
-             .ldlt()
-             .solve(normal.middleRows<3>(first_of_omega));
+    const Eigen::Matrix<double, 3, most_flight_changes> start_by = -solved(
+        normal.block<3, 3>(first_of_omega, first_of_omega), normal.middleRows<3>(first_of_omega));
     FlightSquare known = FlightSquare::Zero();
     known.topLeftCorner<n_of_body, n_of_body>() = joint.covariance;
     const int n_drag = n_changes(joint.drag) - first_of_drag;

@@ -42,19 +42,15 @@ std::vector<std::span<const MeasuredRow>> stretches_of(std::span<const MeasuredR
     return stretches;
 }
 
-namespace {
-
-// The smallest step of a component from one row to the next: what its values are rounded to.
-double resolution_of(std::span<const MeasuredRow> rows, int k) {
+double resolution_of(std::span<const MeasuredRow> rows, int component) {
     double least = std::numeric_limits<double>::infinity();
     for (std::size_t i = 1; i < rows.size(); ++i) {
-        const double step = std::abs(rows[i].omega_body[k] - rows[i - 1].omega_body[k]);
+        const double step =
+            std::abs(rows[i].omega_body[component] - rows[i - 1].omega_body[component]);
         if (step > 0.0) least = std::min(least, step);
     }
     return least;
 }
-
-}  // namespace
 
 std::vector<Saturation> saturations_of(std::span<const MeasuredRow> rows) {
     constexpr std::size_t least_rows = 3;

@@ -33,6 +33,10 @@ std::vector<std::span<const MeasuredRow>> stretches_of(std::span<const MeasuredR
 // Of rows with ω. A component that is constant in all rows is not saturated.
 std::vector<Saturation> saturations_of(std::span<const MeasuredRow> rows);
 
+// The smallest step of this component of ω from one row to the next: what its values are rounded
+// to. Infinite if it is constant.
+double resolution_of(std::span<const MeasuredRow> rows, int component);
+
 // "omega_y stays at 34.9 rad/s for 12 rows from 1.23 s on: the sensor's limit?"
 std::string in_words(const Saturation& saturation);
 // "no rows for 0.31 s from 1.2 s on", "no rows in 3 stretches, the longest …"; empty without gaps.

@@ -188,6 +188,7 @@ TEST(FitCommand, RefusesInOneLine) {
              {"fit few.csv --moments 3,2", "--moments 3,2: give three positive numbers in kg m²"},
              {"fit few.csv --moments 3,2,-1", "--moments 3,2,-1: give three positive numbers"},
              {"fit few.csv --moments 3,2,1,1", "--moments 3,2,1,1: give three positive numbers"},
+             {"fit few.csv --moments 1,1,3", "--moments 1,1,3: no rigid body has these moments"},
              {"fit cut.csv", "cut.csv:2:6: the row has 3 cells"},
              {"fit missing.csv", "cannot read missing.csv"},
              {"fit few.csv -o scene.png", "-o scene.png: the output is a scene"}}) {
@@ -278,6 +279,7 @@ TEST(FitCommand, RefusesFlightsThatAreNotThere) {
              {"fit gyro.csv --flight all", "gyro.csv: the table has one flight"},
              {"fit gyro.csv gyro.csv --flight 1", "of several tables all flights are fitted"},
              {"fit gyro.csv gyro.csv -o both.toml", "-o both.toml: a scene shows one flight"},
+             {"fit gyro.csv gyro.csv", "gyro.csv and gyro.csv hold the same rows; give each"},
              {"fit gyro.csv --share-drag", "--share-drag: one flight shares its drag with none"},
              {"fit gyro.csv --predict 401", "--predict 401: gyro.csv: 401 rows are fitted of 401"},
              {"fit gyro.csv --predict 3", "--predict 3: gyro.csv: 3 rows say too little"},

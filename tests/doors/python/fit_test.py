@@ -155,8 +155,8 @@ def test_tables_name_their_columns(throw, tmp_path):
     frame.drop(columns="note").to_csv(file, index=False)
     for given in (frame, indexed, file, str(file)):
         np.testing.assert_allclose(poinsot.fit(given).ratios, found.ratios, rtol=1e-9)
-    joint = poinsot.fit([frame, (TIMES, throw)])
-    assert joint.n_used == 2
+    with pytest.raises(poinsot.InputError, match="flights 0 and 1 hold the same rows; give each flight once"):
+        poinsot.fit([frame, (TIMES, throw)])
     with pytest.raises(poinsot.InputError, match="names no column for the time"):
         poinsot.fit(frame.drop(columns="Time (ms)"))
     with pytest.raises(poinsot.InputError, match="no columns of numbers"):
@@ -197,10 +197,38 @@ def test_a_scene_of_a_fit_has_its_motion(throw, tmp_path):
 
 def test_the_program_finds_the_same(program):
     found, said = poinsot.fit(RACKET), json.loads(program("fit", RACKET, "--json"))
+    assert found.notes == notes_in(program("fit", RACKET)) and "larger than the noise" in found.notes[0]
     np.testing.assert_allclose(found.moments, said["moments"], rtol=1e-14)
     np.testing.assert_allclose(found.moments_sd, said["moments_sd"], rtol=1e-14)
     np.testing.assert_allclose(found.axes.T, said["axes"], atol=1e-14)
     assert found.drag.model == said["drag"] and found.residual == pytest.approx(said["residual_rad_s"], rel=1e-14)
+
+
+def notes_in(said):
+    return [line[len("note: "):] for line in said.decode().splitlines() if line.startswith("note: ")]
+
+
+def test_a_throw_is_fitted_whole_and_a_hand_is_left_out(program, tmp_path):
+    whole = poinsot.fit(RACKET)
+    times, omega = whole.times, whole.omega
+    assert len(times) == len(RACKET.read_text().splitlines()) - 1
+    # A hand stops it within a tenth of a second, and swings it.
+    later = times[-1] + 0.01 * np.arange(1, 31)
+    left = np.clip(1 - (later - times[-1]) / 0.1, 0, 1)[:, None] ** 2
+    swing = np.sin(9 * later[:, None] + np.arange(3)) * (1 - left)
+    table = np.column_stack([np.r_[times, later], np.r_[omega, omega[-1] * left + 3 * swing]])
+    file = tmp_path / "caught.csv"
+    np.savetxt(file, table, delimiter=",", header="t,wx,wy,wz", comments="", fmt="%.17g")
+    caught, said = poinsot.fit(file), json.loads(program("fit", str(file), "--json"))
+    assert 0.9 * len(times) < len(caught.times) <= len(times) + 3
+    assert caught.notes[0].startswith(f"{len(caught.times)} of {len(table)} rows are fitted, from ")
+    assert caught.notes == notes_in(program("fit", str(file)))
+    np.testing.assert_allclose(caught.moments, said["moments"], rtol=1e-14)
+    np.testing.assert_allclose(caught.ratios, whole.ratios, atol=0.02)
+    # Of many flights, the one that the program takes.
+    best, said = poinsot.fit(RECORDING), json.loads(program("fit", str(RECORDING), "--json"))
+    np.testing.assert_allclose(best.moments, said["moments"], rtol=1e-14)
+    assert f"flight {said['flight']} of {len(said['flights'])}" in best.notes[0]
 
 
 def test_the_flights_of_a_recording_are_found():
@@ -228,8 +256,10 @@ def test_the_flights_of_a_recording_are_found():
     (lambda t, w: poinsot.fit("no.csv"), "no.csv: cannot be read"),
     (lambda t, w: poinsot.fit(t, w, drag="air"), "drag: is 'air'; choose one of none, linear"),
     (lambda t, w: poinsot.fit(t, w, drag=3), "drag: is the name of a model"),
+    (lambda t, w: poinsot.fit(t, np.tile([4.4, 7.1, 8.5], (len(t), 1))), "do not determine the moments"),
     (lambda t, w: poinsot.fit(t, w, moments=[1, 2]), "moments: give the three principal moments"),
     (lambda t, w: poinsot.fit(t, w, moments=[1, 2, -3]), "moments: give three positive numbers"),
+    (lambda t, w: poinsot.fit(t, w, moments=[1, 3, 1]), "moments: no rigid body has these moments, since 1"),
     (lambda t, w: poinsot.fit(t, w, share_drag=True), "share_drag: one flight"),
     (lambda t, w: poinsot.fit(t, w, predict=0), "predict 0: give the number of rows"),
     (lambda t, w: poinsot.fit(t, w, predict=250), "predict 250: 250 rows are fitted of 250"),

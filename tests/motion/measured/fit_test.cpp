@@ -12,7 +12,7 @@
 #include <vector>
 
 #include "error/error.h"
-#include "mechanics/motion.h"
+#include "mechanics/free/free_rotation.h"
 
 namespace poinsot {
 
@@ -355,6 +355,127 @@ TEST(Fit, RefusesWhatSaysNothing) {
     EXPECT_NE(refusal(rows).find("half a radian"), std::string::npos) << refusal(rows);
     EXPECT_NE(refusal(rows, Eigen::Vector3d(2.0, 2.0, 2.0)).find("three moments are equal"),
               std::string::npos);
+}
+
+// ω of this body in closed form, with linear damping, as `poinsot sample` gives it.
+std::vector<MeasuredRow> sampled(const Truth& truth, double span_s, int n, double noise,
+                                 std::mt19937& random) {
+    std::normal_distribution<double> scatter;
+    const Eigen::Matrix3d tensor = truth.axes * truth.moments.asDiagonal() * truth.axes.transpose();
+    const FreeRotation motion(
+        InertiaTensor::from_matrix(Eigen::Matrix3d(0.5 * (tensor + tensor.transpose()))),
+        RotationState{0.0, Eigen::Quaterniond::Identity(), truth.omega});
+    std::vector<MeasuredRow> rows(static_cast<std::size_t>(n));
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double t = span_s * static_cast<double>(i) / (n - 1), x = truth.damping_1_s * t;
+        rows[i].time_s = t;
+        rows[i].omega_body =
+            std::exp(-x) * motion.at(x > 0.0 ? -std::expm1(-x) / truth.damping_1_s : t).omega_body;
+        for (double& w : rows[i].omega_body) w += noise * scatter(random);
+    }
+    return rows;
+}
+
+void round_to(int n_decimals, std::vector<MeasuredRow>& rows) {
+    const double unit = std::pow(10.0, n_decimals);
+    for (MeasuredRow& row : rows)
+        for (double& w : row.omega_body) w = std::round(w * unit) / unit;
+}
+
+// A turn about an axis that stays in the body says nothing about its moments, however exact the
+// rows are, however they are rounded, and however much of ω is noise.
+TEST(Fit, RefusesEverySteadyTurn) {
+    std::mt19937 random(21);
+    std::uniform_real_distribution<double> unit(0.0, 1.0);
+    for (int i = 0; i < 1000; ++i) {
+        std::vector<MeasuredRow> rows(100);
+        const double x = unit(random), y = unit(random), z = unit(random);
+        for (std::size_t k = 0; k < rows.size(); ++k) {
+            rows[k].time_s = 0.01 * static_cast<double>(k);
+            rows[k].omega_body = 20.0 * Eigen::Vector3d(x - 0.5, y - 0.5, z - 0.5);
+        }
+        round_to(1 + i % 6, rows);
+        EXPECT_NE(refusal(rows), "not refused") << i << ": " << rows[0].omega_body.transpose();
+    }
+    for (const double share : {0.0, 1e-9, 1e-6, 1e-3})
+        for (int i = 0; i < 60; ++i) {
+            Truth truth = random_truth(random);
+            const double rate = truth.omega.norm();
+            // With a wobble that noise or rounding hides. About e2, it would grow.
+            const double wobble = std::max(share, 1e-7) * unit(random);
+            truth.omega = rate * (truth.axes.col(i / 2 % 2 * 2) + wobble * truth.axes.col(1));
+            if (i % 2 == 0) truth.damping_1_s = 0.0;
+            std::vector<MeasuredRow> rows = sampled(truth, 6.0, 300, share * rate, random);
+            EXPECT_NE(refusal(rows), "not refused") << i << ", noise " << share;
+            round_to(1 + i % 4, rows);
+            EXPECT_NE(refusal(rows), "not refused") << i << ", rounded, noise " << share;
+        }
+}
+
+// A small wobble tells the body if it is larger than the noise.
+TEST(Fit, OfANearlySteadyTurnIsRightOrRefused) {
+    std::mt19937 random(22);
+    int n_answers = 0;
+    for (const double wobble : {1e-4, 1e-3, 1e-2})
+        for (const double share : {0.0, 1e-9, 1e-6, 1e-3})
+            for (int i = 0; i < 2; ++i) {
+                Truth truth = random_truth(random);
+                const double rate = truth.omega.norm();
+                truth.omega = rate * (truth.axes.col(i % 2 * 2) + wobble * truth.axes.col(1));
+                const auto rows = sampled(truth, 6.0, 300, share * rate, random);
+                std::optional<FittedMotion> fit;
+                try {
+                    fit = fit_motion(rows);
+                } catch (const InputError&) {
+                    continue;
+                }
+                ++n_answers;
+                for (const int k : {1, 2})
+                    EXPECT_NEAR(fit->moments[k], truth.moments[k], 5.0 * fit->moments_sd[k] + 1e-6)
+                        << "wobble " << wobble << ", noise " << share;
+            }
+    EXPECT_GT(n_answers, 16);  // of 24, of which 4 hide the wobble in noise
+}
+
+// A telephone that flies flat as a disc: Euler's equations lead some noises to a body of I2 = I3 =
+// 0, a minimum with a residual of forty times the noise.
+TEST(Fit, StartsAgainFromABodyWhereNoiseLeadsToNone) {
+    const Truth phone{{276.84, 225.64, 52.48},
+                      (Eigen::Matrix3d() << 0, 1, 0, 0, 0, 1, 1, 0, 0).finished(),
+                      {0.2, 0.2, 12.0}};
+    std::mt19937 random(23);
+    int n_answers = 0;
+    for (int i = 0; i < 60; ++i) {
+        std::optional<FittedMotion> fit;
+        try {
+            fit = fit_motion(measured(phone, 0.7, 43, 0.003, random));
+        } catch (const InputError&) {
+            continue;
+        }
+        ++n_answers;
+        EXPECT_LT(fit->residual_rad_s, 0.005) << i;
+        EXPECT_NEAR(fit->moments[1], 225.64 / 276.84, 4.0 * fit->moments_sd[1]) << i;
+        EXPECT_NEAR(fit->moments[2], 52.48 / 276.84, 4.0 * fit->moments_sd[2]) << i;
+    }
+    EXPECT_GT(n_answers, 50);
+}
+
+// Euler's equations hold for any three numbers, but moments of inertia obey I1 ≤ I2 + I3.
+TEST(Fit, RefusesMomentsThatNoBodyHas) {
+    std::mt19937 random(24);
+    const Eigen::Matrix3d axes =
+        Eigen::Quaterniond(0.8, 0.3, -0.4, 0.33).normalized().toRotationMatrix();
+    for (const Eigen::Vector3d& moments :
+         {Eigen::Vector3d(1.0, 0.6, 0.2), Eigen::Vector3d(1.0, 0.5, 0.4)}) {
+        const Truth impossible{moments, axes, {1.0, 3.0, 2.0}};
+        EXPECT_NE(refusal(measured(impossible, 10.0, 500, 0.02, random)).find("no rigid body"),
+                  std::string::npos);
+    }
+    const Truth lamina{{1.0, 0.7, 0.3}, axes, {1.0, 3.0, 2.0}};
+    const auto rows = measured(lamina, 10.0, 500, 0.02, random);
+    EXPECT_EQ(refusal(rows), "not refused");
+    EXPECT_NE(refusal(rows, Eigen::Vector3d(1.0, 3.0, 1.0)).find("1 + 1 < 3"), std::string::npos);
+    EXPECT_EQ(refusal(rows, Eigen::Vector3d(0.7, 1.0, 0.3)), "not refused");
 }
 
 // Rows before and after a gap say nothing about noise together.

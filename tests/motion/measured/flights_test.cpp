@@ -72,6 +72,18 @@ TEST(Flights, OfARealRecordingAreThoseThatItsAuthorsCut) {
     EXPECT_EQ(score.n_false, 0);
 }
 
+// A gyroscope on an air bearing, for 100 s: noise must not cut its motion into pieces.
+TEST(Flights, ALongMotionWithNoiseIsOneFlight) {
+    MadeRecording made(31);
+    made.fly({{3.0, 2.0, 1.0}, Eigen::Matrix3d::Identity(), Eigen::Vector3d::Zero()},
+             {0.3, 6.0, 0.2}, 100.0);
+    const auto rows = made.rows({.noise_rad_s = 0.01});
+    const auto found = flights_of(rows);
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().rows.size(), rows.size());
+    EXPECT_LT(found.front().residual_rad_s, 0.011);
+}
+
 // Throws about the middle axis of a body, with walking and catching between them.
 MadeRecording thrown(unsigned seed, int n_throws, const std::vector<ThrownBody>& bodies) {
     MadeRecording made(seed);

@@ -131,6 +131,40 @@ TEST(JointFit, HalvesOfRealThrowsAgree) {
     }
 }
 
+// A measurement counts once: as a whole, and as a part that was cut from it.
+TEST(JointFit, RefusesAFlightThatIsGivenTwice) {
+    MadeRecording axes(14);
+    const ThrownBody body{{1.0, 0.8, 0.3}, axes.rotation(), Eigen::Vector3d::Zero()};
+    auto tables = made_flights(body, 3, 15, 0.02);
+    EXPECT_FALSE(repeated_flight(spans_of(tables)));
+    tables.push_back(tables[1]);
+    for (int i = 0; i < 2; ++i) {
+        EXPECT_EQ(repeated_flight(spans_of(tables)), std::pair(std::size_t{1}, std::size_t{3}));
+        EXPECT_THROW(fit_together(spans_of(tables)), InputError);
+        tables.back().resize(40);
+        for (MeasuredRow& row : tables.back()) row.time_s += 100.0;
+    }
+}
+
+// Flights about one axis each, whose ω is exact or almost: none of them tells the body.
+TEST(JointFit, RefusesSteadyFlights) {
+    for (int i = 0; i < 40; ++i) {
+        MadeRecording random(static_cast<unsigned>(100 + i));
+        const ThrownBody body{{1.0, 0.8, 0.3}, random.rotation(), Eigen::Vector3d::Zero()};
+        std::vector<std::vector<MeasuredRow>> tables;
+        for (int k = 0; k < 4; ++k) {
+            const Eigen::Vector3d omega =
+                (4.0 + 6.0 * random.unit()) * body.axes.col((i + k) % 2 * 2);
+            tables.emplace_back(100);
+            for (std::size_t j = 0; j < tables.back().size(); ++j) {
+                tables.back()[j].time_s = 0.01 * static_cast<double>(j);
+                tables.back()[j].omega_body = omega + 1e-9 * (i % 2) * random.direction();
+            }
+        }
+        EXPECT_THROW(fit_together(spans_of(tables)), InputError) << i;
+    }
+}
+
 TEST(JointFit, RefusesFewerThanTwoFlights) {
     EXPECT_THROW(fit_together({}), InputError);
     MadeRecording axes(12);

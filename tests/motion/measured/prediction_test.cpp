@@ -95,9 +95,12 @@ TEST(Prediction, NeedsRowsOnBothSides) {
     MadeRecording made(3);
     made.fly({{1.0, 0.8, 0.3}}, {1.0, 9.0, 2.0}, 1.0);
     const auto rows = made.rows({});
+    MadeRecording more(4);
+    more.fly({{1.0, 0.8, 0.3}}, {2.0, 8.0, 1.0}, 1.0);
+    const auto others = more.rows({});
     EXPECT_THROW(predicted_alone(rows, rows.size()), InputError);
     EXPECT_THROW(predicted_alone(rows, 5), InputError);
-    const std::vector<std::span<const MeasuredRow>> flights{rows, rows};
+    const std::vector<std::span<const MeasuredRow>> flights{rows, others};
     const JointFit joint = fit_together(flights);
     EXPECT_THROW(predicted_by_others(rows, 2, joint, 0), InputError);
     EXPECT_THROW(predicted_by_others(rows, rows.size(), joint, 0), InputError);

@@ -115,7 +115,9 @@ class Scene:
 def keywords(verb: str) -> List[Tuple[str, str, Any]]: ...
 def fit(
     times: NDArray[np.float64],
-    omega: NDArray[np.float64],
+    omega: Optional[NDArray[np.float64]],
+    attitude: Optional[NDArray[np.float64]],
+    is_flight: bool,
     moments: Optional[NDArray[np.float64]],
     drag: Optional[str],
     predict: Optional[int],

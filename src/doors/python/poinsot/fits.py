@@ -14,7 +14,7 @@ from .arrays import Numbers, numbers, seconds, whole
 from .errors import InputError, shown
 from .paths import Path, path_text
 from .pictures import Figure, write_file
-from .recordings import is_table, rows_of, with_omega
+from .recordings import Flight, is_table, rows_of, with_omega
 from .scene import Scene
 from .toml import unicode_text
 
@@ -178,11 +178,14 @@ class Fit(_Body):
     Standard deviations are those that the residuals imply, as large and as alike from row to row as they are.
 
     Attributes:
-        times, omega, attitude: the rows: s, shape (n,); rad/s, axes of the instrument, shape (n, 3); unit
+        times, omega, attitude: the fitted rows: s, shape (n,); rad/s, axes of the instrument, shape (n, 3); unit
             quaternions, shape (n, 4), or None.
         prediction: with predict=N, what the first N rows predict for the others; else None.
         left_out: of a flight of a joint fit: why it does not count; "" if it counts.
         own: of a flight of a joint fit: its fit alone; None if its rows alone do not tell the body.
+        notes: what the reader must know, a sentence each, as the notes of `poinsot fit`: moments or axes that the rows
+            do not tell, a residual that is not noise, gaps, values at the limit of the sensor. Of a flight of a joint
+            fit: empty; those of its fit alone are in `own`.
     """
 
     def __init__(self, found: Dict[str, Any], times: Numbers, omega: Numbers, attitude: Optional[Numbers]) -> None:
@@ -192,6 +195,7 @@ class Fit(_Body):
         self.attitude = attitude
         self.prediction = _prediction_of(found.get("prediction"))
         self.left_out = str(found.get("left_out", ""))
+        self.notes: List[str] = list(found.get("notes", []))
         own = found.get("own")
         self.own: Optional[Fit] = None if own is None else Fit(own, times, omega, attitude)
 
@@ -327,6 +331,9 @@ def fit(
     pandas or polars, a dict, a record array, or the path of a CSV file), or a flight that `flights` found. Times may
     also be differences of dates (Timedelta). Returns a `Fit`.
 
+    Where the rows are not one free motion, as those of a recording with walking and catching, the flight among them
+    that says most about the body is fitted: the result holds its rows, and `notes` says which.
+
     A list of tables, flights or tuples (times, omega) holds several flights of one body. Returns a `JointFit`; with
     share_drag, all flights have the same drag.
 
@@ -337,7 +344,8 @@ def fit(
 
     The closed form is Jacobi's; with the torque −γL, ω(t) = e^(−γt) ω_free((1 − e^(−γt))/γ). Ctrl-C ends the fit.
     Raises InputError for fewer than 30 rows, a body at rest, rows too far apart to follow the turning, a turn about
-    one axis, which says nothing about the other moments, and motions that no rigid body makes.
+    one axis, which says nothing about the other moments, motions that no rigid body makes, moments that none has, and
+    two flights that hold the same rows.
 
     >>> import numpy as np
     >>> from poinsot import Motion
@@ -355,8 +363,9 @@ def fit(
     if not is_list:
         if share_drag:
             raise InputError("share_drag: one flight shares its drag with none; give a list of flights")
-        rows = with_omega(rows_of(times, omega, attitude))
-        return Fit(_poinsot.fit(rows[0], rows[1], known, model, n_first), *rows)
+        rows = rows_of(times, omega, attitude)
+        found = _poinsot.fit(*rows, isinstance(times, (Flight, Fit)), known, model, n_first)
+        return Fit(found, **found.pop("rows"))
     held = [with_omega(_rows_in_list(place, one)) for place, one in enumerate(times)]
     if len(held) < 2:
         raise InputError(f"times: a list of {len(held)} flights; give two or more, or times and omega of one flight")

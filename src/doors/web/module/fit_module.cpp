@@ -78,7 +78,7 @@ int flight(double number, const char* scene_table, std::uint32_t scene_table_siz
         const MeasuredMotion& measured = chosen.measured;
         FittedScene scene{.fit = *chosen.fit,
                           .from = chosen.name,
-                          .words = words_of(*chosen.fit, measured),
+                          .words = words_of(table, chosen),
                           .last_time_s = measured.rows.back().time_s,
                           .attitude = {},
                           .table = std::string(text_at(scene_table, scene_table_size))};

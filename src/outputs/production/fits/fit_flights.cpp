@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "error/error.h"
+#include "measured/fit_start.h"
 #include "measured/flight_fit.h"
 #include "measured/flights.h"
 #include "production/fits/fit_words.h"
@@ -31,59 +32,115 @@ double uncertainty_of(const TableFlight& flight) {
     return std::sqrt(flight.fit->moments_sd.squaredNorm() + flight.fit->axes_sd_rad.squaredNorm());
 }
 
+void fit_into(TableFlight& flight, const FitKnown& known) {
+    try {
+        flight.fit = fit_motion(flight.measured.rows, known.moments_kg_m2, known.drag);
+    } catch (const InputError& error) {
+        flight.refusal = error.what();
+    }
+}
+
+TableFlight all_of(MeasuredMotion measured, const std::filesystem::path& file) {
+    add_omega_by_differences(measured);
+    TableFlight flight;
+    flight.name = printable(file.string());
+    flight.rate_rad_s = rate_of(measured.rows);
+    flight.measured = std::move(measured);
+    return flight;
+}
+
 }  // namespace
+
+FitTable table_of_flight(MeasuredMotion measured, const std::filesystem::path& file,
+                         const FitKnown& known) {
+    FitTable table;
+    table.file = file;
+    table.n_rows = measured.rows.size();
+    table.flights = {all_of(std::move(measured), file)};
+    fit_into(table.flights.front(), known);
+    return table;
+}
 
 FitTable fitted_table(MeasuredMotion measured, const std::filesystem::path& file,
                       const FitKnown& known) {
     FitTable table;
     table.file = file;
-    add_omega_by_differences(measured);
-    const std::vector<FreeFlight> flights = flights_of(measured.rows);
-    constexpr double least_share = 0.8;
-    const bool is_one =
-        flights.empty() ||
-        (flights.size() == 1 && static_cast<double>(flights.front().rows.size()) >=
-                                    least_share * static_cast<double>(measured.rows.size()));
-    const std::string name = printable(file.string());
-    if (is_one) {
-        TableFlight flight;
-        flight.name = name;
-        flight.rate_rad_s = rate_of(measured.rows);
-        try {
-            flight.fit = fit_motion(measured.rows, known.moments_kg_m2, known.drag);
-        } catch (const InputError& error) {
-            flight.refusal = error.what();
-        }
-        flight.measured = std::move(measured);
-        table.flights.push_back(std::move(flight));
-        return table;
+    table.n_rows = measured.rows.size();
+    TableFlight whole = all_of(std::move(measured), file);
+    const MeasuredMotion& all = whole.measured;
+    // Where Euler's equations explain nothing, a fit would only take time.
+    constexpr double most_unexplained = 0.5, most_share = 0.01, most_of_flight = 2.0;
+    bool is_whole = false;
+    if (unexplained_share(all.rows) < most_unexplained) {
+        fit_into(whole, known);
+        is_whole = whole.fit && whole.fit->residual_rad_s < most_share * whole.rate_rad_s;
     }
-    table.is_recording = true;
-    for (const FreeFlight& found : flights) {
-        TableFlight flight;
-        flight.number = table.flights.size() + 1;
-        flight.name = fmt::format("{}, flight {}", name, flight.number);
-        flight.measured = {found.rows, measured.has_omega, measured.has_attitude};
-        flight.n_limited =
-            n_between(measured.rows, found.begin_s(), found.end_s()) - found.rows.size();
-        flight.rate_rad_s = found.rate_rad_s;
-        try {
-            flight.fit = fit_motion(found.rows, known.moments_kg_m2, known.drag);
-        } catch (const InputError& error) {
-            flight.refusal = error.what();
+    if (!is_whole)
+        for (const FreeFlight& found : flights_of(all.rows)) {
+            TableFlight flight;
+            flight.number = table.flights.size() + 1;
+            flight.name = fmt::format("{}, flight {}", whole.name, flight.number);
+            flight.measured = {found.rows, all.has_omega, all.has_attitude};
+            flight.n_limited =
+                n_between(all.rows, found.begin_s(), found.end_s()) - found.rows.size();
+            flight.rate_rad_s = found.rate_rad_s;
+            fit_into(flight, known);
+            table.flights.push_back(std::move(flight));
         }
-        table.flights.push_back(std::move(flight));
+    constexpr std::size_t most_times = 3;
+    const bool may_be_one =
+        table.flights.empty() ||
+        (table.flights.size() == 1 &&
+         most_times * table.flights.front().measured.rows.size() > table.n_rows);
+    if (may_be_one && !whole.fit && whole.refusal.empty()) fit_into(whole, known);
+    if (may_be_one && !table.flights.empty() && whole.fit) {
+        const auto& part = table.flights.front().fit;
+        is_whole = !part || whole.fit->residual_rad_s < most_of_flight * part->residual_rad_s;
     }
+    table.is_recording = !is_whole && !table.flights.empty();
+    if (!table.is_recording)
+        table.flights = {std::move(whole)};
+    else if (whole.fit)
+        table.why_parts =
+            fmt::format("all rows together leave {:.2g} rad/s", whole.fit->residual_rad_s);
+    else
+        table.why_parts = "in the others, ω is not that of a free body";
     return table;
 }
 
+std::vector<std::string> notes_of(const FitTable& table, const TableFlight& flight) {
+    std::vector<std::string> notes = notes_of(*flight.fit, flight.measured);
+    if (!table.is_recording) return notes;
+    const auto& rows = flight.measured.rows;
+    const std::string of_flights =
+        table.flights.size() == 1
+            ? ""
+            : fmt::format(", flight {} of {}", flight.number, table.flights.size());
+    notes.insert(notes.begin(),
+                 fmt::format("{} of {} rows are fitted, from {:.6g} to {:.6g} s{}: {}", rows.size(),
+                             table.n_rows, rows.front().time_s, rows.back().time_s, of_flights,
+                             table.why_parts));
+    return notes;
+}
+
+std::vector<std::string> words_of(const FitTable& table, const TableFlight& flight) {
+    std::vector<std::string> lines = result_lines(*flight.fit);
+    for (const std::string& note : notes_of(table, flight))
+        lines.push_back(fmt::format("note: {}", note));
+    return lines;
+}
+
+const TableFlight& best_of(const FitTable& table) {
+    return *std::min_element(table.flights.begin(), table.flights.end(),
+                             [](const TableFlight& a, const TableFlight& b) {
+                                 return uncertainty_of(a) < uncertainty_of(b);
+                             });
+}
+
 const TableFlight& best_flight(const FitTable& table) {
-    const auto best = std::min_element(table.flights.begin(), table.flights.end(),
-                                       [](const TableFlight& a, const TableFlight& b) {
-                                           return uncertainty_of(a) < uncertainty_of(b);
-                                       });
-    if (!best->fit) throw InputError(fmt::format("{}: {}", best->name, best->refusal));
-    return *best;
+    const TableFlight& best = best_of(table);
+    if (!best.fit) throw InputError(fmt::format("{}: {}", best.name, best.refusal));
+    return best;
 }
 
 std::vector<std::string> flight_lines(const FitTable& table) {

@@ -24,7 +24,9 @@ struct TableFlight {
 
 struct FitTable {
     std::filesystem::path file;
-    bool is_recording = false;  // with more than one free flight in it
+    bool is_recording = false;  // of which the flights are parts
+    std::size_t n_rows = 0;
+    std::string why_parts;  // of a recording: why its rows are not one flight
     std::vector<TableFlight> flights;
 };
 
@@ -34,15 +36,26 @@ struct FitKnown {
     std::optional<DragModel> drag;
 };
 
-// Finds the flights of a table and fits each. A table of which one flight takes four fifths or more
-// is that flight as a whole; so is one in which no flight is found. Rows without ω get it from the
-// differences of their attitudes. `file`: for names and messages; it is not opened.
+// Finds the flights of a table and fits each. A table is one flight as a whole where this leaves a
+// residual of its kind, less than 1 % of |ω| or than twice that of the one flight in it, and where
+// no flight is found. Rows without ω get it from the differences of their attitudes. `file`: for
+// names and messages; it is not opened.
 FitTable fitted_table(MeasuredMotion measured, const std::filesystem::path& file,
                       const FitKnown& known);
 
+// All rows as one flight, however they fit.
+FitTable table_of_flight(MeasuredMotion measured, const std::filesystem::path& file,
+                         const FitKnown& known);
+
 // The flight that says most about the body: the one with the smallest standard deviations of
-// moments and axes. Throws InputError if none has a fit.
+// moments and axes. Without any fit, the first one; best_flight then throws InputError.
+const TableFlight& best_of(const FitTable& table);
 const TableFlight& best_flight(const FitTable& table);
+
+// The notes of a flight's fit, the first of which says which rows of the table it leaves out, and
+// why; and all words, as of a fit. Precondition: the flight has a fit.
+std::vector<std::string> notes_of(const FitTable& table, const TableFlight& flight);
+std::vector<std::string> words_of(const FitTable& table, const TableFlight& flight);
 
 // The list of flights, a line each.
 std::vector<std::string> flight_lines(const FitTable& table);

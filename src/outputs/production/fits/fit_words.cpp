@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "measured/joint_fit.h"
 #include "measured/table_faults.h"
@@ -83,14 +84,40 @@ std::vector<std::string> body_lines(const Fit& fit, std::string_view before) {
 template std::vector<std::string> body_lines(const FittedMotion& fit, std::string_view before);
 template std::vector<std::string> body_lines(const JointFit& fit, std::string_view before);
 
-std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured) {
+std::vector<std::string> notes_of(const FittedMotion& fit, const MeasuredMotion& measured) {
     const auto& m = fit.moments;
-    std::vector<std::string> lines = body_lines(fit);
+    std::vector<std::string> notes;
     constexpr double least_sds = 3.0;
+    if (excess_of(fit) > least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
+        notes.push_back(
+            fmt::format("I1 > I2 + I3 by {:.2g}, which no rigid body has: check the units, the "
+                        "axes and the time span of the table",
+                        excess_of(fit)));
     if (1.0 - m[1] <= least_sds * fit.moments_sd[1])
-        lines.emplace_back("note: I1 = I2 within the uncertainty, so that e1 and e2 are arbitrary");
+        notes.emplace_back("I1 = I2 within the uncertainty, so that e1 and e2 are arbitrary");
     if (m[1] - m[2] <= least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
-        lines.emplace_back("note: I2 = I3 within the uncertainty, so that e2 and e3 are arbitrary");
+        notes.emplace_back("I2 = I3 within the uncertainty, so that e2 and e3 are arbitrary");
+    if (fit.residual_rad_s > least_sds * fit.noise_rad_s)
+        notes.push_back(fmt::format(
+            "the residual is larger than the noise of the rows, {:.2g} rad/s: {}; residuals are "
+            "alike from row to row (correlation {:.2f}), which the standard deviations allow for",
+            fit.noise_rad_s,
+            measured.has_omega ? "the body was not quite free"
+                               : "the body was not quite free, or the attitudes are too far apart "
+                                 "for differences",
+            fit.correlation));
+    if (!measured.has_omega)
+        notes.emplace_back(
+            "the table has no ω; it was computed from the differences of its attitudes");
+    if (std::string gaps = in_words(gaps_of(measured.rows)); !gaps.empty())
+        notes.push_back(std::move(gaps));
+    for (const Saturation& saturation : saturations_of(measured.rows))
+        notes.push_back(in_words(saturation));
+    return notes;
+}
+
+std::vector<std::string> result_lines(const FittedMotion& fit) {
+    std::vector<std::string> lines = body_lines(fit);
     lines.push_back(fmt::format("ω at {:g} s = ({}, {}, {}) rad/s", fit.first_time_s,
                                 with_sd(fit.omega_rad_s[0], fit.omega_sd_rad_s[0]),
                                 with_sd(fit.omega_rad_s[1], fit.omega_sd_rad_s[1]),
@@ -98,29 +125,6 @@ std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion&
     add_drag(fit, lines);
     lines.push_back(
         fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
-    if (fit.residual_rad_s > least_sds * fit.noise_rad_s)
-        lines.push_back(fmt::format(
-            "note: the residual is larger than the noise of the rows, {:.2g} rad/s: {}; "
-            "residuals are alike from row to row (correlation {:.2f}), which the standard "
-            "deviations "
-            "allow for",
-            fit.noise_rad_s,
-            measured.has_omega ? "the body was not quite free"
-                               : "the body was not quite free, or the attitudes are "
-                                 "too far apart for differences",
-            fit.correlation));
-    if (excess_of(fit) > least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
-        lines.push_back(fmt::format(
-            "note: I1 > I2 + I3 by {:.2g}, which no rigid body has: check the units, the "
-            "axes and the time span of the table",
-            excess_of(fit)));
-    if (!measured.has_omega)
-        lines.emplace_back(
-            "note: the table has no ω; it was computed from the differences of its attitudes");
-    if (const std::string gaps = in_words(gaps_of(measured.rows)); !gaps.empty())
-        lines.push_back(fmt::format("note: {}", gaps));
-    for (const Saturation& saturation : saturations_of(measured.rows))
-        lines.push_back(fmt::format("note: {}", in_words(saturation)));
     return lines;
 }
 

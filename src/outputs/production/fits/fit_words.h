@@ -22,7 +22,11 @@ void add_fit(JsonObject& answer, const FittedMotion& fit);
 template <typename Fit>
 std::vector<std::string> body_lines(const Fit& fit, std::string_view before = "");
 
+// What the reader of a fit must know: moments or axes that it does not tell, a residual that is not
+// noise, faults of the table. A line each.
+std::vector<std::string> notes_of(const FittedMotion& fit, const MeasuredMotion& measured);
+
 // The results, a line each: for the console, and as comments of the scene.
-std::vector<std::string> words_of(const FittedMotion& fit, const MeasuredMotion& measured);
+std::vector<std::string> result_lines(const FittedMotion& fit);
 
 }  // namespace poinsot
