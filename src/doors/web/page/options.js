@@ -48,7 +48,8 @@ export class Options {
     }
     this.regime = text;
     part('section-change').hidden = loaded.controls.length === 0 && !text;
-    part('original').hidden = loaded.controls.length === 0;
+    // The workbench writes values into its text, where they can be undone.
+    part('original').hidden = loaded.controls.length === 0 || page.store !== null;
     this.#head('change', loaded.controls.length > 0 ? 'change' : 'motion');
     part('hint').textContent = [page.drags('omega') && page.words.of('drag_omega'), page.drags('plane') && page.words.of('drag_plane')]
       .filter(Boolean).join(' ');
@@ -133,6 +134,11 @@ export class Options {
 
   async copy_link() {
     const {address, words} = this.page;
+    const fault = await this.page.store?.link_fault();
+    if (fault) {
+      this.page.show_message(new Error(fault));
+      return;
+    }
     const link = address.link();
     const field = input('link');
     field.value = link;

@@ -4,11 +4,14 @@ import {input, part, save_as} from './bar.js';
 import {Drafts} from './drafts.js';
 import {new_editor} from './editor.js';
 import {message_of} from './figure.js';
+import {is_too_long, state_of} from './link.js';
+import {packed_text, unpacked_text} from './link_text.js';
 import {block, bytes_of_base64} from './loader.js';
 import {Measure, painted} from './measure.js';
 import {ZipWriter} from './png_frames.js';
 import './pptx.js';
 import {ProgramError} from './program.js';
+import {as_toml, difference_of, edit_of, edited, removal_of, value_in} from './scene_text.js';
 import {the_page} from './scripting.js';
 import {Words, all_words} from './words.js';
 import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_reader.js';
@@ -52,6 +55,11 @@ const workbench_words = {
   draft_offer: ['This browser has kept your scene “{name}” of {time}.', 'Dieser Browser hat Ihre Szene „{name}“ von {time} aufbewahrt.', 'Ce navigateur a conservé votre scène « {name} » de {time}.', 'Este navegador ha guardado su escena «{name}» de {time}.', 'Questo browser ha conservato la Sua scena «{name}» delle {time}.', 'このブラウザーに {time} のシーン「{name}」が残っています。'],
   draft_take: ['Go on with it', 'Daran weiterarbeiten', 'Continuer', 'Continuar', 'Continua', '続ける'],
   draft_leave: ['Start anew', 'Neu beginnen', 'Recommencer', 'Empezar de nuevo', 'Ricomincia', '新しく始める'],
+  link_damaged: ['The link holds no whole scene: it was cut off or changed. Ask for it again.', 'Der Link enthält keine ganze Szene: Er wurde abgeschnitten oder verändert. Erbitten Sie ihn noch einmal.', 'Le lien ne contient pas de scène entière : il a été coupé ou modifié. Redemandez-le.', 'El enlace no contiene una escena entera: se cortó o se cambió. Pídalo otra vez.', 'Il link non contiene una scena intera: è stato tagliato o modificato. Lo chieda di nuovo.', 'リンクが途中で切れたか変更されたため、シーンを読めません。もう一度リンクをもらってください。'],
+  link_unknown: ['There is no example “{scene}” here.', 'Ein Beispiel „{scene}“ gibt es hier nicht.', 'Il n’y a pas d’exemple « {scene} » ici.', 'Aquí no hay ningún ejemplo «{scene}».', 'Qui non c’è un esempio «{scene}».', '例「{scene}」はありません。'],
+  link_long: ['The scene is too long for a link; save it, and send the file.', 'Die Szene ist zu lang für einen Link; speichern Sie sie, und senden Sie die Datei.', 'La scène est trop longue pour un lien ; enregistrez-la et envoyez le fichier.', 'La escena es demasiado larga para un enlace; guárdela y envíe el archivo.', 'La scena è troppo lunga per un link: la salvi e invii il file.', 'シーンが長すぎてリンクにできません。保存してファイルを送ってください。'],
+  link_files: ['A link cannot hold {files}; save the scene, and send the archive.', 'Ein Link kann {files} nicht enthalten; speichern Sie die Szene, und senden Sie das Archiv.', 'Un lien ne peut pas contenir {files} ; enregistrez la scène et envoyez l’archive.', 'Un enlace no puede contener {files}; guarde la escena y envíe el archivo.', 'Un link non può contenere {files}: salvi la scena e invii l’archivio.', 'リンクには {files} を含められません。シーンを保存してアーカイブを送ってください。'],
+  no_place: ['The text has no place for {key}; write it there.', 'Der Text hat keinen Platz für {key}; schreiben Sie es hinein.', 'Le texte n’a pas de place pour {key} ; écrivez-le.', 'El texto no tiene lugar para {key}; escríbalo.', 'Il testo non ha posto per {key}: lo scriva.', 'テキストに {key} を書き込めません。手で書いてください。'],
   draft_lacks: ['without {files}', 'ohne {files}', 'sans {files}', 'sin {files}', 'senza {files}', '{files} なし'],
   unkept_text: ['This browser cannot keep this text: it is too long, or the browser’s store is full. Save the scene before you leave the page.',
     'Dieser Browser kann diesen Text nicht aufbewahren: Er ist zu lang, oder der Speicher des Browsers ist voll. Speichern Sie die Szene, bevor Sie die Seite verlassen.',
@@ -101,6 +109,17 @@ function title_in(text) {
   return /^\s*title\s*=\s*(?:"((?:[^"\\]|\\.)*)"|'([^']*)')/m.exec(before_tables)?.slice(1).find((title) => title !== undefined) ?? '';
 }
 
+/** A text after changes of its values; null: it has no place for one of them. @param {string} text @param {Map<string, string|null>} values */
+function edited_by(text, values) {
+  for (const [key, value] of values) {
+    if (value === null && value_in(text, key) === null) continue;
+    const edit = value === null ? removal_of(text, key) : edit_of(text, key, as_toml(value));
+    if (!edit) return null;
+    text = edited(text, edit);
+  }
+  return text;
+}
+
 /** A title as the name of a file, without its suffix. @param {string} title */
 function file_name_of(title) {
   return title.replace(/\$[^$]*\$/g, ' ').normalize('NFKD').replace(/[\u0300-\u036f]/g, '').normalize('NFC').toLowerCase()
@@ -138,8 +157,22 @@ class Workbench {
     this.#show_tab('figure');
     page.on_loaded = () => this.#find();
     this.measure = new Measure(this.words, (name, text, files) => this.open({kind: 'file', name, text}, files, true));
-    this.#offer_draft();
-    this.#open_named();
+    /** Whether the program has refused the text that it was given last. */
+    this.is_refused = false;
+    /** The text that was packed last for a link; `packed` is null if it is too long. @type {{text: string, packed: string|null}} */
+    this.link_text = {text: '', packed: null};
+    page.store = {
+      value: (key) => value_in(this.editor.text, key),
+      write: (values) => this.#write_values(values),
+      open_link: (choices) => void this.#open_link(choices),
+      link: () => this.#link(),
+      link_fault: () => this.#link_fault(),
+    };
+    void this.#open_link(page.figure.choices).then(() => {
+      this.#offer_draft();
+      // A text that is refused at the start is refused at its line.
+      return page.start();
+    }).then(() => page.figure.data?.text !== this.editor.text && this.#write(), () => {});
   }
 
   /** The name of what is saved, without its suffix: that of the scene's file or, for a new scene, its title. */
@@ -156,11 +189,92 @@ class Workbench {
     return Object.fromEntries(Object.entries(this.files).filter(([name]) => text.includes(name)));
   }
 
-  /** A link may name a scene of the gallery: poinsot.html#scene=tennis_racket. */
-  #open_named() {
-    const name = new URLSearchParams(location.hash.slice(1)).get('scene');
-    const scene = this.data.scenes.find((scene) => scene.name === name);
-    if (scene) this.open({kind: 'example', name: scene.name, text: scene.text}, scene.files);
+  // ── Links ───────────────────────────────────────────────────────────────────────────────
+
+  /** Opens the scene of the address, an example by its name or a text of its own, with its values. @param {Choices} choices of the address */
+  async #open_link({shown, names, theme}) {
+    const {page} = this;
+    // The text holds all values.
+    page.figure.choices = {...page.figure.choices, values: new Map()};
+    const state = state_of(location.hash);
+    const {values} = state;
+    const example = this.data.scenes.find(({name}) => name === state.scene);
+    const text = state.text ? await unpacked_text(state.text) : null;
+    const fault = is_too_long(location.hash) || (state.text && text === null) ? 'link_damaged' : state.scene && !example && !state.text ? 'link_unknown' : '';
+    if (fault) {
+      void page.start().then(() => page.show_message(new Error(this.words.of(fault).replace('{scene}', () => state.scene))), () => {});
+      return;
+    }
+    /** @type {SceneSource|null} */
+    const source = text !== null ? {kind: 'new', name: '', text} : example ? {kind: 'example', name: example.name, text: example.text} : null;
+    const is_other = source && (source.text !== this.editor.text || source.kind !== this.source.kind);
+    if (source && is_other) {
+      this.open(source, example && text === null ? example.files : this.#known_files(source.text));
+      // Instant and views once more, for the scene that they belong to.
+      page.address.read();
+    }
+    const changed = edited_by(this.editor.text, values);
+    if (changed === null || (!is_other && changed === this.editor.text && !page.figure.program)) return;
+    if (changed !== this.editor.text) {
+      this.editor.text = changed;
+      this.is_edited = true;
+    }
+    this.#write({shown, names, theme});
+  }
+
+  /** The files of examples and starting points that a text names. @param {string} text @returns {Record<string, string>} */
+  #known_files(text) {
+    const all = Object.assign({}, ...[...this.data.scenes, ...this.data.starts].map(({files}) => files));
+    return Object.fromEntries(Object.entries(all).filter(([name]) => text.includes(name)));
+  }
+
+  /** The scene of a link to this one: '' for both is not known yet, or is too long. */
+  #link() {
+    const {text} = this.editor;
+    if (this.source.kind === 'example' && text === this.source.text) return {scene: this.source.name, text: ''};
+    return {scene: '', text: this.link_text.text === text ? this.link_text.packed ?? '' : ''};
+  }
+
+  /** Packs the text for links, and puts it into the address. */
+  async #pack_link() {
+    const {text} = this.editor;
+    if (text === this.link_text.text) return;
+    const packed = await packed_text(text);
+    if (text !== this.editor.text) return;
+    this.link_text = {text, packed};
+    if (this.page.figure.program && !this.page.figure.film.playing) this.page.address.keep();
+  }
+
+  /** What a link cannot hold of this scene; '' if it holds all. */
+  async #link_fault() {
+    const {scene} = this.#link();
+    await this.#pack_link();
+    const known = this.#known_files(this.editor.text);
+    const lacks = Object.keys(this.named_files).filter((name) => known[name] !== this.files[name]);
+    if (lacks.length > 0) return this.words.of('link_files').replace('{files}', () => lacks.join(', '));
+    return !scene && this.link_text.packed === null ? this.words.of('link_long') : '';
+  }
+
+  // ── Values ──────────────────────────────────────────────────────────────────────────────
+
+  /** Writes values into the text; throws the program's refusal, after which the text is as it was. @param {Map<string, string|null>} values */
+  #write_values(values) {
+    const {page, editor} = this;
+    // What was typed comes first.
+    if (this.timer) this.#write();
+    const before = editor.text;
+    const text = edited_by(before, values);
+    if (text === null) throw new Error(this.words.of('no_place').replace('{key}', () => [...values.keys()].join(', ')));
+    if (text === before) return;
+    const is_accepted = page.data.text === before && page.figure.program !== null;
+    if (is_accepted) {
+      const data = {...page.data, text};
+      page.figure.reload({}, data);
+      page.data = data;
+    }
+    editor.replace(difference_of(before, text));
+    this.is_edited = true;
+    this.#soon();
   }
 
   #name() {
@@ -217,6 +331,12 @@ class Workbench {
         part(`tab-${other}`).focus();
       });
     }
+    // A value that is dragged is one step of undo: until the last frame of the drag.
+    document.addEventListener('pointerdown', (event) => {
+      if (event.target instanceof Node && !part('writing').contains(event.target)) this.editor.hold(true);
+    }, {capture: true});
+    for (const name of ['pointerup', 'pointercancel'])
+      document.addEventListener(name, () => requestAnimationFrame(() => requestAnimationFrame(() => this.editor.hold(false))), {capture: true});
     // Before the editor, which keeps its keys for itself.
     document.addEventListener('keydown', (event) => {
       if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey || event.key.toLowerCase() !== 's') return;
@@ -370,6 +490,16 @@ class Workbench {
   #offer_draft() {
     const draft = this.drafts.list()[0];
     if (!draft) return;
+    // The link of a reload holds it.
+    if (draft.kept.text === this.editor.text) {
+      this.drafts.go_on(draft);
+      this.source = draft.source;
+      this.is_edited = true;
+      this.files = {...this.files, ...draft.files};
+      this.editor.kept = draft.kept;
+      this.#write();
+      return;
+    }
     part('offer-text').textContent = this.words.of('draft_offer').replace('{name}', () => title_in(draft.kept.text) || draft.name)
       .replace('{time}', this.#time(draft.at_ms));
     part('offer').hidden = false;
@@ -541,7 +671,10 @@ class Workbench {
     this.is_edited = true;
     window.clearTimeout(this.timer);
     this.timer = window.setTimeout(() => {
-      this.#write();
+      this.timer = 0;
+      // Values that were written are read already.
+      if (this.editor.text !== this.page.data.text || this.is_refused) this.#write();
+      else void this.#pack_link();
       this.#keep();
     }, write_after_ms);
   }
@@ -549,7 +682,10 @@ class Workbench {
   /** Gives the text to the program. @param {Partial<Choices>} [changes] kept until the program accepts a text */
   #write(changes = {}) {
     const {page} = this;
+    window.clearTimeout(this.timer);
+    this.timer = 0;
     this.changes = {...this.changes, ...changes};
+    void this.#pack_link();
     const named = [...this.unread.keys()].filter((name) => this.editor.text.includes(name));
     if (named.length > 0) {
       void this.#read_and_write(named);
@@ -573,8 +709,10 @@ class Workbench {
       }
       page.figure.reload(this.changes, data);
       this.changes = {};
+      this.is_refused = false;
       page.data = data;
     } catch (error) {
+      this.is_refused = true;
       page.data = {...page.data, name: data.name};
       this.#find(error);
     }
