@@ -296,6 +296,37 @@ check('leads from New to a film of a changed scene', async (browser) => {
   await tab.close();
 });
 
+check('makes by a script what the form makes', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const form = await made(tab, {kind: 'png', width: 96, height: 54, span: 'stop 0', rate: 10});
+  const outcome = await tab.evaluate(async () => {
+    const steps = [];
+    const png = await poinsot.film({kind: 'png', width: 96, height: 54, fps: 10, last_s: 1, progress: (done, n_frames) => steps.push([done, n_frames])});
+    const mp4 = await poinsot.film({width: 96, height: 54, first_s: 0.5, last_s: 0.7, quality: 'draft'});
+    const refusals = [];
+    const stopped = new AbortController();
+    for (const options of [{kind: 'gif'}, {quality: 'best'}, {first_s: 2, last_s: 1}, {last_s: Infinity}, {rate: 30}, {width: 321}, {width: 20000, height: 20000}, {width: 0},
+      {width: 96, height: 54, signal: AbortSignal.abort(new Error('before'))},
+      {width: 96, height: 54, signal: stopped.signal, progress: (done) => done === 3 && stopped.abort(new Error('in the middle'))}])
+      await poinsot.film(options).then(() => refusals.push('made'), (error) => refusals.push(error.message));
+    const base64 = async (blob) => btoa(Array.from(new Uint8Array(await blob.arrayBuffer()), (byte) => String.fromCharCode(byte)).join(''));
+    return {steps, refusals, png: [png.type, await base64(png)], mp4: [mp4.type, await base64(mp4)], said: document.getElementById('film-message').textContent};
+  });
+  assert.equal(outcome.png[0], 'application/zip');
+  assert.ok(Buffer.from(outcome.png[1], 'base64').equals(form), 'the same bytes');
+  assert.deepEqual(outcome.steps, Array.from({length: 11}, (_, k) => [k, 11]));
+  const file = path.join(folder, 'script.mp4');
+  fs.writeFileSync(file, Buffer.from(outcome.mp4[1], 'base64'));
+  assert.equal(outcome.mp4[0], 'video/mp4');
+  assert.equal(Number(probed(file).streams[0].nb_read_frames), 7);
+  assert.deepEqual(JSON.parse(poinsot('explain', file, '--json')).frames, [15, 21]);
+  [/"gif" is none of mp4/, /"best" is none of draft/, /no span of the film/, /no span of the film/, /no option rate/, /even width/, /needs more memory/, /film\.size/, /^before$/, /^in the middle$/]
+    .forEach((said, k) => assert.match(outcome.refusals[k], said));
+  assert.equal(outcome.said, 'The film is saved.', 'the form says what it made');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('can be cancelled, stays usable, and saves nothing then', async (browser) => {
   const {tab, faults} = await opened(browser);
   const cancelled = made(tab, {kind: 'mp4'});
