@@ -856,6 +856,46 @@ if (!is_firefox)
     await context.close();
   });
 
+check('speaks the language of the browser, whatever that of the scene', async (browser) => {
+  for (const [language, film, names, options, turns] of [['en-GB', 'Make film', 'Names', 'Options', /turns over every/], ['de-DE', 'Film erstellen', 'Namen', 'Einstellungen', /schlägt alle [\d,]+ s um/]]) {
+    const {tab, faults, context} = await opened_alone(browser, {before: `Object.defineProperty(Navigator.prototype, 'language', {value: '${language}'})`});
+    const words = () => tab.evaluate(() => ['film-make', 'elements', 'regime'].map((id) => document.getElementById(id).textContent)
+      .concat(document.getElementById('options').getAttribute('aria-label'), document.documentElement.lang));
+    const at_first = await words();
+    for (const scene of ['de', 'ja', 'en']) {
+      await write_scene(tab, `language = "${scene}"\n${mine}`);
+      await until(tab, `the_page.figure.loaded.language === "${scene}" && the_page.figure.frame === 0`);
+      const [button, boxes, regime, drawer, lang] = await words();
+      assert.equal(button, film);
+      assert.ok(boxes.startsWith(names), boxes);
+      assert.match(regime, turns);
+      assert.equal(drawer, options);
+      assert.equal(lang, language.slice(0, 2));
+    }
+    assert.equal(at_first[0], film);
+    assert.deepEqual(faults, []);
+    await context.close();
+  }
+});
+
+check('leads to the film from the first row of buttons', async (browser) => {
+  for (const size of [{width: 1100, height: 640}, {width: 390, height: 664}]) {
+    const {tab, faults, context} = await opened_alone(browser, {size});
+    await tab.click('#film-open');
+    // Its form is in sight, at the focus, and nothing of the bar lies below the drawer.
+    assert.equal(await tab.evaluate(() => document.activeElement.id), 'film-kind');
+    const seen = (id) => tab.evaluate((id) => {
+      const {left, right, top, bottom} = document.getElementById(id).getBoundingClientRect();
+      return document.elementFromPoint((left + right) / 2, (top + bottom) / 2)?.closest(`#${id}`) !== null;
+    }, id);
+    for (const id of ['film-kind', 'film-make', 'close', 'full', 'speed']) assert.ok(await seen(id), `${id} at ${size.width} × ${size.height}`);
+    assert.deepEqual(await violations(tab), []);
+    assert.ok(await tab.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), 'nothing sticks out');
+    assert.deepEqual(faults, []);
+    await context.close();
+  }
+});
+
 check('shows figure and text as tabs on a phone', async (browser) => {
   const {tab, faults, context} = await opened_alone(browser, {size: {width: 390, height: 844}});
   /** What stands in the middle of the window. */

@@ -4,6 +4,7 @@ import {input, part} from './bar.js';
 import {Controls} from './controls.js';
 import {list_keys} from './keys.js';
 import {FilmSection} from './make_film.js';
+import {motion_said} from './words.js';
 /** @import {Page} from './page.js' */
 /** @import {Loaded} from './program.js' */
 
@@ -15,6 +16,8 @@ export class Options {
     this.films = new FilmSection(page);
     /** What the program says about the motion and the scene. */
     this.regime = '';
+    /** The elements that have a box, and the language of their names. */
+    this.element_names = '';
     this.#wire();
   }
 
@@ -40,10 +43,12 @@ export class Options {
     this.controls.show(loaded.controls);
     this.films.show();
     this.show_elements();
-    const text = [loaded.motion, ...loaded.notes].filter(Boolean).join('\n');
+    // The program's own sentence is English.
+    const motion = (page.words.code !== 'en' && motion_said(loaded, page.words)) || loaded.motion;
+    const text = [motion, ...loaded.notes].filter(Boolean).join('\n');
     if (text !== this.regime) {
       const strong = document.createElement('strong');
-      strong.textContent = loaded.motion;
+      strong.textContent = motion;
       part('regime').replaceChildren(strong, ...loaded.notes.map((note) => `\n${note}`));
     }
     this.regime = text;
@@ -111,7 +116,9 @@ export class Options {
     if (!loaded) return;
     const rows = [{name: '', summary: '', offered: true}, ...loaded.elements].filter((row) => row.offered !== false);
     const boxes = () => [...part('elements').querySelectorAll('input')];
-    if (boxes().map((box) => `${box.name},`).join('') !== rows.map((row) => `${row.name},`).join('')) {
+    const names = [page.words.code, ...rows.map((row) => row.name)].join();
+    if (names !== this.element_names) {
+      this.element_names = names;
       part('elements').replaceChildren(...rows.map(({name, summary}) => {
         const label = document.createElement('label');
         const box = document.createElement('input');

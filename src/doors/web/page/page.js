@@ -33,6 +33,8 @@ export class Page {
     /** Which of them it shows. */
     this.place = 0;
     this.words = new Words(this.data.language);
+    /** Whether the words have a language of their own, not the scene's. */
+    this.has_language = false;
     this.embedded = window.self !== window.top;
     /** @type {Promise<void>|null} */
     this.starting = null;
@@ -180,11 +182,7 @@ export class Page {
   #loaded() {
     const {loaded} = this.figure;
     if (!loaded) return;
-    if (this.words.code !== loaded.language) {
-      this.words = new Words(loaded.language);
-      document.documentElement.lang = this.words.code;
-      this.#name();
-    }
+    if (!this.has_language) this.#take_words(loaded.language);
     this.#colour(loaded.theme.background, loaded.theme.text);
     this.bar.mark();
     const following = this.scenes[this.place + 1];
@@ -204,6 +202,20 @@ export class Page {
       part('sentence').hidden = true;
     }
     this.on_loaded();
+  }
+
+  /** Speaks one language whatever that of the scene. @param {string} language */
+  speak(language) {
+    this.has_language = true;
+    this.#take_words(language);
+  }
+
+  /** @param {string} language */
+  #take_words(language) {
+    if (this.words.code === language) return;
+    this.words = new Words(language);
+    document.documentElement.lang = this.words.code;
+    this.#name();
   }
 
   /** Whether the film is over and another scene or page follows. */

@@ -4,6 +4,7 @@ import {input, part, save_as} from './bar.js';
 import {Drafts} from './drafts.js';
 import {new_editor} from './editor.js';
 import {message_of} from './figure.js';
+import {has_film_writer} from './film_file.js';
 import {is_too_long, state_of} from './link.js';
 import {packed_text, unpacked_text} from './link_text.js';
 import {block, bytes_of_base64} from './loader.js';
@@ -13,14 +14,14 @@ import './pptx.js';
 import {ProgramError} from './program.js';
 import {as_toml, difference_of, edit_of, edited, removal_of, value_in} from './scene_text.js';
 import {the_page} from './scripting.js';
-import {Words, all_words} from './words.js';
+import {Words, all_words, motion_said} from './words.js';
 import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_reader.js';
 /** @import {ReadableFile} from './zip_reader.js' */
 /** @import {Draft, Kept} from './drafts.js' */
 /** @import {Finding} from './editor.js' */
 /** @import {Choices} from './figure.js' */
 /** @import {Page} from './page.js' */
-/** @import {Loaded, Program} from './program.js' */
+/** @import {Program} from './program.js' */
 
 /**
  * @typedef {{name: string, title: string, text: string, files: Record<string, string>, thumbnail: string}} GalleryScene
@@ -76,10 +77,6 @@ const workbench_words = {
   draft_remove: ['Remove', 'Entfernen', 'Supprimer', 'Eliminar', 'Elimina', '削除'],
   file_here: ['{file} is at hand, but the scene does not name it.', '{file} liegt bereit, aber die Szene nennt die Datei nicht.', '{file} est là, mais la scène ne le nomme pas.', '{file} está disponible, pero la escena no lo nombra.', '{file} è disponibile, ma la scena non lo nomina.', '{file} を読み込みましたが、シーンには名前がありません。'],
   file_begin: ['Begin a scene with it', 'Eine Szene damit beginnen', 'Commencer une scène avec ce fichier', 'Empezar una escena con él', 'Inizia una scena con esso', 'これでシーンを始める'],
-  turns_over: ['The body turns over every {s} s.', 'Der Körper schlägt alle {s} s um.', 'Le corps se retourne toutes les {s} s.', 'El cuerpo se da la vuelta cada {s} s.', 'Il corpo si capovolge ogni {s} s.', '物体は {s} 秒ごとに反転します。'],
-  turns_over_once: ['The body turns over once, at {s} s.', 'Der Körper schlägt einmal um, bei {s} s.', 'Le corps se retourne une seule fois, à {s} s.', 'El cuerpo se da la vuelta una sola vez, a los {s} s.', 'Il corpo si capovolge una sola volta, a {s} s.', '物体は {s} 秒に一度だけ反転します。'],
-  wobbles_smallest: ['The body wobbles about the axis of its smallest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines kleinsten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus petit moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento menor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento minore e non si capovolge.', '物体は最小の慣性モーメントの軸のまわりで揺れ、反転しません。'],
-  wobbles_largest: ['The body wobbles about the axis of its largest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines größten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus grand moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento mayor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento maggiore e non si capovolge.', '物体は最大の慣性モーメントの軸のまわりで揺れ、反転しません。'],
   start_moments: ['Moments of inertia', 'Trägheitsmomente', 'Moments d’inertie', 'Momentos de inercia', 'Momenti d’inerzia', '慣性モーメント'],
   start_moments_is: ['A body by its three principal moments', 'Ein Körper durch seine drei Hauptträgheitsmomente', 'Un corps par ses trois moments principaux', 'Un cuerpo por sus tres momentos principales', 'Un corpo dai suoi tre momenti principali', '三つの主慣性モーメントで決まる物体'],
   start_shape: ['Shape', 'Form', 'Forme', 'Forma', 'Forma', '形'],
@@ -133,6 +130,7 @@ class Workbench {
     /** @type {WorkbenchData} */
     this.data = JSON.parse(block('workbench-data'));
     this.words = new Words(navigator.language.slice(0, 2));
+    page.speak(this.words.code);
     this.timer = 0;
     /** Choices that the next accepted text gets. @type {Partial<Choices>} */
     this.changes = {};
@@ -280,7 +278,7 @@ class Workbench {
   #name() {
     const {words} = this;
     for (const [id, word] of [['new-open', 'new'], ['gallery-open', 'gallery'], ['file-open', 'open'], ['file-save', 'save_scene'], ['export-page', 'export_page'],
-      ['export-csv', 'export_csv'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
+      ['export-csv', 'export_csv'], ['film-open', 'film_section'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
       ['drafts-head', 'drafts'], ['gallery-none', 'search_none']]) part(/** @type {string} */ (id)).textContent = words.of(/** @type {string} */ (word));
     for (const [id, word] of [['writing', 'text'], ['tabs', 'tabs'], ['gallery-search', 'search'], ['new', 'new'], ['gallery', 'gallery']])
       part(/** @type {string} */ (id)).setAttribute('aria-label', words.of(/** @type {string} */ (word)));
@@ -294,6 +292,8 @@ class Workbench {
     const motion = document.createElement('p');
     motion.id = 'motion-words';
     part('bar').after(motion);
+    // The options leave room for it.
+    new ResizeObserver(() => document.documentElement.style.setProperty('--below', `${motion.offsetHeight}px`)).observe(motion);
     this.#name_look();
   }
 
@@ -314,6 +314,13 @@ class Workbench {
       input('file').value = '';
     });
     part('file-save').addEventListener('click', () => void this.#save_scene());
+    part('film-open').hidden = !has_film_writer();
+    part('film-open').addEventListener('click', () => {
+      this.#show_tab('figure');
+      this.page.options.open(true);
+      part('film-kind').focus({preventScroll: true});
+      part('section-film').scrollIntoView();
+    });
     part('export-csv').addEventListener('click', () => save_as(new Blob([this.csv()], {type: 'text/csv'}), `${this.name}.csv`));
     part('export-page').addEventListener('click', () => void this.page_of_scene().then(
       (text) => save_as(new Blob([text], {type: 'text/html'}), `${this.name}.html`), (error) => this.#find(error)));
@@ -732,15 +739,6 @@ class Workbench {
     this.#keep();
   }
 
-  /** What a body that moves freely does, in words that need no theory; '' of any other motion. @param {Loaded} loaded */
-  #motion_said({flips, regime}) {
-    const seconds = (/** @type {number} */ s) => s.toLocaleString(this.words.code, {maximumSignificantDigits: 3});
-    if (flips) return flips.interval_s === null ? this.words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
-      : this.words.of('turns_over').replace('{s}', seconds(flips.interval_s));
-    const axis = /^polhode about e\d, the axis of the (smallest|largest) moment/.exec(regime)?.[1];
-    return axis ? this.words.of(`wobbles_${axis}`) : '';
-  }
-
   /** Shows what the program found in the text. @param {unknown} [error] */
   #find(error) {
     /** @type {Finding[]} */
@@ -766,7 +764,7 @@ class Workbench {
       }
       if (loaded) {
         const strong = document.createElement('strong');
-        strong.textContent = this.#motion_said(loaded);
+        strong.textContent = motion_said(loaded, this.words);
         // In the words of `poinsot check`; a small screen leaves them out.
         const exact = document.createElement(strong.textContent ? 'span' : 'em');
         exact.textContent = loaded.regime;
