@@ -190,7 +190,12 @@ async function opened_alone(browser, options = {}) {
   return {...opening, context};
 }
 
+/** Opens the workbench again, as from its file. */
 async function reload(tab) {
+  await tab.evaluate(() => {
+    the_page.address.keep = () => {};
+    history.replaceState(null, '', location.pathname);
+  });
   await tab.reload();
   await ready(tab);
 }
@@ -271,14 +276,17 @@ check('warns before a page is left whose text the browser does not keep', async 
 
 check('gives no other draft up for one that the browser cannot keep', async (browser) => {
   const {tab, faults, context} = await opened_alone(browser);
-  const kept = await tab.evaluate((mine) => {
+  const kept = await tab.evaluate(async (mine) => {
     const source = {kind: 'new', name: 'a', text: ''};
     const keep = (name, text, files = {}) => {
       const drafts = new Drafts();
       return drafts.keep({name, source, kept: {text}, files});
     };
     const list = () => new Drafts().list().map(({name, kept, files, lacks}) => [name, kept.text.length, Object.keys(files), lacks]);
-    for (let k = 0; k < 8; ++k) keep(`n${k}`, `${mine}# ${k}`);
+    for (let k = 0; k < 8; ++k) {
+      keep(`n${k}`, `${mine}# ${k}`);
+      await new Promise((resolve) => setTimeout(resolve, 3));
+    }
     const eight = list();
     const pasted = [keep('pasted', 'x'.repeat(5500000)), list()];
     // Another program of this origin has filled the store.
@@ -380,6 +388,255 @@ check('lets two pages go on with one draft without loss', async (browser) => {
   const texts = await tab.evaluate(() => the_workbench.drafts.list().map((draft) => draft.kept.text));
   assert.equal(texts.length, 2);
   assert.ok(texts[1].includes('second page'), 'what the other page wrote is kept');
+  await context.close();
+});
+
+// ── The text is the scene ───────────────────────────────────────────────────────────────────
+
+const commented = `# Two lines
+# of comment
+title = "Mine"   # its title
+
+[body] # of three moments
+moments_kg_m2 = [ 3.0,
+                  2.0, 1.0 ]   # kg m²
+[start]
+omega_rad_s = [0.3, 1.25, 0.2] # rad/s
+[film]
+duration_s = 4
+`;
+
+/** Moves the tip of ω by a drag of the mouse. */
+async function drag_omega(tab, dx, dy) {
+  const place = await tab.evaluate(() => {
+    const {figure} = the_page;
+    figure.film.pause();
+    figure.program.draw(figure.time_s, figure.film.at_s);
+    const grip = figure.program.grips(figure.time_s, figure.film.at_s).find(({thing}) => thing === 'omega');
+    const {left, top} = figure.canvas.getBoundingClientRect();
+    return {x: left + grip.x / figure.ratio, y: top + grip.y / figure.ratio};
+  });
+  await tab.mouse.move(place.x, place.y);
+  await tab.mouse.down();
+  for (const part of [0.3, 0.6, 1]) {
+    await tab.mouse.move(place.x + part * dx, place.y + part * dy);
+    await wait(60);
+  }
+  await wait(700); // longer than what an editor takes for one step
+  await tab.mouse.move(place.x + 1.2 * dx, place.y + dy);
+  await wait(60);
+  await tab.mouse.up();
+  await wait(200);
+}
+
+/** Sets a slider of the options to a value, as a drag of it does. @param {number} k which of the sliders */
+const slide = (tab, k, value) => tab.evaluate(([k, value]) => {
+  const slider = document.querySelectorAll('#controls input[type=range]')[k];
+  for (const part of [0.5, 1]) {
+    slider.value = String(part * value);
+    slider.dispatchEvent(new Event('input'));
+  }
+}, [k, value]);
+
+async function undo(tab) {
+  await tab.evaluate(() => the_workbench.editor.view.focus());
+  await tab.keyboard.down('Control');
+  await tab.keyboard.press('z');
+  await tab.keyboard.up('Control');
+}
+
+/** The numbers of a key as the text has them. */
+const in_text = async (text, key) => {
+  const {value_in} = await import('../../../src/doors/web/page/scene_text.js');
+  return value_in(text, key).match(/-?\d[\d.e+-]*/g).map(Number);
+};
+
+check('writes sliders and drags into the text, each one step of undo', async (browser) => {
+  const {tab, faults, context} = await opened_alone(browser);
+  await write_scene(tab, commented);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 1.25');
+  await tab.evaluate(() => the_page.options.open(true));
+  await slide(tab, 0, 0.75);
+  await until(tab, 'window.poinsot.at(0).omega_body[0] === 0.75');
+  assert.equal(await scene_text(tab), commented.replace('[0.3, 1.25, 0.2]', '[0.75, 1.25, 0.2]'));
+  // Typed after that, a value holds.
+  await write_scene(tab, commented.replace('1.25', '1.5'));
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 1.5');
+  assert.deepEqual(await tab.evaluate(() => window.poinsot.at(0).omega_body), [0.3, 1.5, 0.2]);
+  assert.deepEqual(await tab.$$eval('#controls input[type=range]', (all) => all.slice(0, 3).map((slider) => Number(slider.value))), [0.3, 1.5, 0.2]);
+  await tab.evaluate(() => the_page.options.open(false));
+  // A drag of the mouse, with a rest in it.
+  const before = await scene_text(tab);
+  await wait(700);
+  await drag_omega(tab, 25, 10);
+  const dragged = await scene_text(tab);
+  assert.notEqual(dragged, before);
+  assert.deepEqual(await in_text(dragged, 'start.omega_rad_s'), await tab.evaluate(() => window.poinsot.at(0).omega_body));
+  assert.equal(dragged.replace(/omega_rad_s = .*\]/, '').replace(/\nattitude = .*/, ''), before.replace(/omega_rad_s = .*\]/, ''), 'comments and layout stay');
+  await undo(tab);
+  assert.equal(await scene_text(tab), before);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 1.5');
+  // Escape takes a drag back, too.
+  await drag_omega(tab, 25, 10);
+  assert.notEqual(await scene_text(tab), before);
+  await tab.evaluate(() => document.activeElement.blur());
+  await tab.keyboard.press('Escape');
+  assert.equal(await scene_text(tab), before);
+  // A value that is refused leaves the text as it is, and says why.
+  await tab.evaluate(() => the_page.set_soon('start.omega_rad_s', '[0.0, 0.0, 1e400]'));
+  await until(tab, '[...document.querySelectorAll("#controls .refusal")].some((p) => p.textContent)');
+  assert.equal(await scene_text(tab), before);
+  assert.equal(await tab.$eval('#original', (button) => button.hidden), true);
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+check('holds each value once: text, figure, data, page, film and link agree', async (browser) => {
+  const {tab, faults, context} = await opened_alone(browser);
+  await write_scene(tab, commented);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 1.25');
+  await tab.evaluate(() => the_page.options.open(true));
+  let state = 7;
+  const random = () => (state = (state * 48271) % 2147483647) / 2147483647;
+  const steps = {
+    slide: () => slide(tab, Math.floor(3 * random()), Math.round(100 * (0.2 + random())) / 100),
+    field: () => tab.evaluate((value) => {
+      const field = document.querySelectorAll('#controls input[type=number]')[3];
+      field.value = String(value);
+      field.dispatchEvent(new Event('change'));
+    }, Math.round(10 * (2.5 + random())) / 10),
+    type: async () => write_scene(tab, (await scene_text(tab)).replace(/omega_rad_s = .*\]/, `omega_rad_s = [0.4, ${(1 + random()).toFixed(2)}, ${random().toFixed(2)}]`)),
+    script: () => tab.evaluate((value) => poinsot.set({'start.omega_rad_s': [value, 1.1, 0.3]}), Math.round(100 * random()) / 100),
+    drag: async () => {
+      await tab.evaluate(() => the_page.options.open(false));
+      await drag_omega(tab, 30 * random() - 15, 20 * random() - 10);
+      await tab.evaluate(() => the_page.options.open(true));
+    },
+    undo: () => undo(tab),
+    theme: () => tab.evaluate((theme) => the_page.options.set_theme(theme), ['', 'light', 'dark'][Math.floor(3 * random())]),
+    language: async () => write_scene(tab, `language = "${['de', 'en', 'ja'][Math.floor(3 * random())]}"\n${(await scene_text(tab)).replace(/^language.*\n/, '')}`),
+  };
+  const order = ['slide', 'type', 'drag', 'field', 'undo', 'script', 'theme', 'slide', 'language', 'drag', 'type', 'undo', 'undo', 'slide', 'script', 'language', 'field'];
+  for (const [k, name] of order.entries()) {
+    await steps[name]();
+    await until(tab, 'the_workbench.timer === 0 && the_page.figure.frame === 0 && the_page.data.text === the_workbench.editor.text');
+    const text = await scene_text(tab);
+    const place = `step ${k}, ${name}`;
+    const seen = await tab.evaluate(async () => {
+      const settings = {...the_page.options.films.settings(), width: 32, height: 18};
+      const scene = film_scene(the_page, settings);
+      await the_workbench.page.store.link_fault();
+      return {
+        omega: poinsot.at(0).omega_body, rows: the_workbench.csv().split('\n')[1].split(',').slice(1, 4).map(Number), values: [...the_page.figure.choices.values],
+        film: [scene.text, scene.overrides.filter((text) => !/^(film\.|theme)/.test(text))], link: await unpacked_text(the_workbench.page.store.link().text),
+      };
+    });
+    assert.deepEqual(await in_text(text, 'start.omega_rad_s'), seen.omega, place);
+    assert.deepEqual(seen.rows, seen.omega, place);
+    assert.deepEqual(seen.values, [], place);
+    assert.deepEqual(seen.film, [text, []], place);
+    assert.equal(seen.link, text, place);
+    if (k % 6 !== 5) continue;
+    const page = JSON.parse(/<script id="scene-data"[^>]*>(.*?)<\/script>/.exec(await tab.evaluate(() => the_workbench.page_of_scene()))[1]);
+    assert.deepEqual([page.text, page.overrides], [text, []], place);
+  }
+  assert.deepEqual(faults, []);
+  await context.close();
+});
+
+check('has a link that is the scene', async (browser) => {
+  const {tab, faults, context} = await opened_alone(browser);
+  await write_scene(tab, commented);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 1.25');
+  await tab.evaluate(() => {
+    poinsot.seek_film(1.5);
+    poinsot.view({azimuth_deg: 77});
+  });
+  await until(tab, 'location.hash.includes("text=") && location.hash.includes("at=1.5") && location.hash.includes("view=")');
+  const link = await tab.evaluate(() => the_page.address.link());
+  assert.ok(link.length < 700, `${link.length} characters`);
+  // In another browser: the same text, instant, view and picture.
+  const picture = (page) => page.evaluate(() => {
+    const {figure} = the_page;
+    return [...figure.image(figure.film.at_s, 160, 90).data].reduce((sum, byte) => (Math.imul(sum, 31) + byte) >>> 0, 0);
+  });
+  const other = await opened_alone(browser, {fragment: link.slice(link.indexOf('#'))});
+  await until(other.tab, 'window.poinsot.at(0).omega_body[1] === 1.25');
+  assert.equal(await scene_text(other.tab), commented);
+  assert.deepEqual(await other.tab.evaluate(() => [poinsot.film_s, the_page.views.list()[0].azimuth_deg]), [1.5, 77]);
+  assert.equal(await picture(other.tab), await picture(tab));
+  await other.context.close();
+  // An example is its name, also after the film has moved; a value of a link goes into the text.
+  await tab.evaluate(() => document.querySelectorAll('#scenes button')[2].click());
+  await until(tab, 'the_workbench.editor.text.includes("theta_rad")');
+  await tab.evaluate(() => poinsot.seek_film(0.5));
+  await until(tab, 'location.hash.includes("at=0.5")');
+  assert.match(await tab.evaluate(() => location.hash), /^#scene=heavy_top_wavy&at=0\.5$/);
+  const example = await opened_alone(browser, {fragment: `#scene=heavy_top_wavy&at=0.5&set=${encodeURIComponent('start.theta_rad=0.9')}`});
+  await until(example.tab, 'the_workbench.editor.text.includes("theta_rad = 0.9")');
+  assert.equal(await example.tab.evaluate(() => poinsot.film_s), 0.5);
+  assert.deepEqual([...faults, ...other.faults, ...example.faults], []);
+  await example.context.close();
+  await context.close();
+});
+
+check('goes on after a reload with the scene of its link, its files and what can be undone', async (browser) => {
+  const {tab, faults, context} = await opened_alone(browser);
+  await drop(tab, [['mine.toml', with_mesh], ['solid.obj', tetrahedron]]);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  await write_scene(tab, with_mesh.replace('0.1, 2', '0.1, 3'));
+  await until(tab, 'the_workbench.drafts.has_written && location.hash.includes("text=")');
+  await tab.reload();
+  await ready(tab);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 3');
+  assert.equal(await tab.$eval('#offer', (offer) => offer.hidden), true);
+  assert.equal(await tab.$('#findings button'), null);
+  await undo(tab);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  // Where the scene of a link is refused, the text stands beside the page's own figure, with the message at its line.
+  const link = await tab.evaluate(() => location.hash);
+  const other = await opened_alone(browser, {fragment: link});
+  await until(other.tab, 'document.querySelector("#findings button")');
+  assert.match(await other.tab.$eval('#findings button', (button) => button.textContent), /solid\.obj/);
+  assert.match(await scene_text(other.tab), /solid\.obj/);
+  assert.equal(await other.tab.evaluate(() => the_page.figure.loaded !== null), true);
+  assert.deepEqual([...faults, ...other.faults], []);
+  await other.context.close();
+  await context.close();
+});
+
+check('answers a hostile link with one sentence', async (browser) => {
+  const bomb = require('node:zlib').deflateRawSync(Buffer.alloc(5e6)).toString('base64url');
+  const latin = require('node:zlib').deflateRawSync(Buffer.from([0x61, 0xff, 0xfe])).toString('base64url');
+  for (const [fragment, said] of [['#text=AAAA', /no whole scene/], ['#text=%00<script>', /no whole scene/], [`#text=${bomb}`, /no whole scene/], [`#text=${latin}`, /no whole scene/],
+    [`#text=${'A'.repeat(30000)}`, /no whole scene/], ['#scene=<b>x</b>', /no example “<b>x<\/b>”/]]) {
+    const {tab, faults, context} = await opened_alone(browser, {fragment});
+    await until(tab, '!document.getElementById("sentence").hidden');
+    assert.match(await tab.$eval('#sentence', (p) => p.textContent), said);
+    assert.equal(await tab.$('#sentence b'), null);
+    assert.match(await scene_text(tab), /A page/, 'the first example is shown');
+    assert.deepEqual(faults, []);
+    await context.close();
+  }
+});
+
+check('says what a link cannot hold', async (browser) => {
+  const {tab, faults, context} = await opened_alone(browser);
+  const copied = async () => {
+    await tab.evaluate(() => the_page.options.copy_link());
+    return tab.$eval('#sentence', (p) => (p.hidden ? '' : p.textContent));
+  };
+  await drop(tab, [['mine.toml', with_mesh], ['solid.obj', tetrahedron]]);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  assert.match(await copied(), /cannot hold solid\.obj; save the scene/);
+  await write_scene(tab, `# ${Array.from({length: 9000}, (_, k) => ((k * 7919) % 65521).toString(36)).join('')}\n${mine}`);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 1.25');
+  assert.match(await copied(), /too long for a link; save it/);
+  // A starting point brings its own file.
+  await tab.evaluate(() => document.querySelectorAll('#starts button')[2].click());
+  await until(tab, 'the_page.data.text === the_workbench.editor.text && the_workbench.editor.text.includes("bracket.obj")');
+  assert.equal(await tab.evaluate(() => the_workbench.page.store.link_fault()), '');
+  assert.deepEqual(faults, []);
   await context.close();
 });
 
@@ -598,6 +855,46 @@ if (!is_firefox)
     assert.deepEqual(faults, []);
     await context.close();
   });
+
+check('speaks the language of the browser, whatever that of the scene', async (browser) => {
+  for (const [language, film, names, options, turns] of [['en-GB', 'Make film', 'Names', 'Options', /turns over every/], ['de-DE', 'Film erstellen', 'Namen', 'Einstellungen', /schlägt alle [\d,]+ s um/]]) {
+    const {tab, faults, context} = await opened_alone(browser, {before: `Object.defineProperty(Navigator.prototype, 'language', {value: '${language}'})`});
+    const words = () => tab.evaluate(() => ['film-make', 'elements', 'regime'].map((id) => document.getElementById(id).textContent)
+      .concat(document.getElementById('options').getAttribute('aria-label'), document.documentElement.lang));
+    const at_first = await words();
+    for (const scene of ['de', 'ja', 'en']) {
+      await write_scene(tab, `language = "${scene}"\n${mine}`);
+      await until(tab, `the_page.figure.loaded.language === "${scene}" && the_page.figure.frame === 0`);
+      const [button, boxes, regime, drawer, lang] = await words();
+      assert.equal(button, film);
+      assert.ok(boxes.startsWith(names), boxes);
+      assert.match(regime, turns);
+      assert.equal(drawer, options);
+      assert.equal(lang, language.slice(0, 2));
+    }
+    assert.equal(at_first[0], film);
+    assert.deepEqual(faults, []);
+    await context.close();
+  }
+});
+
+check('leads to the film from the first row of buttons', async (browser) => {
+  for (const size of [{width: 1100, height: 640}, {width: 390, height: 664}]) {
+    const {tab, faults, context} = await opened_alone(browser, {size});
+    await tab.click('#film-open');
+    // Its form is in sight, at the focus, and nothing of the bar lies below the drawer.
+    assert.equal(await tab.evaluate(() => document.activeElement.id), 'film-kind');
+    const seen = (id) => tab.evaluate((id) => {
+      const {left, right, top, bottom} = document.getElementById(id).getBoundingClientRect();
+      return document.elementFromPoint((left + right) / 2, (top + bottom) / 2)?.closest(`#${id}`) !== null;
+    }, id);
+    for (const id of ['film-kind', 'film-make', 'close', 'full', 'speed']) assert.ok(await seen(id), `${id} at ${size.width} × ${size.height}`);
+    assert.deepEqual(await violations(tab), []);
+    assert.ok(await tab.evaluate(() => document.documentElement.scrollWidth <= window.innerWidth), 'nothing sticks out');
+    assert.deepEqual(faults, []);
+    await context.close();
+  }
+});
 
 check('shows figure and text as tabs on a phone', async (browser) => {
   const {tab, faults, context} = await opened_alone(browser, {size: {width: 390, height: 844}});

@@ -19,7 +19,8 @@ export class Address {
     const {values, shown, names, theme} = figure.choices;
     const has_moved = !film.untouched || views.list().length > 0 || values.size > 0;
     const look = this.follows_system ? '' : theme || (this.#system_is_dark ? 'scene' : '');
-    return fragment_of({scene: this.page.place > 0 ? this.page.data.name : '', at_s: has_moved ? film.at_s : null, speed: film.speed, views: views.list(), values, shown, names, theme: look});
+    const scene = this.page.store?.link() ?? {scene: this.page.place > 0 ? this.page.data.name : '', text: ''};
+    return fragment_of({...scene, at_s: has_moved ? film.at_s : null, speed: film.speed, views: views.list(), values, shown, names, theme: look});
   }
 
   /** The address of this instant, view and values. */

@@ -3,6 +3,7 @@
 import {part} from './bar.js';
 import {block, unpacked} from './loader.js';
 import {languages} from './words.js';
+/** @import {TextEdit} from './scene_text.js' */
 /** @import {Words} from './words.js' */
 
 /**
@@ -148,6 +149,15 @@ class PlainEditor {
     this.text = kept.text;
   }
 
+  /** Changes the text in place of the viewer. @param {TextEdit} edit */
+  replace({from, to, insert}) {
+    const {selectionStart} = this.field;
+    this.field.setRangeText(insert, from, to, selectionStart <= from ? 'preserve' : 'end');
+  }
+
+  /** @param {boolean} _is_held */
+  hold(_is_held) {}
+
   /** @param {Finding[]} _findings */
   mark(_findings) {}
 
@@ -181,10 +191,14 @@ class CodeEditor {
       EditorState.phrases.of(Object.fromEntries(Object.entries(editor_phrases).map(([name, row]) => [name, row[languages.indexOf(words.code)]]))),
       EditorState.tabSize.of(4),
       EditorView.updateListener.of((/** @type {any} */ update) => {
-        if (update.docChanged) changed();
+        if (update.docChanged && !this.is_replacing) changed();
         if (update.docChanged || update.selectionSet) show_help(keys, this.text, update.state.selection.main.head);
       }),
     ];
+    /** Whether a change is not the viewer's. */
+    this.is_replacing = false;
+    /** When the gesture that changes values began; 0: there is none. */
+    this.held_ms = 0;
     part('sheet').replaceChildren();
     this.view = new EditorView({parent: part('sheet'), state: EditorState.create({extensions: this.extensions})});
     // The keys of the figure are not for here.
@@ -212,6 +226,23 @@ class CodeEditor {
     } catch {
       // Of another version of the editor: what can be undone is lost, the text is not.
     }
+  }
+
+  /** Changes the text in place of the viewer: one step of undo, or of the gesture that goes on. @param {TextEdit} edit */
+  replace({from, to, insert}) {
+    const {Transaction, isolateHistory} = this.tools;
+    // Changes of the same time are one step of history.
+    const annotations = this.held_ms > 0 ? [Transaction.time.of(this.held_ms)] : [isolateHistory.of('full')];
+    this.is_replacing = true;
+    this.view.dispatch({changes: {from, to, insert}, annotations});
+    this.is_replacing = false;
+  }
+
+  /** Begins or ends a gesture whose changes are undone together. @param {boolean} is_held */
+  hold(is_held) {
+    if (is_held === this.held_ms > 0) return;
+    this.view.dispatch({annotations: this.tools.isolateHistory.of('full')});
+    this.held_ms = is_held ? Date.now() : 0;
   }
 
   /** Marks what these findings are about. @param {Finding[]} findings */

@@ -114,8 +114,8 @@ export class Figure {
       type_scale: Math.min(most_enlarged, Math.max(1, this.enlarged) * type_scale_of(Math.max(16, clientWidth), Math.max(16, clientHeight)))};
   }
 
-  /** Starts the program and draws the first picture. @param {() => SceneData} data_now */
-  async start(data_now) {
+  /** Starts the program and draws the first picture. @param {() => SceneData} data_now @param {SceneData} known that the program accepts, where the other is refused */
+  async start(data_now, known) {
     const {module, fonts} = await this.hooks.bytes();
     const program = await Program.start(module, fonts, this.canvas);
     // The workbench may have another text by now.
@@ -128,8 +128,13 @@ export class Figure {
     try {
       this.#load(data, this.choices);
     } catch (error) {
-      // A link may hold choices that the program refuses: the scene itself is shown then.
-      this.#load(data, no_choices());
+      // A link may hold choices or a scene that the program refuses: the scene itself, or that of the page, is shown then.
+      try {
+        this.#load(data, no_choices());
+      } catch (refusal) {
+        if (data.text === known.text) throw refusal;
+        this.#load(known, no_choices());
+      }
       this.hooks.failed('draw', message_of(error));
     }
     this.#draw();

@@ -10,8 +10,11 @@ import {toml_of} from './controls.js';
  */
 
 /**
+ * Values by their keys; null: the scene has its own.
+ * @typedef {Map<string, string|null>} DraggedValues
  * @typedef {{drags: (thing: string) => boolean, set_soon: (key: string, value: string) => void, words: () => Words,
- *   take_back: (values: Map<string, string>) => void}} GripEvents
+ *   values: (keys: string[]) => DraggedValues, take_back: (values: DraggedValues) => void, lasts: () => boolean}} GripEvents
+ *   `lasts`: whether what was dragged stays at the next stop.
  */
 
 /** What a drag sets. */
@@ -27,9 +30,9 @@ export class Grips {
     this.events = events;
     /** @type {Grip|null} */
     this.held = null;
-    /** The values before the last drag. @type {Map<string, string>|null} */
+    /** The values before the last drag. @type {DraggedValues|null} */
     this.before = null;
-    /** The stop at which the first drag began, and the values before it. @type {{waiting: number, values: Map<string, string>}|null} */
+    /** The stop at which the first drag began, and the values before it. @type {{waiting: number, values: DraggedValues}|null} */
     this.first = null;
     /** Those of the picture that is seen; null: not asked for. @type {Grip[]|null} */
     this.seen = null;
@@ -60,7 +63,7 @@ export class Grips {
     this.seen = null;
     const {waiting} = this.figure.film;
     // The next stop shows what its words say.
-    if (this.first && !this.held && waiting >= 0 && waiting !== this.first.waiting) {
+    if (this.first && !this.held && !this.events.lasts() && waiting >= 0 && waiting !== this.first.waiting) {
       this.before = this.first.values;
       this.take_back();
     }
@@ -127,7 +130,7 @@ export class Grips {
     this.held = grip;
     this.offset = {x: grip.moved_x - x, y: grip.moved_y - y};
     if (film.playing) this.before = null;
-    this.before ??= new Map(this.figure.choices.values);
+    this.before ??= this.events.values(dragged_keys);
     this.first ??= {waiting: film.waiting, values: this.before};
     this.goes_on = film.playing;
     film.pause();
@@ -196,13 +199,7 @@ export class Grips {
     if (!before) return false;
     if (before === first?.values) this.first = null;
     this.let_go();
-    const values = new Map(this.figure.choices.values);
-    for (const key of dragged_keys) {
-      const value = before.get(key);
-      if (value === undefined) values.delete(key);
-      else values.set(key, value);
-    }
-    this.events.take_back(values);
+    this.events.take_back(before);
     return true;
   }
 

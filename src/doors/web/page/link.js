@@ -3,14 +3,14 @@
 /** @import {View} from './program.js' */
 
 /**
- * @typedef {{scene: string, at_s: number|null, speed: number, views: View[], values: Map<string, string>,
+ * @typedef {{scene: string, text: string, at_s: number|null, speed: number, views: View[], values: Map<string, string>,
  *   shown: string[]|null, names: boolean|null, theme: string}} PageState
- *   `scene`: its name, where a page has several; '': the first.
+ *   `scene`: its name, where a page has several; '': the first. `text`: that of a scene of one's own, packed; see link_text.js.
  */
 
 /** @returns {PageState} */
 export function empty_state() {
-  return {scene: '', at_s: null, speed: 1, views: [], values: new Map(), shown: null, names: null, theme: ''};
+  return {scene: '', text: '', at_s: null, speed: 1, views: [], values: new Map(), shown: null, names: null, theme: ''};
 }
 
 /** @type {(keyof Omit<View, 'panel'>)[]} */
@@ -25,6 +25,7 @@ function short_number(x) {
 export function fragment_of(state) {
   const fields = new URLSearchParams();
   if (state.scene) fields.append('scene', state.scene);
+  if (state.text) fields.append('text', state.text);
   if (state.at_s !== null) fields.append('at', String(Number(state.at_s.toPrecision(12))));
   if (state.speed !== 1) fields.append('speed', short_number(state.speed));
   for (const view of state.views) {
@@ -40,14 +41,20 @@ export function fragment_of(state) {
 
 const longest_fragment = 20000; // characters; a page writes some hundred
 
+/** Whether a fragment is longer than any that a page writes. @param {string} fragment */
+export function is_too_long(fragment) {
+  return fragment.length > longest_fragment;
+}
+
 /** Reads a fragment; leaves out what it does not understand. @param {string} fragment */
 export function state_of(fragment) {
   const state = empty_state();
-  if (fragment.length > longest_fragment) return state;
+  if (is_too_long(fragment)) return state;
   const fields = new URLSearchParams(fragment.replace(/^#/, ''));
   /** @param {string|null} text */
   const number_of = (text) => (text !== null && text.trim() !== '' && Number.isFinite(Number(text)) ? Number(text) : null);
   state.scene = fields.get('scene') ?? '';
+  state.text = fields.get('text') ?? '';
   state.at_s = number_of(fields.get('at'));
   state.speed = number_of(fields.get('speed')) || 1;
   for (const text of fields.getAll('view')) {

@@ -16,8 +16,9 @@ import {write_slides} from './slides.js';
 /**
  * @typedef {{name: string, text: string, files: Record<string, string>, overrides: string[]}} FilmScene
  * @typedef {{kind: FilmKind, width: number, height: number, rate: number, quality: string, span: FilmSpan}} FilmSettings
- * @typedef {{kind: 'whole'|'chapter'|'stop', index: number}} FilmSpan
- *   A chapter, or what leads to a stop: from the stop before it, or from the beginning. After the last stop: to the end.
+ * @typedef {{kind: 'whole'|'chapter'|'stop'|'seconds', index: number, first_s?: number, last_s?: number}} FilmSpan
+ *   A chapter, or what leads to a stop: from the stop before it, or from the beginning. After the last stop: to the end. Seconds: the frames
+ *   from the first to the last.
  * @typedef {{title: string, width: number, height: number, numerator: number, denominator: number, n_frames: number,
  *   transparent: boolean, chapters: number[], stops: number[]}} FilmDescription
  *   The first frames of chapters and stops.
@@ -45,15 +46,20 @@ function let_page_answer() {
 }
 
 /** The first and the last frame of a span: one frame at least. @param {FilmDescription} film @param {FilmSpan} span @returns {[number, number]} */
-export function frames_of_span(film, {kind, index}) {
+export function frames_of_span(film, {kind, index, first_s = 0, last_s = Infinity}) {
   const end = film.n_frames - 1;
+  if (kind === 'seconds') {
+    const rate = film.numerator / film.denominator;
+    const from = Math.min(Math.ceil(first_s * rate - 1e-6), end);
+    return [from, Math.max(from, Math.min(Math.floor(last_s * rate + 1e-6), end))];
+  }
   const marks = kind === 'chapter' ? film.chapters : film.stops;
   const first = kind === 'whole' ? 0 : marks[kind === 'chapter' ? index : index - 1] ?? 0;
   const last = kind === 'whole' ? end : kind === 'chapter' ? (marks[index + 1] ?? film.n_frames) - 1 : marks[index] ?? end;
   return [Math.min(first, end), Math.min(Math.max(first, last), end)];
 }
 
-class FilmCancelled extends Error {}
+export class FilmCancelled extends Error {}
 
 /** Makes one film; `progress` is called after each frame. */
 export class FilmRun {
@@ -130,7 +136,7 @@ export class FilmRun {
 export const presentations = {write: null};
 
 /** What a kind of film ends its name with, and its type. @type {Record<FilmKind, [string, string]>} */
-const film_files = {
+export const film_files = {
   mp4: ['.mp4', 'video/mp4'], webm: ['.webm', 'video/webm'], png: ['.zip', 'application/zip'], slides: ['_slides.zip', 'application/zip'],
   pptx: ['.pptx', 'application/vnd.openxmlformats-officedocument.presentationml.presentation'],
 };

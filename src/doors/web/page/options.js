@@ -4,6 +4,7 @@ import {input, part} from './bar.js';
 import {Controls} from './controls.js';
 import {list_keys} from './keys.js';
 import {FilmSection} from './make_film.js';
+import {motion_said} from './words.js';
 /** @import {Page} from './page.js' */
 /** @import {Loaded} from './program.js' */
 
@@ -15,6 +16,8 @@ export class Options {
     this.films = new FilmSection(page);
     /** What the program says about the motion and the scene. */
     this.regime = '';
+    /** The elements that have a box, and the language of their names. */
+    this.element_names = '';
     this.#wire();
   }
 
@@ -40,15 +43,18 @@ export class Options {
     this.controls.show(loaded.controls);
     this.films.show();
     this.show_elements();
-    const text = [loaded.motion, ...loaded.notes].filter(Boolean).join('\n');
+    // The program's own sentence is English.
+    const motion = (page.words.code !== 'en' && motion_said(loaded, page.words)) || loaded.motion;
+    const text = [motion, ...loaded.notes].filter(Boolean).join('\n');
     if (text !== this.regime) {
       const strong = document.createElement('strong');
-      strong.textContent = loaded.motion;
+      strong.textContent = motion;
       part('regime').replaceChildren(strong, ...loaded.notes.map((note) => `\n${note}`));
     }
     this.regime = text;
     part('section-change').hidden = loaded.controls.length === 0 && !text;
-    part('original').hidden = loaded.controls.length === 0;
+    // The workbench writes values into its text, where they can be undone.
+    part('original').hidden = loaded.controls.length === 0 || page.store !== null;
     this.#head('change', loaded.controls.length > 0 ? 'change' : 'motion');
     part('hint').textContent = [page.drags('omega') && page.words.of('drag_omega'), page.drags('plane') && page.words.of('drag_plane')]
       .filter(Boolean).join(' ');
@@ -110,7 +116,9 @@ export class Options {
     if (!loaded) return;
     const rows = [{name: '', summary: '', offered: true}, ...loaded.elements].filter((row) => row.offered !== false);
     const boxes = () => [...part('elements').querySelectorAll('input')];
-    if (boxes().map((box) => `${box.name},`).join('') !== rows.map((row) => `${row.name},`).join('')) {
+    const names = [page.words.code, ...rows.map((row) => row.name)].join();
+    if (names !== this.element_names) {
+      this.element_names = names;
       part('elements').replaceChildren(...rows.map(({name, summary}) => {
         const label = document.createElement('label');
         const box = document.createElement('input');
@@ -133,6 +141,11 @@ export class Options {
 
   async copy_link() {
     const {address, words} = this.page;
+    const fault = await this.page.store?.link_fault();
+    if (fault) {
+      this.page.show_message(new Error(fault));
+      return;
+    }
     const link = address.link();
     const field = input('link');
     field.value = link;

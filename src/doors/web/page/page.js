@@ -12,7 +12,15 @@ import {ProgramError} from './program.js';
 import {Views} from './view.js';
 import {Words} from './words.js';
 /** @import {Choices} from './figure.js' */
+/** @import {DraggedValues} from './grips.js' */
 /** @import {SceneData} from './loader.js' */
+
+/**
+ * @typedef {{value: (key: string) => string|null, write: (changes: Map<string, string|null>) => void, open_link: (choices: Choices) => void,
+ *   link: () => {scene: string, text: string}, link_fault: () => Promise<string>}} ValueStore
+ *   `write` throws the program's refusal; null takes a key away. `link`: the scene of a link, by its name or by its packed text; `link_fault`:
+ *   what a link cannot hold of the scene, in a sentence.
+ */
 
 const idle_after_ms = 2500;
 const settled_after_ms = 400;
@@ -25,6 +33,8 @@ export class Page {
     /** Which of them it shows. */
     this.place = 0;
     this.words = new Words(this.data.language);
+    /** Whether the words have a language of their own, not the scene's. */
+    this.has_language = false;
     this.embedded = window.self !== window.top;
     /** @type {Promise<void>|null} */
     this.starting = null;
@@ -62,7 +72,9 @@ export class Page {
       drags: (thing) => this.drags(thing),
       set_soon: (key, value) => this.set_soon(key, value),
       words,
-      take_back: (values) => this.reload({values}),
+      values: (keys) => new Map(keys.map((key) => [key, this.store ? this.store.value(key) : this.figure.choices.values.get(key) ?? null])),
+      take_back: (values) => this.#take_back(values),
+      lasts: () => this.store !== null,
     });
     this.address = new Address(this);
     this.options = new Options(this);
@@ -75,6 +87,8 @@ export class Page {
       const sum = (/** @type {number[]} */ counts) => counts.reduce((all, count) => all + count, 0);
       return {n_stops_before: sum(stops.slice(0, this.place)), n_stops: sum(stops), title: this.figure.loaded?.title ?? '', next_title: this.scenes[this.place + 1]?.title ?? ''};
     });
+    /** What keeps values, the text of the workbench; null: they are choices of this visit. @type {ValueStore|null} */
+    this.store = null;
     /** Called after a scene is loaded. @type {() => void} */
     this.on_loaded = () => {};
     /** Values that are set at the next frame. @type {Map<string, string>} */
@@ -110,7 +124,8 @@ export class Page {
     part('bar').inert = true;
     part('sentence').hidden = true;
     try {
-      await this.figure.start(() => this.data);
+      await this.figure.start(() => this.data, /** @type {SceneData} */ (this.scenes[0]));
+      this.data = this.figure.data ?? this.data;
     } catch (error) {
       const kind = error instanceof ProgramError && error.kind.startsWith('no-') ? error.kind : 'no-start';
       this.figure.program = null;
@@ -167,11 +182,7 @@ export class Page {
   #loaded() {
     const {loaded} = this.figure;
     if (!loaded) return;
-    if (this.words.code !== loaded.language) {
-      this.words = new Words(loaded.language);
-      document.documentElement.lang = this.words.code;
-      this.#name();
-    }
+    if (!this.has_language) this.#take_words(loaded.language);
     this.#colour(loaded.theme.background, loaded.theme.text);
     this.bar.mark();
     const following = this.scenes[this.place + 1];
@@ -191,6 +202,20 @@ export class Page {
       part('sentence').hidden = true;
     }
     this.on_loaded();
+  }
+
+  /** Speaks one language whatever that of the scene. @param {string} language */
+  speak(language) {
+    this.has_language = true;
+    this.#take_words(language);
+  }
+
+  /** @param {string} language */
+  #take_words(language) {
+    if (this.words.code === language) return;
+    this.words = new Words(language);
+    document.documentElement.lang = this.words.code;
+    this.#name();
   }
 
   /** Whether the film is over and another scene or page follows. */
@@ -297,8 +322,23 @@ export class Page {
 
   /** Sets values as --set does; throws the program's refusal. @param {Map<string, string>} changes */
   set(changes) {
-    this.figure.reload({values: new Map([...this.figure.choices.values, ...changes])});
+    if (this.store) this.store.write(changes);
+    else this.figure.reload({values: new Map([...this.figure.choices.values, ...changes])});
     this.#settle();
+  }
+
+  /** @param {DraggedValues} values */
+  #take_back(values) {
+    if (this.store) {
+      this.store.write(values);
+      return;
+    }
+    const all = new Map(this.figure.choices.values);
+    for (const [key, value] of values) {
+      if (value === null) all.delete(key);
+      else all.set(key, value);
+    }
+    this.reload({values: all});
   }
 
   /** Reads the scene with changed choices; shows the message if the program refuses. @param {Partial<Choices>} changes */
@@ -392,7 +432,8 @@ export class Page {
         this.show_scene(this.place, false);
         choices = this.address.read();
       }
-      if (this.figure.program) this.reload(choices);
+      if (this.store) this.store.open_link(choices);
+      else if (this.figure.program) this.reload(choices);
       else this.figure.choices = choices;
     });
   }

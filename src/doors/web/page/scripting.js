@@ -1,8 +1,44 @@
 // What other scripts can do with the page: the object `poinsot`. `time_s` counts seconds of the motion, `film_s` seconds of the film.
 
 import {toml_of} from './controls.js';
+import {film_qualities} from './film_encoder.js';
+import {has_film_writer} from './film_file.js';
+import {FilmCancelled, film_files, film_scene, make_film, presentations} from './make_film.js';
 import {Page} from './page.js';
+/** @import {FilmKind} from './film_encoder.js' */
+/** @import {FilmSettings} from './make_film.js' */
 /** @import {View} from './program.js' */
+
+/**
+ * @typedef {{kind?: FilmKind, width?: number, height?: number, fps?: number, first_s?: number, last_s?: number, quality?: string,
+ *   signal?: AbortSignal, progress?: (done: number, n_frames: number) => void}} FilmOptions `first_s`, `last_s`: seconds of the film
+ */
+
+/** @param {Page} page @param {FilmOptions} options @returns {Promise<Blob>} */
+async function film_of(page, options) {
+  await page.start();
+  const {loaded} = page.figure;
+  if (!loaded) throw new Error('the figure has not started; wait for poinsot.ready');
+  const {kind = 'mp4', width = loaded.film_width, height = loaded.film_height, fps = loaded.frames_per_s, first_s = 0, last_s = loaded.film_length_s,
+    quality = 'lecture', signal = new AbortController().signal, progress = () => {}, ...others} = options;
+  const refuse = (/** @type {string} */ what) => { throw new RangeError(`poinsot.film: ${what}`); };
+  const unknown = Object.keys(others)[0];
+  if (unknown) refuse(`there is no option ${unknown}; give kind, width, height, fps, first_s, last_s, quality, signal or progress`);
+  const kinds = Object.keys(film_files).filter((name) => (name !== 'pptx' || presentations.write) && (has_film_writer() || name === 'png'));
+  if (!kinds.includes(kind)) refuse(`kind "${kind}" is none of ${kinds.join(', ')}`);
+  if (!(quality in film_qualities)) refuse(`quality "${quality}" is none of ${Object.keys(film_qualities).join(', ')}`);
+  if (!(first_s >= 0 && first_s <= last_s && Number.isFinite(last_s))) refuse(`first_s ${first_s} and last_s ${last_s} are no span of the film; give 0 ≤ first_s ≤ last_s`);
+  signal.throwIfAborted();
+  /** @type {FilmSettings} */
+  const settings = {kind, width, height, rate: fps, quality, span: {kind: 'seconds', index: 0, first_s, last_s}};
+  try {
+    const {blob} = await make_film(page, film_scene(page, settings), settings, {progress, signal});
+    return /** @type {Blob} */ (blob);
+  } catch (error) {
+    if (error instanceof Error && error.cause instanceof FilmCancelled) throw signal.reason;
+    throw error;
+  }
+}
 
 /** @param {Page} page */
 function scripting(page) {
@@ -89,6 +125,12 @@ function scripting(page) {
     },
     /** This instant as a PNG file. @param {number} [width] @param {number} [height] */
     png: (width = figure.canvas.width, height = figure.canvas.height) => figure.png(width, height),
+    /**
+     * A film, as the form "Film" makes it. Rejects with one sentence, or with the reason of the signal. By default the whole film, MP4, with the
+     * size and rate of the scene. `progress` gets the number of frames that are done, and of all.
+     * @param {FilmOptions} [options]
+     */
+    film: (options = {}) => film_of(page, options),
     /** This instant as SVG. */
     svg: () => page.svg(),
     /** The second of the film that the page shows, and the film's length. */

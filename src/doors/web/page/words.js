@@ -1,5 +1,7 @@
 // The words of the page in the program's six languages.
 
+/** @import {Loaded} from './program.js' */
+
 export const languages = ['en', 'de', 'fr', 'es', 'it', 'ja'];
 
 /** Each word in the order of `languages`. @type {Record<string, string[]>} */
@@ -74,6 +76,10 @@ export const all_words = {
   quality_lecture: ['Lecture', 'Vorlesung', 'Cours', 'Clase', 'Lezione', '講義'],
   quality_print: ['Print', 'Druck', 'Impression', 'Impresión', 'Stampa', '印刷'],
   quality_reference: ['Reference', 'Referenz', 'Référence', 'Referencia', 'Riferimento', '基準'],
+  turns_over: ['The body turns over every {s} s.', 'Der Körper schlägt alle {s} s um.', 'Le corps se retourne toutes les {s} s.', 'El cuerpo se da la vuelta cada {s} s.', 'Il corpo si capovolge ogni {s} s.', '物体は {s} 秒ごとに反転します。'],
+  turns_over_once: ['The body turns over once, at {s} s.', 'Der Körper schlägt einmal um, bei {s} s.', 'Le corps se retourne une seule fois, à {s} s.', 'El cuerpo se da la vuelta una sola vez, a los {s} s.', 'Il corpo si capovolge una sola volta, a {s} s.', '物体は {s} 秒に一度だけ反転します。'],
+  wobbles_smallest: ['The body wobbles about the axis of its smallest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines kleinsten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus petit moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento menor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento minore e non si capovolge.', '物体は最小の慣性モーメントの軸のまわりで揺れ、反転しません。'],
+  wobbles_largest: ['The body wobbles about the axis of its largest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines größten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus grand moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento mayor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento maggiore e non si capovolge.', '物体は最大の慣性モーメントの軸のまわりで揺れ、反転しません。'],
   no_webgl: ['This browser offers no WebGL 2, so you see a still picture. A current browser with hardware acceleration shows the motion.',
     'Dieser Browser bietet kein WebGL 2; darum sehen Sie ein Standbild. Ein aktueller Browser mit Hardwarebeschleunigung zeigt die Bewegung.',
     'Ce navigateur n’offre pas WebGL 2 ; vous voyez donc une image fixe. Un navigateur récent avec accélération matérielle montre le mouvement.',
@@ -216,4 +222,13 @@ export class Words {
   label(key) {
     return key_words[key.replace(/\[\d+\]/g, '')]?.[languages.indexOf(this.code)];
   }
+}
+
+/** What a body that moves freely does, in words that need no theory; '' of any other motion. @param {Loaded} loaded @param {Words} words */
+export function motion_said({flips, regime}, words) {
+  const seconds = (/** @type {number} */ s) => s.toLocaleString(words.code, {maximumSignificantDigits: 3});
+  if (flips) return flips.interval_s === null ? words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
+    : words.of('turns_over').replace('{s}', seconds(flips.interval_s));
+  const axis = /^polhode about e\d, the axis of the (smallest|largest) moment/.exec(regime)?.[1];
+  return axis ? words.of(`wobbles_${axis}`) : '';
 }

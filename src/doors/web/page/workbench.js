@@ -4,20 +4,24 @@ import {input, part, save_as} from './bar.js';
 import {Drafts} from './drafts.js';
 import {new_editor} from './editor.js';
 import {message_of} from './figure.js';
+import {has_film_writer} from './film_file.js';
+import {is_too_long, state_of} from './link.js';
+import {packed_text, unpacked_text} from './link_text.js';
 import {block, bytes_of_base64} from './loader.js';
 import {Measure, painted} from './measure.js';
 import {ZipWriter} from './png_frames.js';
 import './pptx.js';
 import {ProgramError} from './program.js';
+import {as_toml, difference_of, edit_of, edited, removal_of, value_in} from './scene_text.js';
 import {the_page} from './scripting.js';
-import {Words, all_words} from './words.js';
+import {Words, all_words, motion_said} from './words.js';
 import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_reader.js';
 /** @import {ReadableFile} from './zip_reader.js' */
 /** @import {Draft, Kept} from './drafts.js' */
 /** @import {Finding} from './editor.js' */
 /** @import {Choices} from './figure.js' */
 /** @import {Page} from './page.js' */
-/** @import {Loaded, Program} from './program.js' */
+/** @import {Program} from './program.js' */
 
 /**
  * @typedef {{name: string, title: string, text: string, files: Record<string, string>, thumbnail: string}} GalleryScene
@@ -52,6 +56,11 @@ const workbench_words = {
   draft_offer: ['This browser has kept your scene “{name}” of {time}.', 'Dieser Browser hat Ihre Szene „{name}“ von {time} aufbewahrt.', 'Ce navigateur a conservé votre scène « {name} » de {time}.', 'Este navegador ha guardado su escena «{name}» de {time}.', 'Questo browser ha conservato la Sua scena «{name}» delle {time}.', 'このブラウザーに {time} のシーン「{name}」が残っています。'],
   draft_take: ['Go on with it', 'Daran weiterarbeiten', 'Continuer', 'Continuar', 'Continua', '続ける'],
   draft_leave: ['Start anew', 'Neu beginnen', 'Recommencer', 'Empezar de nuevo', 'Ricomincia', '新しく始める'],
+  link_damaged: ['The link holds no whole scene: it was cut off or changed. Ask for it again.', 'Der Link enthält keine ganze Szene: Er wurde abgeschnitten oder verändert. Erbitten Sie ihn noch einmal.', 'Le lien ne contient pas de scène entière : il a été coupé ou modifié. Redemandez-le.', 'El enlace no contiene una escena entera: se cortó o se cambió. Pídalo otra vez.', 'Il link non contiene una scena intera: è stato tagliato o modificato. Lo chieda di nuovo.', 'リンクが途中で切れたか変更されたため、シーンを読めません。もう一度リンクをもらってください。'],
+  link_unknown: ['There is no example “{scene}” here.', 'Ein Beispiel „{scene}“ gibt es hier nicht.', 'Il n’y a pas d’exemple « {scene} » ici.', 'Aquí no hay ningún ejemplo «{scene}».', 'Qui non c’è un esempio «{scene}».', '例「{scene}」はありません。'],
+  link_long: ['The scene is too long for a link; save it, and send the file.', 'Die Szene ist zu lang für einen Link; speichern Sie sie, und senden Sie die Datei.', 'La scène est trop longue pour un lien ; enregistrez-la et envoyez le fichier.', 'La escena es demasiado larga para un enlace; guárdela y envíe el archivo.', 'La scena è troppo lunga per un link: la salvi e invii il file.', 'シーンが長すぎてリンクにできません。保存してファイルを送ってください。'],
+  link_files: ['A link cannot hold {files}; save the scene, and send the archive.', 'Ein Link kann {files} nicht enthalten; speichern Sie die Szene, und senden Sie das Archiv.', 'Un lien ne peut pas contenir {files} ; enregistrez la scène et envoyez l’archive.', 'Un enlace no puede contener {files}; guarde la escena y envíe el archivo.', 'Un link non può contenere {files}: salvi la scena e invii l’archivio.', 'リンクには {files} を含められません。シーンを保存してアーカイブを送ってください。'],
+  no_place: ['The text has no place for {key}; write it there.', 'Der Text hat keinen Platz für {key}; schreiben Sie es hinein.', 'Le texte n’a pas de place pour {key} ; écrivez-le.', 'El texto no tiene lugar para {key}; escríbalo.', 'Il testo non ha posto per {key}: lo scriva.', 'テキストに {key} を書き込めません。手で書いてください。'],
   draft_lacks: ['without {files}', 'ohne {files}', 'sans {files}', 'sin {files}', 'senza {files}', '{files} なし'],
   unkept_text: ['This browser cannot keep this text: it is too long, or the browser’s store is full. Save the scene before you leave the page.',
     'Dieser Browser kann diesen Text nicht aufbewahren: Er ist zu lang, oder der Speicher des Browsers ist voll. Speichern Sie die Szene, bevor Sie die Seite verlassen.',
@@ -68,10 +77,6 @@ const workbench_words = {
   draft_remove: ['Remove', 'Entfernen', 'Supprimer', 'Eliminar', 'Elimina', '削除'],
   file_here: ['{file} is at hand, but the scene does not name it.', '{file} liegt bereit, aber die Szene nennt die Datei nicht.', '{file} est là, mais la scène ne le nomme pas.', '{file} está disponible, pero la escena no lo nombra.', '{file} è disponibile, ma la scena non lo nomina.', '{file} を読み込みましたが、シーンには名前がありません。'],
   file_begin: ['Begin a scene with it', 'Eine Szene damit beginnen', 'Commencer une scène avec ce fichier', 'Empezar una escena con él', 'Inizia una scena con esso', 'これでシーンを始める'],
-  turns_over: ['The body turns over every {s} s.', 'Der Körper schlägt alle {s} s um.', 'Le corps se retourne toutes les {s} s.', 'El cuerpo se da la vuelta cada {s} s.', 'Il corpo si capovolge ogni {s} s.', '物体は {s} 秒ごとに反転します。'],
-  turns_over_once: ['The body turns over once, at {s} s.', 'Der Körper schlägt einmal um, bei {s} s.', 'Le corps se retourne une seule fois, à {s} s.', 'El cuerpo se da la vuelta una sola vez, a los {s} s.', 'Il corpo si capovolge una sola volta, a {s} s.', '物体は {s} 秒に一度だけ反転します。'],
-  wobbles_smallest: ['The body wobbles about the axis of its smallest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines kleinsten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus petit moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento menor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento minore e non si capovolge.', '物体は最小の慣性モーメントの軸のまわりで揺れ、反転しません。'],
-  wobbles_largest: ['The body wobbles about the axis of its largest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines größten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus grand moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento mayor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento maggiore e non si capovolge.', '物体は最大の慣性モーメントの軸のまわりで揺れ、反転しません。'],
   start_moments: ['Moments of inertia', 'Trägheitsmomente', 'Moments d’inertie', 'Momentos de inercia', 'Momenti d’inerzia', '慣性モーメント'],
   start_moments_is: ['A body by its three principal moments', 'Ein Körper durch seine drei Hauptträgheitsmomente', 'Un corps par ses trois moments principaux', 'Un cuerpo por sus tres momentos principales', 'Un corpo dai suoi tre momenti principali', '三つの主慣性モーメントで決まる物体'],
   start_shape: ['Shape', 'Form', 'Forme', 'Forma', 'Forma', '形'],
@@ -101,6 +106,17 @@ function title_in(text) {
   return /^\s*title\s*=\s*(?:"((?:[^"\\]|\\.)*)"|'([^']*)')/m.exec(before_tables)?.slice(1).find((title) => title !== undefined) ?? '';
 }
 
+/** A text after changes of its values; null: it has no place for one of them. @param {string} text @param {Map<string, string|null>} values */
+function edited_by(text, values) {
+  for (const [key, value] of values) {
+    if (value === null && value_in(text, key) === null) continue;
+    const edit = value === null ? removal_of(text, key) : edit_of(text, key, as_toml(value));
+    if (!edit) return null;
+    text = edited(text, edit);
+  }
+  return text;
+}
+
 /** A title as the name of a file, without its suffix. @param {string} title */
 function file_name_of(title) {
   return title.replace(/\$[^$]*\$/g, ' ').normalize('NFKD').replace(/[\u0300-\u036f]/g, '').normalize('NFC').toLowerCase()
@@ -114,6 +130,7 @@ class Workbench {
     /** @type {WorkbenchData} */
     this.data = JSON.parse(block('workbench-data'));
     this.words = new Words(navigator.language.slice(0, 2));
+    page.speak(this.words.code);
     this.timer = 0;
     /** Choices that the next accepted text gets. @type {Partial<Choices>} */
     this.changes = {};
@@ -138,8 +155,22 @@ class Workbench {
     this.#show_tab('figure');
     page.on_loaded = () => this.#find();
     this.measure = new Measure(this.words, (name, text, files) => this.open({kind: 'file', name, text}, files, true));
-    this.#offer_draft();
-    this.#open_named();
+    /** Whether the program has refused the text that it was given last. */
+    this.is_refused = false;
+    /** The text that was packed last for a link; `packed` is null if it is too long. @type {{text: string, packed: string|null}} */
+    this.link_text = {text: '', packed: null};
+    page.store = {
+      value: (key) => value_in(this.editor.text, key),
+      write: (values) => this.#write_values(values),
+      open_link: (choices) => void this.#open_link(choices),
+      link: () => this.#link(),
+      link_fault: () => this.#link_fault(),
+    };
+    void this.#open_link(page.figure.choices).then(() => {
+      this.#offer_draft();
+      // A text that is refused at the start is refused at its line.
+      return page.start();
+    }).then(() => page.figure.data?.text !== this.editor.text && this.#write(), () => {});
   }
 
   /** The name of what is saved, without its suffix: that of the scene's file or, for a new scene, its title. */
@@ -156,17 +187,98 @@ class Workbench {
     return Object.fromEntries(Object.entries(this.files).filter(([name]) => text.includes(name)));
   }
 
-  /** A link may name a scene of the gallery: poinsot.html#scene=tennis_racket. */
-  #open_named() {
-    const name = new URLSearchParams(location.hash.slice(1)).get('scene');
-    const scene = this.data.scenes.find((scene) => scene.name === name);
-    if (scene) this.open({kind: 'example', name: scene.name, text: scene.text}, scene.files);
+  // ── Links ───────────────────────────────────────────────────────────────────────────────
+
+  /** Opens the scene of the address, an example by its name or a text of its own, with its values. @param {Choices} choices of the address */
+  async #open_link({shown, names, theme}) {
+    const {page} = this;
+    // The text holds all values.
+    page.figure.choices = {...page.figure.choices, values: new Map()};
+    const state = state_of(location.hash);
+    const {values} = state;
+    const example = this.data.scenes.find(({name}) => name === state.scene);
+    const text = state.text ? await unpacked_text(state.text) : null;
+    const fault = is_too_long(location.hash) || (state.text && text === null) ? 'link_damaged' : state.scene && !example && !state.text ? 'link_unknown' : '';
+    if (fault) {
+      void page.start().then(() => page.show_message(new Error(this.words.of(fault).replace('{scene}', () => state.scene))), () => {});
+      return;
+    }
+    /** @type {SceneSource|null} */
+    const source = text !== null ? {kind: 'new', name: '', text} : example ? {kind: 'example', name: example.name, text: example.text} : null;
+    const is_other = source && (source.text !== this.editor.text || source.kind !== this.source.kind);
+    if (source && is_other) {
+      this.open(source, example && text === null ? example.files : this.#known_files(source.text));
+      // Instant and views once more, for the scene that they belong to.
+      page.address.read();
+    }
+    const changed = edited_by(this.editor.text, values);
+    if (changed === null || (!is_other && changed === this.editor.text && !page.figure.program)) return;
+    if (changed !== this.editor.text) {
+      this.editor.text = changed;
+      this.is_edited = true;
+    }
+    this.#write({shown, names, theme});
+  }
+
+  /** The files of examples and starting points that a text names. @param {string} text @returns {Record<string, string>} */
+  #known_files(text) {
+    const all = Object.assign({}, ...[...this.data.scenes, ...this.data.starts].map(({files}) => files));
+    return Object.fromEntries(Object.entries(all).filter(([name]) => text.includes(name)));
+  }
+
+  /** The scene of a link to this one: '' for both is not known yet, or is too long. */
+  #link() {
+    const {text} = this.editor;
+    if (this.source.kind === 'example' && text === this.source.text) return {scene: this.source.name, text: ''};
+    return {scene: '', text: this.link_text.text === text ? this.link_text.packed ?? '' : ''};
+  }
+
+  /** Packs the text for links, and puts it into the address. */
+  async #pack_link() {
+    const {text} = this.editor;
+    if (text === this.link_text.text) return;
+    const packed = await packed_text(text);
+    if (text !== this.editor.text) return;
+    this.link_text = {text, packed};
+    if (this.page.figure.program && !this.page.figure.film.playing) this.page.address.keep();
+  }
+
+  /** What a link cannot hold of this scene; '' if it holds all. */
+  async #link_fault() {
+    const {scene} = this.#link();
+    await this.#pack_link();
+    const known = this.#known_files(this.editor.text);
+    const lacks = Object.keys(this.named_files).filter((name) => known[name] !== this.files[name]);
+    if (lacks.length > 0) return this.words.of('link_files').replace('{files}', () => lacks.join(', '));
+    return !scene && this.link_text.packed === null ? this.words.of('link_long') : '';
+  }
+
+  // ── Values ──────────────────────────────────────────────────────────────────────────────
+
+  /** Writes values into the text; throws the program's refusal, after which the text is as it was. @param {Map<string, string|null>} values */
+  #write_values(values) {
+    const {page, editor} = this;
+    // What was typed comes first.
+    if (this.timer) this.#write();
+    const before = editor.text;
+    const text = edited_by(before, values);
+    if (text === null) throw new Error(this.words.of('no_place').replace('{key}', () => [...values.keys()].join(', ')));
+    if (text === before) return;
+    const is_accepted = page.data.text === before && page.figure.program !== null;
+    if (is_accepted) {
+      const data = {...page.data, text};
+      page.figure.reload({}, data);
+      page.data = data;
+    }
+    editor.replace(difference_of(before, text));
+    this.is_edited = true;
+    this.#soon();
   }
 
   #name() {
     const {words} = this;
     for (const [id, word] of [['new-open', 'new'], ['gallery-open', 'gallery'], ['file-open', 'open'], ['file-save', 'save_scene'], ['export-page', 'export_page'],
-      ['export-csv', 'export_csv'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
+      ['export-csv', 'export_csv'], ['film-open', 'film_section'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
       ['drafts-head', 'drafts'], ['gallery-none', 'search_none']]) part(/** @type {string} */ (id)).textContent = words.of(/** @type {string} */ (word));
     for (const [id, word] of [['writing', 'text'], ['tabs', 'tabs'], ['gallery-search', 'search'], ['new', 'new'], ['gallery', 'gallery']])
       part(/** @type {string} */ (id)).setAttribute('aria-label', words.of(/** @type {string} */ (word)));
@@ -180,6 +292,8 @@ class Workbench {
     const motion = document.createElement('p');
     motion.id = 'motion-words';
     part('bar').after(motion);
+    // The options leave room for it.
+    new ResizeObserver(() => document.documentElement.style.setProperty('--below', `${motion.offsetHeight}px`)).observe(motion);
     this.#name_look();
   }
 
@@ -200,6 +314,13 @@ class Workbench {
       input('file').value = '';
     });
     part('file-save').addEventListener('click', () => void this.#save_scene());
+    part('film-open').hidden = !has_film_writer();
+    part('film-open').addEventListener('click', () => {
+      this.#show_tab('figure');
+      this.page.options.open(true);
+      part('film-kind').focus({preventScroll: true});
+      part('section-film').scrollIntoView();
+    });
     part('export-csv').addEventListener('click', () => save_as(new Blob([this.csv()], {type: 'text/csv'}), `${this.name}.csv`));
     part('export-page').addEventListener('click', () => void this.page_of_scene().then(
       (text) => save_as(new Blob([text], {type: 'text/html'}), `${this.name}.html`), (error) => this.#find(error)));
@@ -217,6 +338,12 @@ class Workbench {
         part(`tab-${other}`).focus();
       });
     }
+    // A value that is dragged is one step of undo: until the last frame of the drag.
+    document.addEventListener('pointerdown', (event) => {
+      if (event.target instanceof Node && !part('writing').contains(event.target)) this.editor.hold(true);
+    }, {capture: true});
+    for (const name of ['pointerup', 'pointercancel'])
+      document.addEventListener(name, () => requestAnimationFrame(() => requestAnimationFrame(() => this.editor.hold(false))), {capture: true});
     // Before the editor, which keeps its keys for itself.
     document.addEventListener('keydown', (event) => {
       if (!(event.ctrlKey || event.metaKey) || event.shiftKey || event.altKey || event.key.toLowerCase() !== 's') return;
@@ -370,6 +497,16 @@ class Workbench {
   #offer_draft() {
     const draft = this.drafts.list()[0];
     if (!draft) return;
+    // The link of a reload holds it.
+    if (draft.kept.text === this.editor.text) {
+      this.drafts.go_on(draft);
+      this.source = draft.source;
+      this.is_edited = true;
+      this.files = {...this.files, ...draft.files};
+      this.editor.kept = draft.kept;
+      this.#write();
+      return;
+    }
     part('offer-text').textContent = this.words.of('draft_offer').replace('{name}', () => title_in(draft.kept.text) || draft.name)
       .replace('{time}', this.#time(draft.at_ms));
     part('offer').hidden = false;
@@ -541,7 +678,10 @@ class Workbench {
     this.is_edited = true;
     window.clearTimeout(this.timer);
     this.timer = window.setTimeout(() => {
-      this.#write();
+      this.timer = 0;
+      // Values that were written are read already.
+      if (this.editor.text !== this.page.data.text || this.is_refused) this.#write();
+      else void this.#pack_link();
       this.#keep();
     }, write_after_ms);
   }
@@ -549,7 +689,10 @@ class Workbench {
   /** Gives the text to the program. @param {Partial<Choices>} [changes] kept until the program accepts a text */
   #write(changes = {}) {
     const {page} = this;
+    window.clearTimeout(this.timer);
+    this.timer = 0;
     this.changes = {...this.changes, ...changes};
+    void this.#pack_link();
     const named = [...this.unread.keys()].filter((name) => this.editor.text.includes(name));
     if (named.length > 0) {
       void this.#read_and_write(named);
@@ -573,8 +716,10 @@ class Workbench {
       }
       page.figure.reload(this.changes, data);
       this.changes = {};
+      this.is_refused = false;
       page.data = data;
     } catch (error) {
+      this.is_refused = true;
       page.data = {...page.data, name: data.name};
       this.#find(error);
     }
@@ -592,15 +737,6 @@ class Workbench {
     }
     this.#write();
     this.#keep();
-  }
-
-  /** What a body that moves freely does, in words that need no theory; '' of any other motion. @param {Loaded} loaded */
-  #motion_said({flips, regime}) {
-    const seconds = (/** @type {number} */ s) => s.toLocaleString(this.words.code, {maximumSignificantDigits: 3});
-    if (flips) return flips.interval_s === null ? this.words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
-      : this.words.of('turns_over').replace('{s}', seconds(flips.interval_s));
-    const axis = /^polhode about e\d, the axis of the (smallest|largest) moment/.exec(regime)?.[1];
-    return axis ? this.words.of(`wobbles_${axis}`) : '';
   }
 
   /** Shows what the program found in the text. @param {unknown} [error] */
@@ -628,7 +764,7 @@ class Workbench {
       }
       if (loaded) {
         const strong = document.createElement('strong');
-        strong.textContent = this.#motion_said(loaded);
+        strong.textContent = motion_said(loaded, this.words);
         // In the words of `poinsot check`; a small screen leaves them out.
         const exact = document.createElement(strong.textContent ? 'span' : 'em');
         exact.textContent = loaded.regime;

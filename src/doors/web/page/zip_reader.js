@@ -12,7 +12,7 @@ const most_zip_files = 5000;
  */
 
 /** The bytes of a stream, at most so many. @param {ReadableStream<Uint8Array>} stream @param {number} most @returns {Promise<Uint8Array<ArrayBuffer>>} */
-async function bytes_of_stream(stream, most) {
+export async function bytes_of_stream(stream, most) {
   const parts = [];
   let n = 0;
   const reader = stream.getReader();

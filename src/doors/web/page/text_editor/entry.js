@@ -21,12 +21,12 @@
  * THE SOFTWARE.
  */
 import {autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, startCompletion} from '@codemirror/autocomplete';
-import {defaultKeymap, history, historyField, historyKeymap} from '@codemirror/commands';
+import {defaultKeymap, history, historyField, historyKeymap, isolateHistory} from '@codemirror/commands';
 import {bracketMatching, codeFolding, foldGutter, foldKeymap, foldService, StreamLanguage, syntaxHighlighting} from '@codemirror/language';
 import {toml} from '@codemirror/legacy-modes/mode/toml';
 import {lintGutter, setDiagnostics} from '@codemirror/lint';
 import {highlightSelectionMatches, search, searchKeymap} from '@codemirror/search';
-import {EditorState} from '@codemirror/state';
+import {EditorState, Transaction} from '@codemirror/state';
 import {drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers} from '@codemirror/view';
 import {classHighlighter} from '@lezer/highlight';
 import {StyleModule} from 'style-mod';
@@ -47,5 +47,5 @@ StyleModule.mount = (root, modules) => {
 
 globalThis.text_editor = {autocompletion, bracketMatching, classHighlighter, closeBrackets, closeBracketsKeymap, codeFolding, completionKeymap, defaultKeymap,
   drawSelection, EditorState, EditorView, foldGutter, foldKeymap, foldService, highlightActiveLine, highlightActiveLineGutter, highlightSelectionMatches,
-  history, historyField, historyKeymap, hoverTooltip, keymap, lineNumbers, lintGutter, search, searchKeymap, setDiagnostics, startCompletion,
-  StreamLanguage, syntaxHighlighting, toml};
+  history, historyField, historyKeymap, hoverTooltip, isolateHistory, keymap, lineNumbers, lintGutter, search, searchKeymap, setDiagnostics, startCompletion,
+  StreamLanguage, syntaxHighlighting, toml, Transaction};
