@@ -104,12 +104,13 @@ TEST_P(Unnamed, PlaceOfAnotherIsRefusedAndStays) {
         plant(kind, folder.path(), folder.path() / place);
         const std::string before = state_of(folder.path());
         const ProgramRun done = run_program_in(folder, command, "timeout 60");
-        EXPECT_TRUE(done.code == 2 || done.code == 3) << kind << done.code << done.err;
+        EXPECT_TRUE(done.code == 2 || done.code == 3)
+            << place << ", " << command << ", " << kind << done.code << done.err;
         const std::string message =
             done.err.substr(done.err.find_last_of('\n', done.err.size() - 2) + 1);
         const fs::path path = place;
         EXPECT_TRUE(contains(message, path.filename().string())) << kind << ": " << done.err;
-        EXPECT_EQ(state_of(folder.path()), before) << kind;
+        EXPECT_TRUE(state_of(folder.path()) == before) << kind;
     }
 }
 
@@ -123,7 +124,7 @@ INSTANTIATE_TEST_SUITE_P(
     ::testing::Values(
         Written{"o.vtt", film}, Written{"o.vtt", film + " --jobs 2"},
         Written{"o.chapters.json", film}, Written{"o.webm.vtt", "render a.toml -q -o o.webm"},
-        Written{"o.chapters.json", "render a.toml -q -o o_##.png"},
+        Written{"o.png.chapters.json", "render a.toml -q -o o_##.png"},
         Written{"o.vtt", "join part.mp4 -q -o o.mp4"},
         Written{"o.chapters.json", "join part.mp4 -q -o o.mp4"},
         Written{"o.tex", "still a.toml -q --text latex -o o.pdf"},
@@ -177,7 +178,7 @@ TEST(Edited, FilesOfPoinsotAreNotReplaced) {
         const ProgramRun done = run_program_in(folder, command);
         EXPECT_EQ(done.code, 2) << command << done.err;
         EXPECT_TRUE(contains(done.err, fs::path(place).filename().string())) << done.err;
-        EXPECT_EQ(state_of(folder.path()), before) << place;
+        EXPECT_TRUE(state_of(folder.path()) == before) << place;
     }
 }
 
@@ -189,7 +190,7 @@ TEST(Presentation, OfAnotherIsNotReplaced) {
         const std::string before = state_of(folder.path());
         const ProgramRun done = run_program_in(folder, "render a.toml -q -o o.pptx");
         EXPECT_TRUE(done.code == 2 || done.code == 3) << kind << done.err;
-        EXPECT_EQ(state_of(folder.path()), before) << kind;
+        EXPECT_TRUE(state_of(folder.path()) == before) << kind;
     }
 }
 
@@ -205,14 +206,15 @@ TEST(Rows, OfAnotherAreNotReplacedByAFittedScene) {
         const ProgramRun done = run_program_in(folder, fit, "timeout 60");
         EXPECT_EQ(done.code, 2) << kind << done.err;
         EXPECT_TRUE(contains(done.err, "z.csv: exists and is not as poinsot wrote it")) << done.err;
-        EXPECT_EQ(state_of(folder.path()), before) << kind;
+        EXPECT_TRUE(state_of(folder.path()) == before) << kind;
     }
     const ScratchFolder folder;
     ASSERT_EQ(run_program_in(folder, fit).code, 0);
     ASSERT_TRUE(fs::exists(folder.path() / "z.csv"));
+    const std::string other_fit = "fit '" + recording.string() + "' --drag quadratic -o z.toml";
     // Another fit of the same name replaces them, also if the scene was edited; edited rows stay.
     folder.write("z.toml", text_of(folder.path() / "z.toml") + "# mine\n");
-    EXPECT_EQ(run_program_in(folder, fit + " --moments 3,2,1").code, 0);
+    EXPECT_EQ(run_program_in(folder, other_fit).code, 0);
     folder.write("z.csv", text_of(folder.path() / "z.csv") + "9,1,1,1\n");
     EXPECT_EQ(run_program_in(folder, fit).code, 2);
 }
@@ -296,7 +298,7 @@ TEST(Inputs, OfACommandAreNotItsOutputs) {
           std::string("compare ref/b.png new/b.png --diff new/b.png")}) {
         const ProgramRun done = run_program_in(folder, command);
         EXPECT_EQ(done.code, 2) << command << ": " << done.err;
-        EXPECT_EQ(state_of(folder.path()), before) << command;
+        EXPECT_TRUE(state_of(folder.path()) == before) << command;
     }
 }
 
@@ -317,7 +319,7 @@ TEST(Talks, OfScenesOfOneNameAreTwo) {
         const ProgramRun other = render("B/intro.toml");
         EXPECT_EQ(other.code, 2);
         EXPECT_TRUE(contains(other.err, "holds the slides of another scene")) << other.err;
-        EXPECT_EQ(state_of(folder.path()), before);
+        EXPECT_TRUE(state_of(folder.path()) == before);
         // Its own are replaced after any change, and where both were moved.
         folder.write("A/intro.toml",
                      "title = \"New\"\n" + std::string(told) + "[[stops]]\nat_s = 0.8\n");

@@ -52,7 +52,8 @@ def test_a_table_in_memory_is_read_by_the_names_of_its_columns(make):
     np.testing.assert_allclose(found.omega, OMEGA, rtol=1e-12)
     np.testing.assert_allclose(found.times, TIMES, rtol=1e-12, atol=1e-12)
     assert len(poinsot.flights(make())[0]) == len(TIMES)
-    assert poinsot.fit([make(), (TIMES, OMEGA)]).n_used == 2
+    another = poinsot.Motion([3.0, 2.0, 1.0], [0.9, -5.0, 0.4]).at(TIMES).omega_body
+    assert poinsot.fit([make(), (TIMES, another)]).n_used == 2
 
 
 def test_frames_of_polars_are_read_by_the_names_of_their_columns():
