@@ -96,6 +96,16 @@ test('the answers of the module have the declared types', async () => {
   assert.deepEqual(never, []);
 });
 
+// However the scene is written: the energy with the momentum sets the plane, the energy with a distance does not.
+test('what can be dragged follows from the scene', async () => {
+  const program = await started;
+  const drags = (start, control) => program.load(`start = {${start}, omega_rad_s = [0.1, 1, 0.3]}\n[body]\nmoments_kg_m2 = [3, 2, 1.5]\n`
+    + `[page]\ncontrols = ["${control}"]\n`, 'drags', [], {width: 640, height: 360}).drags;
+  assert.deepEqual(drags('energy_J = 1.0, momentum_kg_m2_s = 2.0', 'start.energy_J'), {omega: false, plane: true});
+  assert.deepEqual(drags('energy_J = 1.0, plane_distance = 0.7', 'start.energy_J'), {omega: false, plane: false});
+  assert.deepEqual(program.load(free, 'free', [], {width: 640, height: 360}).drags, {omega: true, plane: true});
+});
+
 test('a view has the values that the module takes', async () => {
   const program = await started;
   const declared = checker.getPropertiesOfType(type_named('View', 'program.js')).map((field) => field.name);

@@ -39,6 +39,33 @@ std::string flips_text(const Motion& motion) {
         .line();
 }
 
+// The axis about which the polhode goes: that of the "smallest" or the "largest" moment; null for
+// any other motion.
+std::string polhode_axis_text(const Motion& motion) {
+    switch (motion.regime()) {
+        case Regime::elliptic_about_lowest:
+            return json_string("smallest");
+        case Regime::elliptic_about_highest:
+            return json_string("largest");
+        default:
+            return "null";
+    }
+}
+
+// Whether viewers may drag the tip of ω, and the plane.
+std::string drags_text(const Scene& scene) {
+    const std::vector<std::string> controls = controls_of(scene);
+    const auto has = [&controls](std::string_view key) {
+        return std::find(controls.begin(), controls.end(), key) != controls.end();
+    };
+    // With |L| given, the plane's distance is the energy alone.
+    const ConservedStartSpec* conserved = scene.start.given_by_conserved();
+    const bool omega = has("start.omega_rad_s");
+    const bool plane = omega || (has("start.energy_J") && conserved != nullptr &&
+                                 conserved->quantities.momentum_kg_m2_s.has_value());
+    return JsonObject().add("omega", omega).add("plane", plane).line();
+}
+
 std::string elements_of(const Stage& stage) {
     std::vector<std::string> items;
     const auto& panels = stage.panels();
@@ -163,6 +190,8 @@ std::string LiveScene::description() const {
         .add("motion", motion_in_words(session_.motion))
         .add("regime", regime_sentence(session_.motion))
         .json("flips", flips_text(session_.motion))
+        .json("polhode_axis", polhode_axis_text(session_.motion))
+        .json("drags", drags_text(scene))
         .add("next", scene.page.next)
         .json("notes", json_list(notes))
         .json("panels", panels_text())

@@ -355,9 +355,8 @@ export class Page {
 
   /** Whether viewers may drag the tip of ω, or the plane. @param {string} thing */
   drags(thing) {
-    const has = (/** @type {string} */ key) => this.figure.loaded?.controls.some((c) => c.key === key) ?? false;
-    const has_momentum = /^\s*(start\.)?momentum_kg_m2_s\s*=/m.test(this.data.text);
-    return has('start.omega_rad_s') || (thing === 'plane' && has('start.energy_J') && has_momentum);
+    const {loaded} = this.figure;
+    return loaded !== null && (thing === 'plane' ? loaded.drags.plane : loaded.drags.omega);
   }
 
   /** Puts the words of the language on the page. */

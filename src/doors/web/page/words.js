@@ -225,10 +225,9 @@ export class Words {
 }
 
 /** What a body that moves freely does, in words that need no theory; '' of any other motion. @param {Loaded} loaded @param {Words} words */
-export function motion_said({flips, regime}, words) {
+export function motion_said({flips, polhode_axis}, words) {
   const seconds = (/** @type {number} */ s) => s.toLocaleString(words.code, {maximumSignificantDigits: 3});
   if (flips) return flips.interval_s === null ? words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
     : words.of('turns_over').replace('{s}', seconds(flips.interval_s));
-  const axis = /^polhode about e\d, the axis of the (smallest|largest) moment/.exec(regime)?.[1];
-  return axis ? words.of(`wobbles_${axis}`) : '';
+  return polhode_axis ? words.of(`wobbles_${polhode_axis}`) : '';
 }
