@@ -12,6 +12,7 @@
 #include "error/error.h"
 #include "system/files/file_kind.h"
 #include "text/nearest.h"
+#include "text/printable.h"
 
 namespace poinsot {
 
@@ -230,13 +231,13 @@ const OutputFormat& format_for(const std::filesystem::path& path) {
                 throw InputError(
                     fmt::format("{}: #### numbers the pictures of a PNG sequence; leave it out of "
                                 "the name of a {}",
-                                path.string(), suffix));
+                                printable(path.string()), suffix));
             return format;
         }
     }
     const std::string way = nearest_way(suffix);
     throw InputError(fmt::format(
-        "{}: there is no output format for {}; {}the formats are {}", path.string(),
+        "{}: there is no output format for {}; {}the formats are {}", printable(path.string()),
         suffix.empty() ? "a name without a suffix" : fmt::format("the suffix \"{}\"", suffix),
         way.empty() ? "" : way + "; ", known_suffixes()));
 }
@@ -252,7 +253,7 @@ std::int64_t recover_film(const std::filesystem::path& path, const SealMetadata&
     if (format.recover == nullptr)
         throw InputError(fmt::format(
             "{}: is not a film, so there is nothing to recover; run the same command again",
-            path.string()));
+            printable(path.string())));
     return format.recover(path, seal);
 }
 

@@ -77,9 +77,9 @@ at_s = 0.5
     void interrupt(const std::string& film) const {
         const FilmPlan plan = film_plan(*session_);
         fs::create_directory(aside_);
-        std::ofstream(aside_ / slide_plan_name)
-            << slide_plan_text(*session_, plan, slides_of(session_->scene, plan, "-o"),
-                               {LazyRenderer().is_portable()});
+        std::ofstream(aside_ / slide_plan_name) << slide_plan_text(
+            *session_, plan, slides_of(session_->scene, plan, "-o"),
+            {.is_portable = LazyRenderer().is_portable(), .scene_file = "a.toml"});
         std::ofstream(aside_ / "01.mp4") << film;
         std::ofstream(aside_ / "finished") << sha256_of(film) << " 01.mp4\n";
     }
