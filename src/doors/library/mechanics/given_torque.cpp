@@ -27,7 +27,7 @@ Torque of_kind(const std::map<std::string, std::vector<double>>& numbers) {
     std::string names;
     std::apply(
         [&](const auto&... number) {
-            const auto take = [&](const auto& one) {
+            [[maybe_unused]] const auto take = [&](const auto& one) {
                 const std::string name(one.name);
                 names += (names.empty() ? "" : ", ") + name;
                 const auto found = numbers.find(name);
