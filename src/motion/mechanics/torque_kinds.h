@@ -29,6 +29,9 @@ struct TorqueNumber {
     std::string_view name;
     Value Kind::*member;
 };
+// clang 14 needs it.
+template <typename Kind, typename Value>
+TorqueNumber(std::string_view, Value Kind::*) -> TorqueNumber<Kind, Value>;
 
 // One row a kind, and its numbers: without them, the table of a new kind does not compile.
 template <typename Kind>
