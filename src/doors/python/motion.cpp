@@ -322,7 +322,8 @@ void add_motion(py::module_& module) {
     const auto without_lock = py::call_guard<WithoutLock>();
     py::class_<Motion>(module, "Motion", without_new())
         .def_static("of_body", motion_of, "moments"_a, "omega"_a, "attitude"_a, "method"_a,
-                    "step_s"_a, "tolerance"_a, "order"_a, "span_s"_a, "allow_unphysical"_a)
+                    "step_s"_a, "tolerance"_a, "order"_a, "span_s"_a, "torque"_a,
+                    "allow_unphysical"_a)
         .def_static("heavy_top", heavy_top, "transverse"_a, "axial"_a, "mgl_N_m"_a, "theta_rad"_a,
                     "theta_dot_rad_s"_a, "phi_dot_rad_s"_a, "omega3_rad_s"_a)
         .def("at", at, "times"_a)
