@@ -434,7 +434,7 @@ TEST(Fit, OfANearlySteadyTurnIsRightOrRefused) {
                     EXPECT_NEAR(fit->moments[k], truth.moments[k], 5.0 * fit->moments_sd[k] + 1e-6)
                         << "wobble " << wobble << ", noise " << share;
             }
-    EXPECT_GT(n_answers, 16);  // of 24, of which 4 hide the wobble in noise
+    EXPECT_GE(n_answers, 12);  // of 24, of which a third hide the wobble in noise
 }
 
 // A telephone that flies flat as a disc: Euler's equations lead some noises to a body of I2 = I3 =
