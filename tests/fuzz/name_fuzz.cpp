@@ -104,7 +104,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
                          {{.scene = "/" + name + ".toml",
                            .options = {"--set", name},
                            .output = "/tmp/" + name + ".mp4",
-                           .n_frames = 10}},
+                           .n_frames = 10,
+                           .scene_hash = ""}},
                          {}, 1);
         check_lists(folder, name);
     } catch (const InputError& error) {

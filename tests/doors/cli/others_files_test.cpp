@@ -20,7 +20,7 @@ namespace {
 namespace fs = std::filesystem;
 
 // A film of 30 frames with all that lies beside one.
-constexpr const char* told = R"([body]
+constexpr const char* a_talk = R"([body]
 moments_kg_m2 = [1.0, 2.0, 2.9]
 [start]
 omega_rad_s = [1.5, 0.3, 0.75]
@@ -42,7 +42,7 @@ title = "One"
 const ScratchFolder& made() {
     static const ScratchFolder folder;
     static const bool done = [] {
-        folder.write("a.toml", told);
+        folder.write("a.toml", a_talk);
         const auto run = [](const std::string& arguments) {
             const ProgramRun one = run_program_in(folder, arguments);
             EXPECT_EQ(one.code, 0) << arguments << one.err;
@@ -57,7 +57,7 @@ const ScratchFolder& made() {
         fs::create_directories(folder.path() / "new");
         run("still a.toml -q -o ref/b.png");
         run("still a.toml -q --time 0.5 -o new/b.png");
-        folder.write("measured.toml", std::string(told) + "[measured]\nfile = \"gyro.csv\"\n");
+        folder.write("measured.toml", std::string(a_talk) + "[measured]\nfile = \"gyro.csv\"\n");
         folder.write("times.csv", "0\n0.5\n");
         return true;
     }();
@@ -185,7 +185,7 @@ TEST(Edited, FilesOfPoinsotAreNotReplaced) {
 TEST(Presentation, OfAnotherIsNotReplaced) {
     for (const std::string kind : {"file", "folder", "link to a file", "link to a folder"}) {
         const ScratchFolder folder;
-        folder.write("a.toml", told);
+        folder.write("a.toml", a_talk);
         plant(kind, folder.path(), folder.path() / "o.pptx");
         const std::string before = state_of(folder.path());
         const ProgramRun done = run_program_in(folder, "render a.toml -q -o o.pptx");
@@ -307,7 +307,7 @@ TEST(Talks, OfScenesOfOneNameAreTwo) {
     const ScratchFolder folder;
     for (const std::string name : {"A", "B"}) {
         fs::create_directory(folder.path() / name);
-        folder.write(name + "/intro.toml", "title = \"" + name + "\"\n" + told);
+        folder.write(name + "/intro.toml", "title = \"" + name + "\"\n" + a_talk);
     }
     for (const std::string output : {"--slides talk", "-o talk.pptx"}) {
         const std::string size = " --set film.size=[80,44]";
@@ -322,7 +322,7 @@ TEST(Talks, OfScenesOfOneNameAreTwo) {
         EXPECT_TRUE(state_of(folder.path()) == before);
         // Its own are replaced after any change, and where both were moved.
         folder.write("A/intro.toml",
-                     "title = \"New\"\n" + std::string(told) + "[[stops]]\nat_s = 0.8\n");
+                     "title = \"New\"\n" + std::string(a_talk) + "[[stops]]\nat_s = 0.8\n");
         EXPECT_EQ(render("A/intro.toml").code, 0);
         EXPECT_EQ(run_program_in(folder, "render ./B/../A/intro.toml -q " + output + size).code, 0);
         // A copy of the scene elsewhere is the same talk until it is edited.
@@ -330,10 +330,10 @@ TEST(Talks, OfScenesOfOneNameAreTwo) {
         fs::copy(folder.path() / "A/intro.toml", folder.path() / "C/intro.toml");
         EXPECT_EQ(render("C/intro.toml").code, 0);
         EXPECT_EQ(render("A/intro.toml").code, 0);
-        folder.write("C/intro.toml", "title = \"Other\"\n" + std::string(told));
+        folder.write("C/intro.toml", "title = \"Other\"\n" + std::string(a_talk));
         EXPECT_EQ(render("C/intro.toml").code, 2);
         fs::remove_all(folder.path() / "C");
-        folder.write("A/intro.toml", "title = \"A\"\n" + std::string(told));
+        folder.write("A/intro.toml", "title = \"A\"\n" + std::string(a_talk));
     }
 }
 
@@ -341,7 +341,7 @@ TEST(Talks, OfScenesOfOneNameAreTwo) {
 TEST(Names, WithControlCharactersAreNotRun) {
     const ScratchFolder folder;
     const std::string name = "y\nx\ttouch PWNED; #.toml";
-    folder.write(name, told);
+    folder.write(name, a_talk);
     const auto quoted = [](const std::string& text) { return "'" + text + "'"; };
     const std::string before = folder.listing();
     for (const std::string& command :
@@ -358,7 +358,7 @@ TEST(Names, WithControlCharactersAreNotRun) {
 // The narrowest film of slides is named by its size, not by an option that nobody gave.
 TEST(Slides, OfATinyFilmAreRefusedByItsSize) {
     const ScratchFolder folder;
-    folder.write("a.toml", told);
+    folder.write("a.toml", a_talk);
     const ProgramRun done = run_program_in(folder, "render a.toml -q --slides w --size 60x34");
     EXPECT_EQ(done.code, 2);
     EXPECT_TRUE(

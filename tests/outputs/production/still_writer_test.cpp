@@ -41,7 +41,7 @@ int without_threads(const std::filesystem::path& path) {
 TEST(StillWriter, WritesTheSameWithoutAThread) {
     const std::filesystem::path path = std::filesystem::temp_directory_path() /
                                        ("poinsot_still_" + std::to_string(getpid()) + ".png");
-    EXPECT_EXIT(std::_Exit(without_threads(path)), testing::ExitedWithCode(7), "");
+    EXPECT_EXIT(std::_Exit(without_threads(path)), ::testing::ExitedWithCode(7), "");
     std::filesystem::remove(path);
 }
 
