@@ -117,7 +117,8 @@ check('fits a recording as poinsot fit does', async (browser) => {
   native_fit(file, ['-o', 'made_flight_1.toml']);
   const scene = await scene_text(tab);
   const numbers = (text) => text.match(/-?\d+\.?\d*(e-?\d+)?/g).map(Number);
-  const written = fs.readFileSync(path.join(folder, 'made_flight_1.toml'), 'utf8');
+  // Which says, besides, by what the program knows its table again.
+  const written = fs.readFileSync(path.join(folder, 'made_flight_1.toml'), 'utf8').replace(/  # sha256 \w+$/m, '');
   assert.equal(scene.replace(/-?\d+\.?\d*(e-?\d+)?/g, 'N'), written.replace(/-?\d+\.?\d*(e-?\d+)?/g, 'N'));
   assert_same(numbers(scene), numbers(written));
   // And shows the motion that was measured, with its points.
