@@ -251,7 +251,8 @@ TEST_F(Folders, GiveAPageThatLoadsNothingFromANetwork) {
         } else {
             EXPECT_EQ(count("\":\"report_pictures/"), n_pictures + 1);
             EXPECT_EQ(count("data:image/png"), 0);
-            EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "report_pictures").size(), 13u);
+            // With the list by which the next report knows them again.
+            EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "report_pictures").size(), 14u);
         }
         for (const char* fetches : {"http://", "https://", "src=\"/", "url(", "@import", "fetch("})
             EXPECT_EQ(page.find(fetches), std::string::npos) << fetches;
@@ -338,12 +339,27 @@ TEST_F(Folders, HoldFilesOfAnySize) {
 
 // A report leaves no picture of an earlier one in its folder, and nobody else's file is touched.
 TEST_F(Folders, GiveAReportWithoutOldPictures) {
-    fs::create_directories(folder_ / "report_pictures");
-    for (const char* name : {"old-expected.png", "old-difference.png", "mine.png", "notes.txt"})
+    const auto made = [this] {
+        ReportPictures shown(folder_ / "report.html", false);
+        CompareRequest request{.limits = CompareLimits::exact()};
+        request.seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
+            shown.add(picture, pair);
+        };
+        return html_report("title",
+                           std::vector{compare_files("a_lot", folder_ / "ref/a_lot.png",
+                                                     folder_ / "new/a_lot.png", request)},
+                           shown);
+    };
+    made();
+    EXPECT_GE(TemporaryFolder::contents_of(folder_ / "report_pictures").size(), 3u);
+    for (const char* name : {"mine.png", "notes.txt"})
         std::ofstream(folder_ / "report_pictures" / name) << "text";
     const ReportPictures shown(folder_ / "report.html", false);
     EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "report_pictures"),
               (std::vector<std::string>{"mine.png", "notes.txt"}));
+    // A picture that no report lists is somebody's.
+    std::ofstream(folder_ / "report_pictures" / "old-expected.png") << "text";
+    EXPECT_THROW(ReportPictures(folder_ / "report.html", false), InputError);
 }
 
 // Regions that are rectangles need no record; a name needs one.

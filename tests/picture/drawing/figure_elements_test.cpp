@@ -409,7 +409,7 @@ TEST(FigureElements, InertialForcesNeedPointMassesWithoutFriction) {
     damped.method.name = "dopri5";
     EXPECT_EQ(refusal_of(damped),
               "disc.toml:3:1: show: inertial-forces cannot show a body with internal friction; "
-              "leave the element or the dissipation out");
+              "leave the element or the friction out");
 }
 
 // The arc is that of the principal axis farthest from L; it ends on this axis one period after the

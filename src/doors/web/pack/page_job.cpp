@@ -33,7 +33,7 @@ constexpr std::size_t most_page_bytes = 1'200'000;
 
 // Widths of the poster, of which the first is taken that is not larger than this, nor than what the
 // rest of the page leaves.
-constexpr int poster_widths_px[] = {960, 640, 480, 320, 240};
+constexpr int poster_widths_px[] = {960, 640, 480, 320, 240, 160};
 constexpr std::size_t most_poster_bytes = 32'000;
 
 // The scene as the page will read it, with the files that it names.

@@ -162,7 +162,7 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     const FilmPlan film = film_plan(session);
     const std::vector<Slide> slides = slides_of(session.scene, film, "--slides");
     // Stills for paper have the width and the type of a Beamer slide in 16:9.
-    constexpr double beamer_width_mm = 160.0, mm_per_inch = 25.4;
+    constexpr double beamer_width_mm = 160.0;
     const int least_px = static_cast<int>(std::ceil(least_dpi * beamer_width_mm / mm_per_inch));
     if (const int width_px = session.scene.film.width_px; width_px < least_px)
         throw SceneError(session.scene.location_of("film.size"),
