@@ -8,6 +8,7 @@
 #include <filesystem>
 #include <fstream>
 #include <functional>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -38,13 +39,14 @@ at_s = 0.0
 title = "One"
 )";
 
-// What each test needs, made once: parts, a deck, a presentation, pictures, a measured table.
-const ScratchFolder& made() {
-    static const ScratchFolder folder;
-    static const bool done = [] {
-        folder.write("a.toml", a_talk);
+// What the tests need, made once: parts, a deck, a presentation, pictures, a measured table.
+class OthersFiles : public ::testing::Test {
+ protected:
+    static void SetUpTestSuite() {
+        made_ = std::make_unique<ScratchFolder>();
+        made_->write("a.toml", a_talk);
         const auto run = [](const std::string& arguments) {
-            const ProgramRun one = run_program_in(folder, arguments);
+            const ProgramRun one = run_program_in(*made_, arguments);
             EXPECT_EQ(one.code, 0) << arguments << one.err;
         };
         const std::string wide = " --set film.size=[80,44]";
@@ -53,21 +55,23 @@ const ScratchFolder& made() {
         run("render a.toml -q -o a.pptx");
         run("still a.toml -q -o face.png");
         run("sample a.toml --times 0:20:0.05 --columns time,omega_body -o gyro.csv");
-        fs::create_directories(folder.path() / "ref");
-        fs::create_directories(folder.path() / "new");
+        fs::create_directories(made_->path() / "ref");
+        fs::create_directories(made_->path() / "new");
         run("still a.toml -q -o ref/b.png");
         run("still a.toml -q --time 0.5 -o new/b.png");
-        folder.write("measured.toml", std::string(a_talk) + "[measured]\nfile = \"gyro.csv\"\n");
-        folder.write("times.csv", "0\n0.5\n");
-        return true;
-    }();
-    EXPECT_TRUE(done);
-    return folder;
-}
+        made_->write("measured.toml", std::string(a_talk) + "[measured]\nfile = \"gyro.csv\"\n");
+        made_->write("times.csv", "0\n0.5\n");
+    }
+    static void TearDownTestSuite() { made_.reset(); }
 
-void fill(const ScratchFolder& folder) {
-    fs::copy(made().path(), folder.path(), fs::copy_options::recursive);
-}
+    static void fill(const ScratchFolder& folder) {
+        fs::copy(made_->path(), folder.path(), fs::copy_options::recursive);
+    }
+
+ private:
+    static std::unique_ptr<ScratchFolder> made_;
+};
+std::unique_ptr<ScratchFolder> OthersFiles::made_;
 
 const std::vector<std::string> kinds{
     "file", "folder", "link to a file", "link to a folder", "link to nothing", "pipe"};
@@ -92,67 +96,63 @@ struct Written {
     std::string but{};  // a kind that is not tried: it is no obstacle there
 };
 
-// Places that the user did not name.
-class Unnamed : public ::testing::TestWithParam<Written> {};
-
-TEST_P(Unnamed, PlaceOfAnotherIsRefusedAndStays) {
-    const auto& [place, command, but] = GetParam();
-    for (const std::string& kind : kinds) {
-        if (kind == but) continue;
-        const ScratchFolder folder;
-        fill(folder);
-        plant(kind, folder.path(), folder.path() / place);
-        const std::string before = state_of(folder.path());
-        const ProgramRun done = run_program_in(folder, command, "timeout 60");
-        EXPECT_TRUE(done.code == 2 || done.code == 3)
-            << place << ", " << command << ", " << kind << done.code << done.err;
-        const std::string message =
-            done.err.substr(done.err.find_last_of('\n', done.err.size() - 2) + 1);
-        const fs::path path = place;
-        EXPECT_TRUE(contains(message, path.filename().string())) << kind << ": " << done.err;
-        EXPECT_TRUE(state_of(folder.path()) == before) << kind;
-    }
-}
-
 const std::string film = "render a.toml -q -o o.mp4",
                   deck = "render a.toml -q --slides deck --set film.size=[80,44]",
                   submission = "submit a.toml -q --dry-run --parts 2 -o o.mp4",
                   report = "compare ref new --report r.html";
 
-INSTANTIATE_TEST_SUITE_P(
-    Outputs, Unnamed,
-    ::testing::Values(
-        Written{"o.vtt", film}, Written{"o.vtt", film + " --jobs 2"},
-        Written{"o.chapters.json", film}, Written{"o.webm.vtt", "render a.toml -q -o o.webm"},
-        Written{"o.png.chapters.json", "render a.toml -q -o o_##.png"},
-        Written{"o.vtt", "join part.mp4 -q -o o.mp4"},
-        Written{"o.chapters.json", "join part.mp4 -q -o o.mp4"},
-        Written{"o.tex", "still a.toml -q --text latex -o o.pdf"},
-        // Of a deck: its own names, names that look like them, others, and its list.
-        Written{"deck/01.mp4", deck}, Written{"deck/02.pdf", deck}, Written{"deck/2024.pdf", deck},
-        Written{"deck/99.vtt", deck}, Written{"deck/12345-loop.mp4", deck},
-        Written{"deck/20261129.png", deck}, Written{"deck/index.html", deck},
-        Written{"deck/slides.json", deck}, Written{"deck/notes.txt", deck},
-        Written{"o/index.html", "render a.toml -q --slides o"},
-        // Default names.
-        Written{"output/a.png", "still a.toml -q"}, Written{"output/a.mp4", "render a.toml -q"},
-        Written{"output/a.mp4", "render a.toml -q --jobs 2"},
-        Written{"output/a_0001.png", "still a.toml -q --chapters"},
-        Written{"output/a.1-of-1.mp4", "render a.toml -q --part 1/1"},
-        Written{"output/a-tradeoff.csv", "tradeoff a.toml -q"},
-        Written{"o.csv", "tradeoff a.toml -q -o o"}, Written{"o.json", "tradeoff a.toml -q -o o"},
-        Written{"o-motion.png", "tradeoff a.toml -q -o o"},
-        Written{"o-picture.png", "tradeoff a.toml -q -o o"},
-        Written{"o-film.png", "tradeoff a.toml -q -o o"},
-        // A folder that is there may hold other files.
-        Written{"r_pictures", report, "folder"}, Written{"r_pictures/b-actual.png", report},
-        Written{"r_pictures/poinsot-files", report}, Written{"o.mp4.job", submission, "folder"},
-        Written{"o.mp4.job/task.sh", submission}, Written{"o.mp4.job/films", submission},
-        Written{"o.mp4.job/joins", submission}, Written{"o.mp4.job/tasks", submission},
-        Written{"o.mp4.job/poinsot-files", submission}));
+// Places that the user did not name.
+const std::vector<Written> unnamed_places{
+    Written{"o.vtt", film}, Written{"o.vtt", film + " --jobs 2"}, Written{"o.chapters.json", film},
+    Written{"o.webm.vtt", "render a.toml -q -o o.webm"},
+    Written{"o.png.chapters.json", "render a.toml -q -o o_##.png"},
+    Written{"o.vtt", "join part.mp4 -q -o o.mp4"},
+    Written{"o.chapters.json", "join part.mp4 -q -o o.mp4"},
+    Written{"o.tex", "still a.toml -q --text latex -o o.pdf"},
+    // Of a deck: its own names, names that look like them, others, and its list.
+    Written{"deck/01.mp4", deck}, Written{"deck/02.pdf", deck}, Written{"deck/2024.pdf", deck},
+    Written{"deck/99.vtt", deck}, Written{"deck/12345-loop.mp4", deck},
+    Written{"deck/20261129.png", deck}, Written{"deck/index.html", deck},
+    Written{"deck/slides.json", deck}, Written{"deck/notes.txt", deck},
+    Written{"o/index.html", "render a.toml -q --slides o"},
+    // Default names.
+    Written{"output/a.png", "still a.toml -q"}, Written{"output/a.mp4", "render a.toml -q"},
+    Written{"output/a.mp4", "render a.toml -q --jobs 2"},
+    Written{"output/a_0001.png", "still a.toml -q --chapters"},
+    Written{"output/a.1-of-1.mp4", "render a.toml -q --part 1/1"},
+    Written{"output/a-tradeoff.csv", "tradeoff a.toml -q"},
+    Written{"o.csv", "tradeoff a.toml -q -o o"}, Written{"o.json", "tradeoff a.toml -q -o o"},
+    Written{"o-motion.png", "tradeoff a.toml -q -o o"},
+    Written{"o-picture.png", "tradeoff a.toml -q -o o"},
+    Written{"o-film.png", "tradeoff a.toml -q -o o"},
+    // A folder that is there may hold other files.
+    Written{"r_pictures", report, "folder"}, Written{"r_pictures/b-actual.png", report},
+    Written{"r_pictures/poinsot-files", report}, Written{"o.mp4.job", submission, "folder"},
+    Written{"o.mp4.job/task.sh", submission}, Written{"o.mp4.job/films", submission},
+    Written{"o.mp4.job/joins", submission}, Written{"o.mp4.job/tasks", submission},
+    Written{"o.mp4.job/poinsot-files", submission}};
+
+TEST_F(OthersFiles, StayInPlacesThatNobodyNamed) {
+    for (const auto& [place, command, but] : unnamed_places)
+        for (const std::string& kind : kinds) {
+            if (kind == but) continue;
+            const ScratchFolder folder;
+            fill(folder);
+            plant(kind, folder.path(), folder.path() / place);
+            const std::string before = state_of(folder.path());
+            const ProgramRun done = run_program_in(folder, command, "timeout 60");
+            EXPECT_TRUE(done.code == 2 || done.code == 3)
+                << place << ", " << command << ", " << kind << done.code << done.err;
+            const std::string message =
+                done.err.substr(done.err.find_last_of('\n', done.err.size() - 2) + 1);
+            const fs::path path = place;
+            EXPECT_TRUE(contains(message, path.filename().string())) << kind << ": " << done.err;
+            EXPECT_TRUE(state_of(folder.path()) == before) << place << ", " << kind;
+        }
+}
 
 // Files that poinsot wrote, edited since.
-TEST(Edited, FilesOfPoinsotAreNotReplaced) {
+TEST_F(OthersFiles, AreFilesOfPoinsotThatWereEdited) {
     struct Row {
         std::string place, command;
     };
@@ -219,51 +219,54 @@ TEST(Rows, OfAnotherAreNotReplacedByAFittedScene) {
     EXPECT_EQ(run_program_in(folder, fit).code, 2);
 }
 
+const std::vector<Written> named_places{
+    Written{"o.png", "still a.toml -q -o o.png"},
+    Written{"o.pdf", "still a.toml -q -o o.pdf"},
+    Written{"o.svg", "still a.toml -q -o o.svg"},
+    Written{"o_1.png", "still a.toml -q --chapters -o 'o_#.png'"},
+    Written{"o.png", "still a.toml a.toml -q --sheet 2x1 -o o.png"},
+    Written{"o.mp4", film},
+    Written{"o.mp4", film + " --jobs 2"},
+    Written{"o.webm", "render a.toml -q -o o.webm"},
+    Written{"o.gif", "render a.toml -q -o o.gif"},
+    Written{"o.mp4", "join part.mp4 -q -o o.mp4"},
+    Written{"o.png", "rerender face.png -q -o o.png"},
+    Written{"o.csv", "sample a.toml --times 0,1 -o o.csv"},
+    Written{"o.npy", "sample a.toml --times 0,1 -o o.npy"},
+    Written{"o.toml", "fit gyro.csv -o o.toml"},
+    Written{"o.svg", "fit gyro.csv --chart o.svg"},
+    Written{"r.html", report},
+    Written{"o.xml", "compare ref new --junit o.xml"},
+    Written{"o.png", "compare ref/b.png new/b.png --diff o.png"}};
+
 // What the user named: a file is replaced, a link followed, also to a file that is not there yet,
 // and a folder refused.
-class Named : public ::testing::TestWithParam<Written> {};
-
-TEST_P(Named, FileIsReplacedAndALinkFollowed) {
-    const auto& [place, command, but] = GetParam();
-    for (const std::string kind : {"file", "folder", "link to a file", "link to nothing"}) {
-        const ScratchFolder folder;
-        fill(folder);
-        const fs::path path = folder.path() / place;
-        plant(kind, folder.path(), path);
-        const bool is_link = fs::is_symlink(path), is_folder = kind == "folder";
-        const ProgramRun done = run_program_in(folder, command, "timeout 120");
-        if (is_folder) {
-            EXPECT_TRUE(done.code == 2 || done.code == 3) << command << done.code << done.err;
-            EXPECT_EQ(text_of(path / "precious"), "mine");
-            continue;
+TEST_F(OthersFiles, AreReplacedWhereTheUserNamedThem) {
+    for (const auto& [place, command, but] : named_places)
+        for (const std::string kind : {"file", "folder", "link to a file", "link to nothing"}) {
+            const ScratchFolder folder;
+            fill(folder);
+            const fs::path path = folder.path() / place;
+            plant(kind, folder.path(), path);
+            const bool is_link = fs::is_symlink(path), is_folder = kind == "folder";
+            const ProgramRun done = run_program_in(folder, command, "timeout 120");
+            if (is_folder) {
+                EXPECT_TRUE(done.code == 2 || done.code == 3) << command << done.code << done.err;
+                EXPECT_EQ(text_of(path / "precious"), "mine");
+                continue;
+            }
+            EXPECT_TRUE(done.code == 0 || (done.code == 1 && contains(command, "compare")))
+                << done.err;
+            EXPECT_EQ(fs::is_symlink(path), is_link) << kind;
+            EXPECT_TRUE(fs::exists(path)) << kind;
+            EXPECT_NE(text_of(path), "mine") << kind;
+            EXPECT_EQ(text_of(folder.path() / "victim/precious") == "mine",
+                      kind != "link to a file");
         }
-        EXPECT_TRUE(done.code == 0 || (done.code == 1 && contains(command, "compare"))) << done.err;
-        EXPECT_EQ(fs::is_symlink(path), is_link) << kind;
-        EXPECT_TRUE(fs::exists(path)) << kind;
-        EXPECT_NE(text_of(path), "mine") << kind;
-        EXPECT_EQ(text_of(folder.path() / "victim/precious") == "mine", kind != "link to a file");
-    }
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Outputs, Named,
-    ::testing::Values(
-        Written{"o.png", "still a.toml -q -o o.png"}, Written{"o.pdf", "still a.toml -q -o o.pdf"},
-        Written{"o.svg", "still a.toml -q -o o.svg"},
-        Written{"o_1.png", "still a.toml -q --chapters -o 'o_#.png'"},
-        Written{"o.png", "still a.toml a.toml -q --sheet 2x1 -o o.png"}, Written{"o.mp4", film},
-        Written{"o.mp4", film + " --jobs 2"}, Written{"o.webm", "render a.toml -q -o o.webm"},
-        Written{"o.gif", "render a.toml -q -o o.gif"},
-        Written{"o.mp4", "join part.mp4 -q -o o.mp4"},
-        Written{"o.png", "rerender face.png -q -o o.png"},
-        Written{"o.csv", "sample a.toml --times 0,1 -o o.csv"},
-        Written{"o.npy", "sample a.toml --times 0,1 -o o.npy"},
-        Written{"o.toml", "fit gyro.csv -o o.toml"}, Written{"o.svg", "fit gyro.csv --chart o.svg"},
-        Written{"r.html", report}, Written{"o.xml", "compare ref new --junit o.xml"},
-        Written{"o.png", "compare ref/b.png new/b.png --diff o.png"}));
-
 // A pipe whose name has a number of a sequence would never be read.
-TEST(Sequence, RefusesAPipeAmongItsFrames) {
+TEST_F(OthersFiles, ArePipesAmongTheFramesOfASequence) {
     const ScratchFolder folder;
     fill(folder);
     plant("pipe", folder.path(), folder.path() / "f_03.png");
@@ -273,7 +276,7 @@ TEST(Sequence, RefusesAPipeAmongItsFrames) {
 }
 
 // No output replaces a file that the same command reads.
-TEST(Inputs, OfACommandAreNotItsOutputs) {
+TEST_F(OthersFiles, AreTheInputsOfTheSameCommand) {
     const ScratchFolder folder;
     fill(folder);
     folder.write("box.toml",
