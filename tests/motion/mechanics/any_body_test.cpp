@@ -103,7 +103,7 @@ Body turned_needle(Source& source, bool one_size) {
 // A good tensor beside one small element.
 Body tiny_element(Source& source, bool one_size) {
     Body body = physical_in_principal_axes(source, one_size);
-    const double tiny = std::pow(10.0, -source.between(0.0, 323.0));
+    const double tiny = std::pow(10.0, -source.between(1.0, 323.0));
     body.tensor_kg_m2 = Matrix3d{{3.0, 0.1, tiny}, {0.1, 2.0, 0.0}, {tiny, 0.0, 2.5}};
     return body;
 }
