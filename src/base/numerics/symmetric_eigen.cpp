@@ -100,7 +100,7 @@ WideDouble sensitivity(const SymmetricEigen& eigen, const TensorDD& tensor, int 
 // to the input's. Where two eigenvalues are much smaller than the third, rounding need not move
 // them by as much as their difference, however small that is beside the third.
 void turn_repeated(SymmetricEigen& eigen, const TensorDD& tensor, double tolerance) {
-    constexpr double margin = 4.0;
+    constexpr double margin = 64.0;  // a product R diag(I) Rᵀ is rounded several times
     const auto close = [&](int i, int j) {
         const WideDouble apart = abs(eigen.values[i] - eigen.values[j]);
         if (apart.is_zero()) return true;
