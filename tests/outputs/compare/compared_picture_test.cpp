@@ -345,10 +345,9 @@ TEST_F(Folders, GiveAReportWithoutOldPictures) {
         request.seen = [&shown](ComparedPicture& picture, const PicturePair& pair) {
             shown.add(picture, pair);
         };
-        return html_report("title",
-                           std::vector{compare_files("a_lot", folder_ / "ref/a_lot.png",
-                                                     folder_ / "new/a_lot.png", request)},
-                           shown);
+        ComparedPicture picture =
+            compare_files("a_lot", folder_ / "ref/a_lot.png", folder_ / "new/a_lot.png", request);
+        return html_report("title", {&picture, 1}, shown);
     };
     made();
     EXPECT_GE(TemporaryFolder::contents_of(folder_ / "report_pictures").size(), 3u);
