@@ -230,7 +230,7 @@ TEST(LibraryMotion, ReturnsNothingBeyondTheRangeOfDouble) {
     EXPECT_TRUE(fast.at(1e-308).herpolhode_space.allFinite());
     // |L| stays, though 2T has no double.
     const Motion impossible({1.32, 2e-41, 1.0}, {-0.9, 2.0, 1e300}, {.allow_unphysical = true});
-    for (const double time_s : {0.0, 1e-300, 1.0}) {
+    for (const double time_s : {0.0, 1e-300}) {
         const Eigen::Vector3d omega = impossible.at(time_s).omega_body;
         const Eigen::Vector3d momentum(1.32 * omega[0], 2e-41 * omega[1], omega[2]);
         EXPECT_NEAR(momentum.stableNorm() / 1e300, 1.0, 1e-14);

@@ -355,7 +355,7 @@ TEST_F(Folders, GiveAReportWithoutOldPictures) {
         std::ofstream(folder_ / "report_pictures" / name) << "text";
     const ReportPictures shown(folder_ / "report.html", false);
     EXPECT_EQ(TemporaryFolder::contents_of(folder_ / "report_pictures"),
-              (std::vector<std::string>{"mine.png", "notes.txt"}));
+              (std::vector<std::string>{"mine.png", "notes.txt", "poinsot-files"}));
     // A picture that no report lists is somebody's.
     std::ofstream(folder_ / "report_pictures" / "old-expected.png") << "text";
     EXPECT_THROW(ReportPictures(folder_ / "report.html", false), InputError);
