@@ -260,12 +260,7 @@ void set_flight(const JointPart& part, DragModel drag, int n_own, JointFlight& f
 
 std::optional<std::pair<std::size_t, std::size_t>> repeated_flight(Flights flights) {
     // ω of three numbers with all their digits is seldom the same in two flights.
-    struct Row {
-        std::array<double, 3> omega;
-        std::size_t flight;
-        auto operator<=>(const Row&) const = default;
-    };
-    std::vector<Row> rows;
+    std::vector<std::pair<std::array<double, 3>, std::size_t>> rows;  // ω and its flight
     for (std::size_t i = 0; i < flights.size(); ++i)
         for (const MeasuredRow& row : flights[i])
             rows.push_back({{row.omega_body[0], row.omega_body[1], row.omega_body[2]}, i});
@@ -273,8 +268,8 @@ std::optional<std::pair<std::size_t, std::size_t>> repeated_flight(Flights fligh
     rows.erase(std::unique(rows.begin(), rows.end()), rows.end());
     std::map<std::pair<std::size_t, std::size_t>, std::size_t> n_common;
     for (std::size_t k = 1; k < rows.size(); ++k)
-        for (std::size_t i = k; i-- > 0 && rows[i].omega == rows[k].omega;) {
-            const std::pair both(rows[i].flight, rows[k].flight);
+        for (std::size_t i = k; i-- > 0 && rows[i].first == rows[k].first;) {
+            const std::pair both(rows[i].second, rows[k].second);
             const std::size_t shorter =
                 std::min(flights[both.first].size(), flights[both.second].size());
             if (2 * ++n_common[both] > shorter) return both;

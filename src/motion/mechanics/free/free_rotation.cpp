@@ -49,8 +49,7 @@ Vector3d principal(const InertiaTensor& inertia, const Vector3d& omega_body) {
     const int down = std::max(0, exponent_of(omega_body) - most_exponent);
     VectorDD w;
     for (int i = 0; i < 3; ++i) w[static_cast<std::size_t>(i)] = std::ldexp(omega_body[i], -down);
-    const Vector3d omega =
-        ldexp(rounded(times(inertia.body_from_principal().transpose(), w)), down);
+    Vector3d omega = ldexp(rounded(times(inertia.body_from_principal().transpose(), w)), down);
     if (!omega.allFinite())
         throw InputError(
             "omega_rad_s: the angular velocity along a principal axis overflows; choose other "
