@@ -67,7 +67,7 @@ Eigen::Vector3d moments_in(const std::string& text) {
             fmt::format("--moments {}: give three positive numbers in kg m², as in "
                         "--moments 4,3,1.5",
                         printable(text)));
-    const Eigen::Vector3d known(moments[0], moments[1], moments[2]);
+    Eigen::Vector3d known(moments[0], moments[1], moments[2]);
     try {
         check_known_moments(known);
     } catch (const InputError& error) {

@@ -119,6 +119,7 @@ p {{ margin: .2rem 0; }}
 
 std::vector<FileHash> hashes_of(const SlidesAside& aside, const std::set<std::string>& names) {
     std::vector<FileHash> hashes;
+    hashes.reserve(names.size());
     for (const std::string& name : names)
         hashes.push_back({name, sha256_of_file(aside.file(name))});
     return hashes;
