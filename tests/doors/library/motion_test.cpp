@@ -231,8 +231,8 @@ TEST(LibraryMotion, ReturnsNothingBeyondTheRangeOfDouble) {
     // |L| stays, though 2T has no double.
     const Motion impossible({1.32, 2e-41, 1.0}, {-0.9, 2.0, 1e300}, {.allow_unphysical = true});
     for (const double time_s : {0.0, 1e-300}) {
-        const Eigen::Vector3d omega = impossible.at(time_s).omega_body;
-        const Eigen::Vector3d momentum(1.32 * omega[0], 2e-41 * omega[1], omega[2]);
+        const Eigen::Vector3d rate = impossible.at(time_s).omega_body;
+        const Eigen::Vector3d momentum(1.32 * rate[0], 2e-41 * rate[1], rate[2]);
         EXPECT_NEAR(momentum.stableNorm() / 1e300, 1.0, 1e-14);
     }
 }
