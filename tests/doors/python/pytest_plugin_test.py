@@ -486,6 +486,7 @@ def test_plain():
 
 def test_the_plugin_works_beside_the_other_plugins_of_the_machine(sessions, monkeypatch):
     pytest.importorskip("pytest_mpl")
+    # Without a path, pytest-mpl leaves its results in the temporary folder.
     monkeypatch.delenv("PYTEST_DISABLE_PLUGIN_AUTOLOAD")
     sessions.write("""
 import matplotlib
@@ -509,14 +510,14 @@ def test_theirs():
 def test_both_draw(poinsot_image):
     poinsot_image(drawing(3), "fixture.png")
 """)
-    sessions("--mpl-generate-path", "theirs", "-k", "theirs", own_process=True).assert_outcomes(skipped=1, deselected=2)
+    sessions("--mpl-results-path", "results", "--mpl-generate-path", "theirs", "-k", "theirs", own_process=True).assert_outcomes(skipped=1, deselected=2)
     sessions("--poinsot-renew", "first", own_process=True).assert_outcomes(passed=3)
     assert pngs(sessions.folder / "theirs") == ["theirs.png"]
     assert pngs(sessions.folder / "baselines") == ["fixture.png", "test_turn.test_ours.png"]
-    sessions("--mpl", "--poinsot-report", "report.html", own_process=True).assert_outcomes(passed=3)
+    sessions("--mpl-results-path", "results", "--mpl", "--poinsot-report", "report.html", own_process=True).assert_outcomes(passed=3)
     # A change is noticed by the plugin whose picture it is.
     sessions.write((sessions.folder / "test_turn.py").read_text().replace("drawing(2)", "drawing(1)"))
-    changed = sessions("--mpl", own_process=True)
+    changed = sessions("--mpl-results-path", "results", "--mpl", own_process=True)
     changed.assert_outcomes(passed=1, failed=2)
     changed.stdout.fnmatch_lines(["  to renew:   pytest test_turn.py::test_ours --poinsot-renew*"])
 
