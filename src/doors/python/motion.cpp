@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <map>
@@ -70,7 +71,8 @@ class States {
                    ", herpolhode = " + list(block(8), 3) + " rad/s>";
         double least = std::numeric_limits<double>::infinity(), most = 0.0;
         for (std::size_t i = 0; i < n_; ++i) {
-            const double rate = Eigen::Map<const Eigen::Vector3d>(block(1) + 3 * i).stableNorm();
+            const double* omega = block(1) + 3 * i;
+            const double rate = std::hypot(omega[0], omega[1], omega[2]);
             least = std::min(least, rate);
             most = std::max(most, rate);
         }

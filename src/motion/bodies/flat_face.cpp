@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "numerics/power_of_two.h"
+
 namespace poinsot {
 
 namespace {
@@ -26,7 +28,7 @@ double farthest_along(const TriangleMesh& mesh, const Eigen::Vector3d& outward) 
 PartedMesh parted_at(const TriangleMesh& mesh, const Eigen::Vector3d& outward, double at_m) {
     double reach_m = 0.0;
     for (const Eigen::Vector3d& vertex : mesh.vertices)
-        reach_m = std::max(reach_m, vertex.stableNorm());
+        reach_m = std::max(reach_m, norm_of(vertex));
     const double within_m = 1e-6 * reach_m;
     PartedMesh parted{{mesh.vertices, {}}, {mesh.vertices, {}}};
     for (const auto& corners : mesh.triangles) {

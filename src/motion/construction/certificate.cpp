@@ -40,7 +40,7 @@ double fastest_rate(const InertiaTensor& inertia, const PoinsotConstruction& con
                     const MotionProblem& problem) {
     const Eigen::Vector3d& omega = problem.start.omega_body;
     const Polhode polhode(inertia, omega, problem.on_separatrix);
-    const double omega_per_rho = omega.stableNorm() / construction.contact_body(omega).stableNorm();
+    const double omega_per_rho = norm_of(omega) / norm_of(construction.contact_body(omega));
     const Eigen::Vector3d side = polhode.at(0.0);
     const int a = polhode.encircled_axis();
     const double along = std::abs(inertia.body_from_principal().col(a).dot(side));
@@ -48,8 +48,7 @@ double fastest_rate(const InertiaTensor& inertia, const PoinsotConstruction& con
     const double Ib = I[(a + 1) % 3], Ic = I[(a + 2) % 3];
     const double jacobi =
         along * std::sqrt(std::abs(I[a] - Ib) / Ic) * std::sqrt(std::abs(I[a] - Ic) / Ib);
-    const double farthest =
-        std::max(side.stableNorm(), polhode.at(0.5 * std::numbers::pi).stableNorm());
+    const double farthest = std::max(norm_of(side), norm_of(polhode.at(0.5 * std::numbers::pi)));
     return omega_per_rho * std::max(farthest, jacobi);
 }
 
@@ -60,7 +59,7 @@ class Differences {
  public:
     Differences(const Motion& motion, double fastest_rad_s)
         : motion_(motion),
-          rate_(std::max(motion.problem().start.omega_body.stableNorm(), 0.5 * fastest_rad_s)) {
+          rate_(std::max(norm_of(motion.problem().start.omega_body), 0.5 * fastest_rad_s)) {
         const double step = 2e-3 / rate_;
         if (std::isfinite(step) && step > 0.0) step_s_ = std::exp2(std::round(std::log2(step)));
     }

@@ -12,6 +12,7 @@
 #include "error/error.h"
 #include "mechanics/free/free_rotation.h"
 #include "numerics/bracketed_root.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -161,7 +162,7 @@ ClosedStart close_herpolhode(const InertiaTensor& inertia, const Eigen::Vector3d
         if (component && *component != i) continue;
         const Family family(inertia, omega_body, i);
         for (const double side : {-1.0, 1.0}) {
-            const double span = side * reach * omega_body.stableNorm();
+            const double span = side * reach * norm_of(omega_body);
             const std::vector<Sample> samples = samples_outwards(family, *here, span);
             for (const Sample& sample : samples) {
                 least = std::min(least, sample.advance.turns);

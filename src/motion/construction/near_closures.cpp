@@ -5,6 +5,7 @@
 
 #include "error/error.h"
 #include "mechanics/free/free_rotation.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -44,8 +45,7 @@ std::vector<NearClosure> near_closures(const InertiaTensor& inertia,
         try {
             const ClosedStart closed = close_herpolhode(inertia, omega_body, closure);
             near.push_back(
-                {closure, closed,
-                 (closed.omega_body - omega_body).stableNorm() / omega_body.stableNorm()});
+                {closure, closed, norm_of(closed.omega_body - omega_body) / norm_of(omega_body)});
         } catch (const InputError&) {
             // No start nearby closes so.
         }

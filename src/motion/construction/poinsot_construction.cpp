@@ -36,7 +36,7 @@ PoinsotConstruction::PoinsotConstruction(const InertiaTensor& inertia, const Rot
     sqrt_2T_scaled_ = std::sqrt(omega.dot(momentum));
     momentum_scaled_space_ = start.space_from_body * momentum;
     normal_space_ = momentum_scaled_space_.stableNormalized();
-    plane_distance_ = sqrt_2T_scaled_ / momentum.stableNorm();
+    plane_distance_ = sqrt_2T_scaled_ / norm_of(momentum);
 }
 
 Eigen::Vector3d PoinsotConstruction::half_axes() const {
@@ -48,7 +48,7 @@ double PoinsotConstruction::kinetic_energy_J() const {
 }
 
 double PoinsotConstruction::momentum_kg_m2_s() const {
-    return std::ldexp(momentum_scaled_space_.stableNorm(), omega_exponent_);
+    return std::ldexp(norm_of(momentum_scaled_space_), omega_exponent_);
 }
 
 Eigen::Vector3d PoinsotConstruction::contact_body(const Eigen::Vector3d& omega_body) const {
@@ -87,8 +87,7 @@ RollingResiduals PoinsotConstruction::residuals(const RotationState& state) cons
     const Eigen::Vector3d omega_space = state.space_from_body * omega;
     const double longest = half_axes().maxCoeff();
     r.slip = omega_space.cross(touching / longest).norm() / omega.norm();
-    r.momentum =
-        (momentum - momentum_scaled_space_).stableNorm() / momentum_scaled_space_.stableNorm();
+    r.momentum = norm_of(momentum - momentum_scaled_space_) / norm_of(momentum_scaled_space_);
     r.energy = std::abs(twice_T - twice_T_start) / twice_T_start;
     r.unit_quaternion = std::abs(state.space_from_body.norm() - 1.0);
     return r;

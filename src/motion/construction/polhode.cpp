@@ -165,7 +165,7 @@ Polhode::Annulus Polhode::annulus() const {
             const Eigen::Vector3d differences = I.array() - I[i];
             across[i] = x[i] * momentum.cwiseProduct(x).dot(differences) / momentum.squaredNorm();
         }
-        return size * across.stableNorm();
+        return size * norm_of(across);
     };
     if (kind_ == Kind::point) return {0.0, 0.0};
     const double r0 = radius(0.0);

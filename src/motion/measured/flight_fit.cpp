@@ -141,7 +141,7 @@ IsFitted fitted_start(DragModel drag, bool with_drag) {
 
 FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
                       const IsFitted& is_fitted, int most_steps) {
-    constexpr double least_gain = 1e-9, most_trust = 1e12, widest_log = 11.0;
+    constexpr double least_gain = 1e-9, most_trust = 1e12, widest = 6e4;
     const std::vector<int> places = places_of(is_fitted);
     Flight flight = start;
     FlightSums sums = flight_sums(flight, rows);
@@ -163,7 +163,8 @@ FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
         if (!by.allFinite()) break;
         const Flight next = changed(flight, by);
         const bool is_tried = by.head<n_of_body>().cwiseAbs().maxCoeff() < 2.0 &&
-                              next.moments.array().log().abs().maxCoeff() < widest_log;
+                              next.moments.maxCoeff() < widest &&
+                              next.moments.minCoeff() > 1.0 / widest;
         FlightSums there;
         there.squares = std::numeric_limits<double>::infinity();
         if (is_tried) there = flight_sums(next, rows);

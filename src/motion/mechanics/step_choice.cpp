@@ -11,6 +11,7 @@
 
 #include "mechanics/methods.h"
 #include "mechanics/motion_errors.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -94,7 +95,7 @@ MethodChoice coarsest_choice(const MotionProblem& problem) {
             problem.inertia.body_from_principal().transpose() * problem.start.omega_body);
         const double turn_s =
             2.0 * std::numbers::pi /
-            (problem.start.omega_body.stableNorm() + dynamics.greatest_friction_turning_rad_s() +
+            (norm_of(problem.start.omega_body) + dynamics.greatest_friction_turning_rad_s() +
              dynamics.greatest_drag_rate_1_s(momentum, problem.first_time_s, problem.last_time_s));
         coarsest.step_s = std::min(span_of(problem), turn_s / 16.0);
     } else {

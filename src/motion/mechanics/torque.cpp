@@ -8,6 +8,7 @@
 #include <variant>
 
 #include "error/error.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -192,7 +193,7 @@ double RotationDynamics::greatest_drag_rate_1_s(const Eigen::Vector3d& momentum,
     if (drag == nullptr) return 0.0;
     // T never grows: |ω_i| ≤ √(2T/I_i). In units of the least moment, so that T is a double.
     const Eigen::Vector3d weights = least_over_moments_.cwiseSqrt();
-    const double root = omega(momentum).cwiseQuotient(weights).stableNorm();
+    const double root = norm_of(omega(momentum).cwiseQuotient(weights));
     const Eigen::Vector3d speed = root * weights;
     const double grown =
         std::exp(std::max(drag->growth_1_s * first_time_s, drag->growth_1_s * last_time_s));

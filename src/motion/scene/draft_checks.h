@@ -10,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "numerics/power_of_two.h"
 #include "scene/scene_draft.h"
 #include "scene/scene_error.h"
 
@@ -31,7 +32,7 @@ FileBytes file_named(const SceneDraft& draft, NamedFile::Kind kind, const std::s
 // Throws for the zero vector.
 template <typename Vector>
 Vector unit(Scene& scene, const std::string& key, const Vector& given) {
-    const double length = given.stableNorm();
+    const double length = norm_of(given);
     if (!(length > 0.0)) {
         refuse(scene, key, fmt::format("{} is zero; give one that has a direction", key));
     }

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "numerics/power_of_two.h"
 #include "scene/film_clock.h"
 #include "scene/scene_error.h"
 
@@ -32,7 +33,7 @@ std::string Scene::where(const std::string& key) const { return location_of(key)
 double overshoot_s(const MotionProblem& problem) {
     // A history's last piece lasts at most a quarter of the fastest turn that ω can make about L,
     // (π/2)·I_min/L ≤ (π/2)/|ω|.
-    const double rate = problem.start.omega_body.stableNorm();
+    const double rate = norm_of(problem.start.omega_body);
     const double span_s = problem.last_time_s - problem.first_time_s;
     return rate > 0.0 ? std::min(2.0 / rate, longest_piece_spans * span_s) : 0.0;
 }

@@ -8,6 +8,7 @@
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "mechanics/motion_errors.h"
+#include "numerics/power_of_two.h"
 #include "tradeoff/measure.h"
 #include "tradeoff/tradeoff.h"
 
@@ -100,7 +101,7 @@ MotionTrades trade_motion(const Session& session, const FilmPlan& film, double p
     for (std::int64_t frame = 0; frame < film.n_frames; ++frame) {
         times.push_back(film.time_of(frame));
     }
-    const double turn_s = 2.0 * std::numbers::pi / problem.start.omega_body.stableNorm();
+    const double turn_s = 2.0 * std::numbers::pi / norm_of(problem.start.omega_body);
     const double span_s = std::max(std::abs(problem.first_time_s), std::abs(problem.last_time_s));
 
     MotionTrades trades;

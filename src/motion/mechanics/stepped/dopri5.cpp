@@ -7,6 +7,7 @@
 #include "error/error.h"
 #include "mechanics/methods.h"
 #include "mechanics/stepped/friction.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -33,7 +34,7 @@ class Dopri5 {
         constexpr double first_steps = 50.0;
         longest_step_s_ = first_steps * start.step_s;
         // In this unit of momentum one tolerance suits both momentum and attitude.
-        const double momentum = start.state.momentum.stableNorm();
+        const double momentum = norm_of(start.state.momentum);
         const double torque = dynamics_.greatest_torque_N_m();
         unit_ = momentum > 0.0
                     ? momentum
@@ -89,7 +90,7 @@ class Dopri5 {
     // The unit of L in the step from this state: under drag L falls, and each step keeps to the
     // tolerance of what is left.
     double unit_at(const StepState& state) const {
-        const double momentum = is_slowed_ ? state.momentum.stableNorm() : 0.0;
+        const double momentum = is_slowed_ ? norm_of(state.momentum) : 0.0;
         return momentum > 0.0 ? momentum : unit_;
     }
 

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "numerics/power_of_two.h"
+
 namespace poinsot {
 
 namespace {
@@ -60,7 +62,8 @@ Vector3d descended(const Vector3d& weight, const Vector3d& start, const Vector3d
         const double correction = next - s;
         if (!std::isfinite(correction)) break;
         s = next;
-        moved = n.cwiseProduct((-s * weight).array().exp().matrix()).normalized();
+        for (int i = 0; i < 3; ++i) moved[i] = n[i] * std::exp(-s * weight[i]);
+        moved.normalize();
         if (std::abs(correction) <= last_correction ||
             correction * correction * variance <= last_turn_rad * last_turn_rad)
             break;
@@ -73,7 +76,7 @@ Vector3d descended(const Vector3d& weight, const Vector3d& start, const Vector3d
 Friction::Friction(const MethodStart& start) : backwards_(start.step_s < 0.0) {
     acts_ = has_friction(start.dynamics.torque());
     if (!acts_) return;
-    momentum_ = start.state.momentum.stableNorm();
+    momentum_ = norm_of(start.state.momentum);
     direction_space_ = start.state.space_from_principal * start.state.momentum.stableNormalized();
     strength_1_s_ = 4.0 * start.dynamics.greatest_friction_turning_rad_s();
     // By ratios of moments, since their inverses need not be doubles.

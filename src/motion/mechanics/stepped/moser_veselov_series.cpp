@@ -14,6 +14,8 @@
 #include <array>
 #include <cmath>
 
+#include "numerics/power_of_two.h"
+
 namespace poinsot {
 
 namespace {
@@ -172,7 +174,7 @@ Polhode polhode_of(const Eigen::Vector3d& moments, const Eigen::Vector3d& moment
 MoserVeselovSeries moser_veselov_series(const Eigen::Vector3d& moments,
                                         const Eigen::Vector3d& momentum) {
     MoserVeselovSeries result;
-    const double norm = momentum.stableNorm();
+    const double norm = norm_of(momentum);
     if (!(norm > 0.0)) return result;
     const Polhode polhode = polhode_of(moments, momentum);
     const double rate = norm / moments.sum();

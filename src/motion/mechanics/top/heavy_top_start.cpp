@@ -7,6 +7,7 @@
 
 #include "error/error.h"
 #include "mechanics/top/heavy_top_setup.h"
+#include "numerics/power_of_two.h"
 #include "numerics/quaternion_dd.h"
 #include "numerics/wide_functions.h"
 
@@ -161,7 +162,7 @@ void HeavyTop::check_momentum(bool from_angles) const {
     const Eigen::Vector3d omega = body_from_top_.conjugate() * given_.omega_body;
     const Eigen::Vector3d momentum(moment_transverse_ * omega[0], moment_transverse_ * omega[1],
                                    moment_axial_ * omega[2]);
-    if (std::isfinite(momentum.stableNorm()) && std::isfinite(invariants_.p_phi_kg_m2_s)) return;
+    if (std::isfinite(norm_of(momentum)) && std::isfinite(invariants_.p_phi_kg_m2_s)) return;
     const char* too_large = !from_angles                  ? "omega_rad_s"
                             : !std::isfinite(momentum[2]) ? "omega3_rad_s"
                             : !std::isfinite(momentum[0]) ? "theta_dot_rad_s"

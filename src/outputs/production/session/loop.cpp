@@ -10,6 +10,7 @@
 #include "drawing/stage/timeline.h"
 #include "error/error.h"
 #include "mechanics/free/free_rotation.h"
+#include "numerics/power_of_two.h"
 #include "scene/film_clock.h"
 #include "scene/loop_text.h"
 #include "scene/scene_error.h"
@@ -63,7 +64,7 @@ Loop closed(Scene& scene, const LoopRatio& ratio, std::vector<std::string>& note
         loop.change = fmt::format(
             "{} was changed from {:.6g} to {:.9g} rad/s (by {:+.3g} rad/s, {:.2g} % of |omega|)",
             loop_values()[static_cast<std::size_t>(*start.changed)], from, to, to - from,
-            100.0 * std::abs(to - from) / scene.start.omega_rad_s.stableNorm());
+            100.0 * std::abs(to - from) / norm_of(scene.start.omega_rad_s));
         notes.push_back(fmt::format("film.loop = \"{}\": {}, so that the herpolhode closes",
                                     scene.film.loop, loop.change));
         scene.start.omega_rad_s = start.omega_body;

@@ -16,6 +16,7 @@
 #include "mechanics/motion_errors.h"
 #include "mechanics/regime_sentence.h"
 #include "mechanics/top/heavy_top.h"
+#include "numerics/power_of_two.h"
 #include "production/session/measured_summary.h"
 #include "production/session/motion_hints.h"
 #include "production/session/picture_setting.h"
@@ -130,7 +131,7 @@ void add_start(const MotionProblem& problem, std::vector<SummaryLine>& lines) {
     const Eigen::Vector3d& omega = problem.start.omega_body;
     const Eigen::Vector3d momentum = problem.inertia.matrix_body() * omega;
     add_number(lines, "start_kinetic_energy_J", "T at t = 0", 0.5 * omega.dot(momentum), "J");
-    add_number(lines, "start_momentum_kg_m2_s", "L at t = 0", momentum.stableNorm(), "kg m²/s");
+    add_number(lines, "start_momentum_kg_m2_s", "L at t = 0", norm_of(momentum), "kg m²/s");
 }
 
 // Adds the requested accuracy in pixels as an angle, and the achieved accuracy.

@@ -9,6 +9,7 @@
 #include "construction/quantities.h"
 #include "drawing/stage/type/clock_text.h"
 #include "error/error.h"
+#include "numerics/power_of_two.h"
 #include "scene/film_clock.h"
 #include "text/languages.h"
 #include "text/nearest.h"
@@ -54,7 +55,7 @@ std::vector<LiveValue> live_values(const Scene& scene, const FrameInput& instant
         }
         if (!quantity.symbol.empty()) add(quantity.symbol, numbers[0], unit);
     }
-    add("omega", instant.state.omega_body.stableNorm(), "rad/s");
+    add("omega", norm_of(instant.state.omega_body), "rad/s");
     const ClockText clock(scene.film.start_s, film_end_time_s(scene));
     for (LiveValue& value : values)
         if (value.name == "t" || value.name == "time")

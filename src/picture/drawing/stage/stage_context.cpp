@@ -9,6 +9,7 @@
 #include "drawing/stage/accuracy.h"
 #include "error/error.h"
 #include "numerics/least_turn.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -56,9 +57,9 @@ RotationState StageContext::measured_state(const MeasuredRow& row) const {
 // The construction needs a direction of ω: the air must not have stopped the body.
 void StageContext::check_turning() const {
     constexpr double slowest = 1e-100;  // as a share of the start: squares are doubles
-    const double start = motion.motion().problem().start.omega_body.stableNorm();
+    const double start = norm_of(motion.motion().problem().start.omega_body);
     for (const double time_s : {options.first_time_s, options.last_time_s}) {
-        const double left = motion.motion().at(time_s).omega_body.stableNorm() / start;
+        const double left = norm_of(motion.motion().at(time_s).omega_body) / start;
         if (left > slowest && left < 1.0 / slowest) continue;
         throw InputError(fmt::format(
             "at {} s the drag has left {:.3g} of ω, from which no construction can be drawn; end "
@@ -124,7 +125,7 @@ double StageContext::quickest_rate_rad_s() const {
         problem.inertia.body_from_principal().transpose() * problem.start.omega_body;
     // In units of the least moment, so that T neither overflows nor underflows.
     const Eigen::Vector3d weights = (problem.inertia.moments_kg_m2() / I_least).cwiseSqrt();
-    double rate = weights.cwiseProduct(omega).stableNorm();
+    double rate = norm_of(weights.cwiseProduct(omega));
     if (const auto* gravity = std::get_if<Gravity>(&problem.torque)) {
         rate = std::hypot(rate, 2.0 * std::sqrt(std::abs(gravity->mgl_N_m) / I_least));
     }

@@ -11,6 +11,7 @@
 #include "drawing/figures/charts/plot_frame.h"
 #include "drawing/stage/possible_motions.h"
 #include "error/error.h"
+#include "numerics/power_of_two.h"
 #include "text/nearest.h"
 
 namespace poinsot {
@@ -118,7 +119,7 @@ constexpr PlotCurve momentum_curves[] = {
 // conserved.
 PlotValues momentum_values(const StageContext& stage, const FrameInput& instant) {
     const Eigen::Vector3d momentum = momentum_principal(inertia_of(stage), instant);
-    return {momentum[0], momentum[1], momentum[2], momentum.stableNorm()};
+    return {momentum[0], momentum[1], momentum[2], norm_of(momentum)};
 }
 
 constexpr PlotCurve kinetic_curves[] = {{formula("T"), energy_colour, DashPattern::solid}};
@@ -127,7 +128,7 @@ PlotValues kinetic_values(const StageContext& stage, const FrameInput& instant) 
 }
 constexpr PlotCurve length_curves[] = {{formula("L"), momentum_colour, DashPattern::solid}};
 PlotValues length_values(const StageContext& stage, const FrameInput& instant) {
-    return {momentum_body(inertia_of(stage), instant).stableNorm()};
+    return {norm_of(momentum_body(inertia_of(stage), instant))};
 }
 constexpr PlotCurve invariant_curves[] = {
     {formula("T"), energy_colour, DashPattern::solid},

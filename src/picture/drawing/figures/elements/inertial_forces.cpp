@@ -8,6 +8,7 @@
 #include "drawing/stage/label_requests.h"
 #include "error/error.h"
 #include "mechanics/inertial_force.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -38,7 +39,7 @@ InertialForces::InertialForces(const StageContext& stage, double reach_m)
         for (const PointMass& mass : stage.scene.body.masses)
             most_N = std::max(
                 most_N,
-                inertial_force(mass, omega, Eigen::Vector3d::Zero()).centrifugal_N.stableNorm());
+                norm_of(inertial_force(mass, omega, Eigen::Vector3d::Zero()).centrifugal_N));
     }
     if (most_N > 0.0) per_N_ = longest_force / most_N;
 }

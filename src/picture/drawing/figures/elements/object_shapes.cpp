@@ -11,6 +11,7 @@
 #include "drawing/figures/elements/elements.h"
 #include "drawing/stage/drawing_primitives.h"
 #include "numerics/least_turn.h"
+#include "numerics/power_of_two.h"
 #include "numerics/srgb.h"
 #include "scene/body_faces.h"
 
@@ -21,7 +22,7 @@ namespace {
 double reach_of(const TriangleMesh& mesh) {
     double reach = 0.0;
     for (const Eigen::Vector3d& vertex : mesh.vertices) {
-        reach = std::max(reach, vertex.stableNorm());
+        reach = std::max(reach, norm_of(vertex));
     }
     return reach;
 }

@@ -21,6 +21,7 @@
 #include "drawing/stage/label_requests.h"
 #include "drawing/stage/overlay.h"
 #include "drawing/style/theme_contrast.h"
+#include "numerics/power_of_two.h"
 
 namespace poinsot {
 
@@ -82,7 +83,7 @@ Eigen::Vector3d comparison_momentum(const Panel& panel, const RotationState& sta
     const MotionProblem& problem = panel.stage->motion.motion().problem();
     const Eigen::Vector3d& moments = problem.inertia.moments_kg_m2();
     const Eigen::Vector3d weights = moments / moments.maxCoeff();
-    const double rate = problem.start.omega_body.stableNorm();
+    const double rate = norm_of(problem.start.omega_body);
     const auto momentum = [&](const Eigen::Vector3d& omega_body) -> Eigen::Vector3d {
         return weights.cwiseProduct(principal_from_body(panel) * (omega_body / rate));
     };

@@ -20,6 +20,7 @@
 #include "drawing/stage/framing.h"
 #include "drawing/stage/label_requests.h"
 #include "mechanics/torque.h"
+#include "numerics/power_of_two.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -44,9 +45,9 @@ class ArrowScale {
         for (int k = 0; k <= n; ++k) {
             const double t = stage.film_first_s + (stage.film_last_s - stage.film_first_s) * k / n;
             const Eigen::Vector3d omega = stage.motion.sample(t, omega_alone).state.omega_body;
-            omega_most_ = std::max(omega_most_, omega.stableNorm());
+            omega_most_ = std::max(omega_most_, norm_of(omega));
             const Eigen::Vector3d momentum = inertia_ * omega;
-            momentum_most_ = std::max(momentum_most_, momentum.stableNorm());
+            momentum_most_ = std::max(momentum_most_, norm_of(momentum));
         }
     }
 
