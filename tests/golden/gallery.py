@@ -3,11 +3,12 @@
 stills.
 
 Usage: gallery.py draw POINSOT     (or: cmake --build build/release --target gallery)
+       gallery.py vectors POINSOT FOLDER   every scene as NAME.svg in FOLDER, for the site
        gallery.py text             docs/gallery.md alone, from the scene files
        gallery.py check            exit code 1 unless docs/gallery.md agrees with the scene files, and each scene has its picture
 Draws scenes/*.toml in one process, in the portable profile, into tests/golden/gallery, reduces each picture to less than 40 kB with
-a palette (pngquant, Debian package of that name), draws each as an SVG beside it, draws the README's pictures, and writes both
-tables between their marks. A picture's caption is its scene's title and the first line of its file. A claim is a comment in the
+a palette (pngquant, Debian package of that name), draws the README's pictures, and writes both tables between their marks. The SVGs
+are not kept: git would hold each version of all of them. A picture's caption is its scene's title and the first line of its file. A claim is a comment in the
 scene file that begins with "# Claim (lecture, page 14): " or "# Claims (lecture, pages 6, 8): "; the text after "Seen:" in it says
 what the picture must show.
 """
@@ -23,7 +24,6 @@ GALLERY = ROOT / "tests" / "golden" / "gallery"
 README_PICTURES = ROOT / "tests" / "golden" / "readme"
 PAGE = ROOT / "docs" / "gallery.md"
 SIZE = "480x270"
-MOST_BYTES_OF_SVGS = 6_000_000  # in total, before git compresses them to a third
 COLOURS = "128"
 MOST_BYTES = 40_000
 # In the order of a lecture.
@@ -43,20 +43,23 @@ def scenes_in_order():
 
 def draw(program, names):
     GALLERY.mkdir(exist_ok=True)
-    for old in [*GALLERY.glob("*.png"), *GALLERY.glob("*.svg")]:
+    for old in GALLERY.glob("*.png"):
         old.unlink()
     scenes = [str(ROOT / "scenes" / f"{name}.toml") for name in names]
     with tempfile.TemporaryDirectory() as folder:
         subprocess.run([program, "still", *scenes, "--portable", "--size", SIZE, "-q", "-o", f"{folder}/####.png"], check=True)
         for name, picture in zip(names, sorted(pathlib.Path(folder).iterdir()), strict=True):
             palette(picture, GALLERY / f"{name}.png")
-    with tempfile.TemporaryDirectory() as folder:
-        subprocess.run([program, "still", *scenes, "-q", "-o", f"{folder}/####.svg"], check=True)
-        pages = sorted(pathlib.Path(folder).iterdir())
-        if sum(page.stat().st_size for page in pages) > MOST_BYTES_OF_SVGS:
-            sys.exit(f"gallery.py: the SVGs take more than {MOST_BYTES_OF_SVGS} bytes; show fewer")
-        for name, page in zip(names, pages, strict=True):
-            shutil.copyfile(page, GALLERY / f"{name}.svg")
+
+
+def draw_vectors(program, names, folder):
+    """Draws each scene as FOLDER/NAME.svg."""
+    folder.mkdir(parents=True, exist_ok=True)
+    scenes = [str(ROOT / "scenes" / f"{name}.toml") for name in names]
+    with tempfile.TemporaryDirectory() as drawn:
+        subprocess.run([program, "still", *scenes, "-q", "-o", f"{drawn}/####.svg"], check=True)
+        for name, page in zip(names, sorted(pathlib.Path(drawn).iterdir()), strict=True):
+            shutil.copyfile(page, folder / f"{name}.svg")
 
 
 def palette(picture, small, colours=COLOURS, most_bytes=MOST_BYTES):
@@ -113,12 +116,11 @@ def row(name):
     says = in_table(lines_of(name)[0].lstrip("# "))
     title = title_of(name)
     folder = "../tests/golden/gallery"
-    return (f"| [![{title}]({folder}/{name}.png)](../scenes/{name}.toml) | [![{title}, vectors]({folder}/{name}.svg)]({folder}/{name}.svg) "
-            f"| **{title}.** {says} |")
+    return f"| [![{title}]({folder}/{name}.png)](../scenes/{name}.toml) | **{title}.** {says} |"
 
 
 def gallery_table(names):
-    return ["| pixels | vectors | |", "|---|---|---|"] + [row(name) for name in names]
+    return ["| | |", "|---|---|"] + [row(name) for name in names]
 
 
 def claim_of(name):
@@ -173,11 +175,10 @@ def check():
     if PAGE.read_text() != written():
         sys.exit("docs/gallery.md does not say what the scene files say; run: python3 tests/golden/gallery.py text")
     scenes = set(scenes_in_order())
-    for suffix in ("png", "svg"):
-        pictures = {path.stem for path in GALLERY.glob(f"*.{suffix}")}
-        if scenes != pictures:
-            sys.exit(f"tests/golden/gallery: no scene, or no {suffix}, of: {', '.join(sorted(scenes ^ pictures))}; "
-                     "run: cmake --build build/release --target gallery")
+    pictures = {path.stem for path in GALLERY.iterdir()}
+    if scenes != pictures:
+        sys.exit(f"tests/golden/gallery: no scene, or no picture, of: {', '.join(sorted(scenes ^ pictures))}; "
+                 "run: cmake --build build/release --target gallery")
 
 
 if __name__ == "__main__":
@@ -191,5 +192,7 @@ if __name__ == "__main__":
         draw(sys.argv[2], scenes_in_order())
         draw_first(sys.argv[2])
         PAGE.write_text(written())
+    elif len(sys.argv) == 4 and sys.argv[1] == "vectors":
+        draw_vectors(sys.argv[2], scenes_in_order(), pathlib.Path(sys.argv[3]))
     else:
         sys.exit(__doc__)

@@ -4,12 +4,14 @@
 Usage: notebooks_test.py PACKAGE [--renew] [NAME...]
 
 PACKAGE is the folder that holds the package poinsot; NAMEs are notebooks without the suffix (default: all). Each notebook runs in a
-temporary folder and fails if a cell raises an exception or writes to stderr, if an output names a local path, or if the notebook
-with its outputs is 300 kB or larger. --renew also stores the outputs in docs/notebooks/.
+temporary folder and fails if a cell raises an exception or writes to stderr, or if an output names a local path. --renew also stores the
+outputs in docs/notebooks/, without pictures, films and pages: git would keep each of their versions. A stored notebook that has one, or
+that is 40 kB or larger, fails.
 
 Exits with 77 (skipped) where nbclient, ipykernel or a library that the notebooks use is missing.
 """
 import argparse
+import copy
 import importlib.util
 import os
 import pathlib
@@ -19,7 +21,7 @@ import tempfile
 from pages import writes_pages
 
 FOLDER = pathlib.Path(__file__).resolve().parents[3] / "docs" / "notebooks"
-MOST_BYTES = 300_000
+MOST_BYTES = 40_000
 NEEDED = ("nbformat", "nbclient", "ipykernel", "numpy", "scipy", "pandas", "matplotlib")
 
 
@@ -38,6 +40,24 @@ def executed(file, folder, has_pages):
     return book
 
 
+def is_drawn(kind, value):
+    """Whether an output of this kind is a picture, a film or a page; tables of pandas are HTML, too."""
+    return kind.startswith("image/") or (kind == "text/html" and not "".join(value).lstrip().startswith("<div>"))
+
+
+def without_pictures(book):
+    """The notebook as it is stored."""
+    stored = copy.deepcopy(book)
+    for cell in stored.cells:
+        for output in cell.get("outputs", []):
+            for kind in [kind for kind, value in output.get("data", {}).items() if is_drawn(kind, value)]:
+                del output["data"][kind]
+        cell_outputs = [output for output in cell.get("outputs", []) if "data" not in output or output["data"]]
+        if "outputs" in cell:
+            cell["outputs"] = cell_outputs
+    return stored
+
+
 def faults(book, text, folder, package):
     for number, cell in enumerate(book.cells, 1):
         for output in cell.get("outputs", []):
@@ -46,8 +66,6 @@ def faults(book, text, folder, package):
     for path in {str(folder), str(package), str(FOLDER.parents[1]), os.path.expanduser("~") + os.sep}:
         if path in text:
             yield f"an output names the local path {path}"
-    if len(text.encode("utf-8")) >= MOST_BYTES:
-        yield f"{len(text.encode('utf-8'))} bytes with its outputs; {MOST_BYTES} are too many for a page: make its pictures smaller"
 
 
 def tested(file, package, renew, has_pages):
@@ -59,11 +77,15 @@ def tested(file, package, renew, has_pages):
             book = executed(file, folder, has_pages)
         except CellExecutionError as error:
             return [str(error)[-3000:]]
-        text = nbformat.writes(book) + "\n"
-        found = list(faults(book, text, folder, package))
+        found = list(faults(book, nbformat.writes(book), folder, package))
         if renew and not found:
-            file.write_text(text, encoding="utf-8")
-        return found
+            file.write_text(nbformat.writes(without_pictures(book)) + "\n", encoding="utf-8")
+    stored = nbformat.read(file, as_version=4)
+    if stored != without_pictures(stored):
+        found.append("it is stored with pictures; run this with --renew")
+    if file.stat().st_size >= MOST_BYTES:
+        found.append(f"it is stored in {file.stat().st_size} bytes, and {MOST_BYTES} are too many")
+    return found
 
 
 def main():
