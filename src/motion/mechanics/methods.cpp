@@ -123,9 +123,9 @@ bool is_exact(const Method& method) { return method.make == nullptr; }
 
 // The options that the method accepts, for a message about one that it does not accept.
 std::string options_of(const Method& method) {
-    if (method.takes_step) return "it takes step_s";
-    if (method.takes_tolerance) return "it takes tolerance";
-    return "it needs neither step nor tolerance";
+    if (method.takes_step) return "give step_s";
+    if (method.takes_tolerance) return "give tolerance";
+    return "it needs neither step nor tolerance: leave both out";
 }
 
 void check_step(double step_s) {
@@ -197,11 +197,11 @@ const Method& check_method(const MethodChoice& choice, const InertiaTensor& iner
     if (choice.order) check_order(method, *choice.order);
     if (choice.step_s && !method.takes_step) {
         throw InputError(
-            fmt::format("method \"{}\" takes no step_s: {}", method.name, options_of(method)));
+            fmt::format("method \"{}\" takes no step_s; {}", method.name, options_of(method)));
     }
     if (choice.tolerance && !method.takes_tolerance) {
         throw InputError(
-            fmt::format("method \"{}\" takes no tolerance: {}", method.name, options_of(method)));
+            fmt::format("method \"{}\" takes no tolerance; {}", method.name, options_of(method)));
     }
     if (choice.step_s) check_step(*choice.step_s);
     if (choice.tolerance) check_tolerance(*choice.tolerance);

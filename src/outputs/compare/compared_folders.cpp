@@ -9,6 +9,7 @@
 
 #include "compare/file_pair.h"
 #include "compare/rendered_page.h"
+#include "encoding/frame_sink.h"
 #include "error/error.h"
 #include "system/files/file_kind.h"
 #include "system/in_parallel.h"
@@ -82,10 +83,10 @@ std::vector<ComparedPicture> compare_folders(const fs::path& expected, const fs:
     const Baselines baselines(expected);
     for (const auto& [name, line] : baselines.manifest()) names[name];
     if (names.empty())
-        throw InputError(
-            fmt::format("{} and {}: neither contains a picture, a film or a figure (.png, .mp4, "
-                        ".webm, .gif, .pdf, .svg); nothing to compare",
-                        printable(expected.string()), printable(actual.string())));
+        throw InputError(fmt::format(
+            "{} and {}: neither contains a picture (.png), a film ({}) or a figure (.pdf, .svg); "
+            "nothing to compare",
+            printable(expected.string()), printable(actual.string()), film_suffixes()));
     const std::vector<std::pair<std::string, std::pair<fs::path, fs::path>>> pairs(names.begin(),
                                                                                    names.end());
     if (request.file) {

@@ -3,10 +3,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
-#include <string_view>
+#include <string>
 
 #include "encoding/frame_name.h"
+#include "encoding/frame_sink.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "system/files/file_kind.h"
@@ -15,9 +15,9 @@
 namespace poinsot {
 
 bool is_film_name(const std::filesystem::path& file) {
-    constexpr std::array<std::string_view, 6> suffixes{".mp4", ".webm", ".gif",
-                                                       ".mov", ".mkv",  ".avi"};
-    return std::find(suffixes.begin(), suffixes.end(), suffix_of(file)) != suffixes.end();
+    // FFmpeg reads more than poinsot writes.
+    const std::string suffix = suffix_of(file);
+    return is_written_film_name(file) || suffix == ".mkv" || suffix == ".avi";
 }
 
 bool is_sequence_name(const std::filesystem::path& file) {

@@ -13,7 +13,7 @@
 
 namespace poinsot {
 
-// Whether a name is that of a film (.mp4, .webm, .gif, .mov, .mkv).
+// Whether a name is that of a film that can be read: those that poinsot writes, .mkv and .avi.
 bool is_film_name(const std::filesystem::path& file);
 
 // Whether a name is that of a sequence: "turn_####.png". If there is a picture of exactly this

@@ -213,6 +213,23 @@ std::int64_t first_number(const OutputPlan& plan) {
 
 std::span<const OutputFormat> output_formats() { return format_table; }
 
+std::string film_suffixes() {
+    std::vector<std::string_view> films;
+    for (const OutputFormat& format : format_table)
+        if (format.film) films.push_back(format.suffix);
+    std::string words;
+    for (std::size_t i = 0; i < films.size(); ++i)
+        words += fmt::format("{}{}", i == 0 ? "" : i + 1 == films.size() ? " or " : ", ", films[i]);
+    return words;
+}
+
+bool is_written_film_name(const std::filesystem::path& path) {
+    const std::string suffix = suffix_of(path);
+    return std::any_of(
+        std::begin(format_table), std::end(format_table),
+        [&](const OutputFormat& format) { return format.film && format.suffix == suffix; });
+}
+
 void check_rate(const OutputFormat& format, const FrameRate& rate) {
     if (format.most_fps == 0.0 || rate.per_second() <= format.most_fps) return;
     throw InputError(fmt::format(

@@ -142,6 +142,12 @@ std::span<const OutputFormat> output_formats();
 // InputError that lists the known formats.
 const OutputFormat& format_for(const std::filesystem::path& path);
 
+// The suffixes of films in words: ".mp4, .webm, .mov or .gif".
+std::string film_suffixes();
+
+// Whether a file name is that of a film in one of these formats.
+bool is_written_film_name(const std::filesystem::path& path);
+
 // Whether a file name is that of a page.
 bool is_page_name(const std::filesystem::path& path);
 

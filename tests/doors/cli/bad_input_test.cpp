@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <ostream>
+#include <regex>
 #include <string>
 #include <vector>
 
@@ -80,6 +81,15 @@ void PrintTo(const Case& c, std::ostream* out) { *out << c.name; }
 
 class BadInput : public ::testing::TestWithParam<Case> {};
 
+// Whether a message says what to do: in the imperative after the fault, or by the name that was
+// meant. What the user typed, which messages quote, does not count.
+bool advises(const std::string& message) {
+    static const std::regex what_to_do(
+        R"re((; |: |, or |, so |\()(add|choose|close|draw|end|enter|give|install|leave|make|name|put|remove|run|see|set|start|take|try|use|write)\b|did you mean "|the formats are|needs at least|" belongs in|poinsot( [a-z]+)? --help)re");
+    return std::regex_search(std::regex_replace(message, std::regex(R"re(^[^:]*: )re"), ""),
+                             what_to_do);
+}
+
 TEST_P(BadInput, GivesOneClearLineAndNoOutput) {
     const Case& c = GetParam();
     const ScratchFolder folder;
@@ -88,6 +98,7 @@ TEST_P(BadInput, GivesOneClearLineAndNoOutput) {
     const ProgramRun run = run_program_in(folder, c.arguments);
     EXPECT_EQ(run.code, c.code) << run.err;
     EXPECT_NE(run.err.find(c.says), std::string::npos) << run.err;
+    EXPECT_TRUE(advises(run.err)) << run.err;
     EXPECT_EQ(std::count(run.err.begin(), run.err.end(), '\n'), 1) << run.err;
     EXPECT_EQ(run.out, "");
     EXPECT_EQ(folder.listing(), before);

@@ -5,9 +5,11 @@
 #include <algorithm>
 #include <filesystem>
 #include <string>
+#include <vector>
 
 #include "cli/film_in_parts.h"
 #include "cli/program_run.h"
+#include "sanitized.h"
 
 namespace poinsot::testing {
 namespace {
@@ -17,7 +19,11 @@ namespace fs = std::filesystem;
 using JobParts = Parts;
 
 TEST_F(JobParts, OfManyJobsAreByteIdenticalToOne) {
-    for (const std::string kind : {"a.mp4", "a.webm", "a.mov", "a.gif", "a.md5"}) {
+    // The next test draws the other kinds.
+    const std::vector<std::string> kinds =
+        sanitized ? std::vector<std::string>{"a.mp4"}
+                  : std::vector<std::string>{"a.mp4", "a.webm", "a.mov", "a.gif", "a.md5"};
+    for (const std::string& kind : kinds) {
         make("render a.toml -q --set film.fps=20 --jobs 1 -o one_" + kind);
         make("render a.toml -q --set film.fps=20 --jobs 3 -o " + kind);
         EXPECT_TRUE(bytes(kind) == bytes("one_" + kind)) << kind;
@@ -184,6 +190,7 @@ TEST_F(JobParts, OfAnInterruptedJobAreRecovered) {
 // The default number of processes gives the same film as one process, whatever the number; several
 // scenes share one process once it has rendered.
 TEST_F(JobParts, OfTheDefaultJobsAreByteIdenticalToOne) {
+    if (sanitized) GTEST_SKIP() << "the films of the tests above pass the same code";
     folder_.write("b.toml", a_scene);
     const std::string big = large_size + "-q ";
     make("render b.toml a.toml --jobs 1 -o 'one_{scene}.mp4'" + big);

@@ -8,6 +8,7 @@
 #include "cli/program_run.h"
 #include "cli/recorded_pictures.h"
 #include "cli/small_scene.h"
+#include "encoding/frame_sink.h"
 
 namespace poinsot::testing {
 namespace {
@@ -44,6 +45,14 @@ TEST_F(PicturesOfSuffixes, WithSuffixesInCapitalsWorkInEveryCommand) {
     EXPECT_EQ(run("explain --verify s_02.PNG").code, 0);
     EXPECT_EQ(run("rerender s_02.PNG -q -o again_02.PNG").code, 0);
     EXPECT_TRUE(text_of(folder_.path() / "s_02.PNG") == text_of(folder_.path() / "again_02.PNG"));
+}
+
+TEST_F(MessagesOfSuffixes, RenderNamesEveryFilm) {
+    const std::string help = run("render --help").out;
+    for (const OutputFormat& format : output_formats()) {
+        if (!format.film) continue;
+        EXPECT_NE(help.find(format.suffix), std::string::npos) << format.name;
+    }
 }
 
 TEST_F(MessagesOfSuffixes, SuffixesAreCaseInsensitive) {

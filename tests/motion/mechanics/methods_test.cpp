@@ -483,7 +483,7 @@ TEST(Methods, RefuseInvalidInputWithOneLine) {
     expect_in("its orders are 4", message_of(problem));
     problem.method.order.reset();
     problem.method.tolerance = 1e-6;
-    expect_in("takes no tolerance: it takes step_s", message_of(problem));
+    expect_in("takes no tolerance; give step_s", message_of(problem));
 
     problem = tumbling("dopri5", 1.0);
     for (const double tolerance : {0.0, -1.0, 1e-18, std::nan("")}) {
@@ -494,7 +494,7 @@ TEST(Methods, RefuseInvalidInputWithOneLine) {
     expect_in("below 1", message_of(problem));
     problem.method.tolerance.reset();
     problem.method.step_s = 0.1;
-    expect_in("takes no step_s: it takes tolerance", message_of(problem));
+    expect_in("takes no step_s; give tolerance", message_of(problem));
 
     problem = tumbling("exact", 1.0);
     problem.method.step_s = 0.1;

@@ -26,6 +26,20 @@ TEST(Formats, FileNamesSelectTheirFormat) {
     EXPECT_EQ(format_for("####/b.png").name, "png");
 }
 
+// So that a new film is read, named in messages and redrawn without another list.
+TEST(Formats, FilmsAreNamedByTheTable) {
+    const std::string words = film_suffixes();
+    std::string last;
+    for (const OutputFormat& format : output_formats()) {
+        EXPECT_EQ(words.find(format.suffix) != std::string::npos && !format.suffix.empty(),
+                  format.film)
+            << format.name << ": " << words;
+        EXPECT_EQ(is_written_film_name("a" + std::string(format.suffix)), format.film);
+        if (format.film) last = format.suffix;
+    }
+    EXPECT_TRUE(words.ends_with(" or " + last)) << words;
+}
+
 TEST(Formats, UnknownSuffixListsTheKnown) {
     EXPECT_EQ(refusal_message([] { format_for("b.mkv"); }),
               "b.mkv: there is no output format for the suffix \".mkv\"; write .mp4, and convert "

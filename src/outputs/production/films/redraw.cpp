@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "encoding/film_metadata.h"
+#include "encoding/frame_sink.h"
 #include "error/error.h"
 #include "image/files/png_files.h"
 #include "image/pixels_xxh64.h"
@@ -15,10 +16,9 @@
 #include "production/records/record.h"
 #include "production/stills/output_place.h"
 #include "production/stills/prepared_still.h"
-#include "production/vectors/journal.h"
+#include "production/stills/recorded_still.h"
 #include "system/files/file_kind.h"
 #include "text/printable.h"
-#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 
@@ -103,9 +103,7 @@ Session session_of_record(const RedrawRequest& request, const Record& record, co
             fmt::format("{} has changed since the file was drawn; restore the earlier version",
                         printable(files)));
     }
-    SessionRequest needs{.fonts = installed_fonts()};
-    if (record.time_s) needs.times_s.push_back(*record.time_s);
-    Session session = session_of(scene, needs, task);
+    Session session = session_of(scene, needs_of(record), task);
     // The record's scene has the values that were chosen then.
     session.as_read = record.as_read;
     return session;
@@ -116,28 +114,11 @@ ContextChoice context_for(const RedrawRequest& request, const Record& record) {
             .portability = record.portable ? Portability::portable : Portability::native};
 }
 
-StillRequest still_request_of(const RedrawRequest& request, const Record& record) {
-    StillRequest still{.output = request.output.string(), .time_s = record.time_s};
-    // A halt shows one instant in many frames.
-    if (record.frame) {
-        still.frame = record.frame;
-        still.time_s.reset();
-    }
-    still.print.dpi = record.dpi;
-    still.print.type_pt = record.type_pt;
-    if (!record.journal.empty()) set_least_sizes(journal_named(record.journal), still.print);
-    still.names_fade = record.names == fading_names;
-    still.bit_depth = record.bit_depth;
-    if (!record.shading.empty()) still.vectors.shading = record.shading;
-    if (!record.lettering.empty()) still.vectors.text = record.lettering;
-    return still;
-}
-
 // The record of a redrawn file, except for fields known only after drawing.
 Record record_to_come(const RedrawRequest& request, const Record& record, const Task& task) {
     refuse_sheet(request.file, record);
     Session session = session_of_record(request, record, task);
-    StillRequest still = still_request_of(request, record);
+    StillRequest still = request_of(record);
     still.output = request.file.string();
     Record now;
     if (record.time_s) {
@@ -186,7 +167,7 @@ void redraw(const RedrawRequest& asked, const Task& task) {
                         printable(request.output.string()), printable(request.file.string()),
                         is_page      ? "in " + suffix_of(request.file)
                         : is_picture ? "in .png"
-                                     : "in .mp4, .webm, .mov or .gif"));
+                                     : "in " + film_suffixes()));
 
     Session session = [&] {
         try {
@@ -200,8 +181,9 @@ void redraw(const RedrawRequest& asked, const Task& task) {
     LazyRenderer renderer(context_for(request, record));
     if (record.time_s) {
         StillWriter writer;
-        draw_still(prepare_still(std::move(session), still_request_of(request, record)), renderer,
-                   writer, task);
+        StillRequest still = request_of(record);
+        still.output = request.output.string();
+        draw_still(prepare_still(std::move(session), still), renderer, writer, task);
         writer.finish();
     } else if (is_picture) {
         redraw_frame(request, record, session, renderer);

@@ -10,10 +10,9 @@
 #include "production/session/film_plan.h"
 #include "production/session/picture_setting.h"
 #include "production/session/still_moment.h"
-#include "production/vectors/journal.h"
+#include "production/stills/recorded_still.h"
 #include "production/vectors/vector_still.h"
 #include "shapes/shape_boxes.h"
-#include "typeset/files/installed_fonts.h"
 
 namespace poinsot {
 
@@ -23,23 +22,13 @@ constexpr std::string_view all_labels = "labels";
 // The curves of panel body beside that of the motion.
 constexpr std::string_view other_polhodes = "polhodes", separatrix = "separatrix";
 
-PrintChoices print_of(const Record& record) {
-    PrintChoices print;
-    print.dpi = record.dpi;
-    print.type_pt = record.type_pt;
-    if (!record.journal.empty()) set_least_sizes(journal_named(record.journal), print);
-    return print;
-}
-
 // The session of a record; fails for what cannot be drawn again here.
 Session session_of_picture(const Record& record) {
     if (!record.sheet.empty())
         throw InputError(
             "a contact sheet has several pictures, so its record does not say where things are; "
             "ignore a rectangle instead, as --ignore 0,0,100%,10%");
-    SessionRequest needs{.fonts = installed_fonts()};
-    if (record.time_s) needs.times_s.push_back(*record.time_s);
-    return session_of(scene_of(record, OutsideFiles::refused), needs, {});
+    return session_of(scene_of(record, OutsideFiles::refused), needs_of(record), {});
 }
 
 }  // namespace
@@ -61,8 +50,9 @@ struct PictureRegions::Impl {
             span.last_time_s = *record.time_s;
             span.first_shown_s = record.time_s;
         }
-        span.is_still = record.time_s && record.names != fading_names;
-        const PrintChoices print = print_of(record);
+        const StillRequest still = request_of(record);
+        span.is_still = record.time_s && !still.names_fade;
+        const PrintChoices& print = still.print;
         if (record.page.empty())
             picture.emplace(session, span, print);
         else

@@ -54,7 +54,7 @@ StillRequest accepted(StillRequest request, const Scene& scene) {
                         request.bit_depth));
     if (request.bit_depth != 8 && request.bit_depth != 16)
         throw InputError(
-            fmt::format("--depth {}: a component has 8 or 16 bits", request.bit_depth));
+            fmt::format("--depth {}: a component has 8 or 16 bits; give one of them", request.bit_depth));
     return request;
 }
 
