@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,12 +12,32 @@ namespace poinsot {
 // The order of the words in a Phrase.
 constexpr std::array<std::string_view, 6> language_codes{"en", "de", "fr", "es", "it", "ja"};
 
-// A word, heading or formula of a picture in every language; an expression that is the same in all
-// languages, such as a formula, is given once.
-using Phrase = std::array<std::string_view, language_codes.size()>;
+// A word, heading or formula of a picture in every language: one that lacks a language does not
+// compile. An expression that is the same in all languages, such as a formula, is given once.
+class Phrase {
+ public:
+    constexpr Phrase() = default;
+    template <typename... Texts>
+    requires(sizeof...(Texts) == language_codes.size())
+        // NOLINTNEXTLINE(google-explicit-constructor): a row of a table holds the words in braces
+        constexpr Phrase(const Texts&... texts)
+        : texts_{texts...} {}
+
+    friend constexpr Phrase formula(std::string_view text);
+
+    constexpr std::string_view operator[](std::size_t language) const { return texts_[language]; }
+    static constexpr std::size_t size() { return language_codes.size(); }
+
+ private:
+    std::array<std::string_view, language_codes.size()> texts_{};
+};
 
 constexpr Phrase no_words{};
-constexpr Phrase formula(std::string_view text) { return {text}; }
+constexpr Phrase formula(std::string_view text) {
+    Phrase phrase;
+    phrase.texts_[0] = text;
+    return phrase;
+}
 
 inline std::span<const std::string_view> languages() { return language_codes; }
 

@@ -404,7 +404,7 @@ std::span<const PlotQuantity> plot_quantities() { return quantity_rows; }
 
 ShownUnit unit_of(const StageContext& stage, const PlotQuantity& quantity) {
     const bool one_unit =
-        !quantity.unit.empty() && quantity.title.front().find(" / ") == std::string_view::npos;
+        !quantity.unit.empty() && quantity.title[0].find(" / ") == std::string_view::npos;
     if (!one_unit) return {std::string(quantity.unit), 1.0};
     return unit_shown(stage.scene.units, quantity.unit);
 }

@@ -22,6 +22,7 @@
 #include "drawing/stage/framing.h"
 #include "drawing/stage/label_requests.h"
 #include "drawing/stage/possible_motions.h"
+#include "text/languages.h"
 
 namespace poinsot {
 
