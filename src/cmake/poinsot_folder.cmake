@@ -1,12 +1,13 @@
 # One CMake target per folder: every .cpp of the folder and its subfolders, without a list of files. A
 # subfolder that has a CMakeLists.txt is a target of its own.
 
-# poinsot_folder(NAME [FUZZED] [PUBLIC targets…] [PRIVATE targets…] [NATIVE files…]) makes poinsot_NAME from
+# poinsot_folder(NAME [FUZZED] [COLD] [PUBLIC targets…] [PRIVATE targets…] [NATIVE files…]) makes poinsot_NAME from
 # ./**.cpp. NATIVE: regular expressions of the files that a page in a browser does without: it has neither threads, nor
 # files, nor the libraries that they use. FUZZED: it reads untrusted input and is instrumented for coverage in fuzzing builds. The
-# instrumentation slows rendering by a factor of three, so other folders do without.
+# instrumentation slows rendering by a factor of three, so other folders do without. COLD: no loop of it runs for each pixel or each step of
+# a motion; -O1 compiles in two thirds of the time (docs/speed.md).
 function(poinsot_folder name)
-    cmake_parse_arguments(arg "FUZZED" "" "PUBLIC;PRIVATE;NATIVE" ${ARGN})
+    cmake_parse_arguments(arg "FUZZED;COLD" "" "PUBLIC;PRIVATE;NATIVE" ${ARGN})
     file(GLOB_RECURSE sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*.cpp)
     file(GLOB libraries ${CMAKE_CURRENT_SOURCE_DIR}/*/CMakeLists.txt)
     foreach(library ${libraries})
@@ -31,6 +32,9 @@ function(poinsot_folder name)
     if(POINSOT_FUZZERS AND arg_FUZZED)
         target_compile_options(poinsot_${name} PRIVATE -fsanitize=fuzzer-no-link)
     endif()
+    if(arg_COLD)
+        target_compile_options(poinsot_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endif()
 endfunction()
 
 # poinsot_embed(OUTPUT HEADER h TYPE t FUNCTION f FILES files…) makes OUTPUT, which defines f() of h: a vector of t,
@@ -44,14 +48,18 @@ function(poinsot_embed output)
         DEPENDS ${arg_FILES} ${script} VERBATIM)
 endfunction()
 
-# poinsot_tests(NAME targets…) makes test_NAME from ./*_test.cpp; each TEST is a CTest test.
+# poinsot_tests(NAME [COLD] targets…) makes test_NAME from ./*_test.cpp; each TEST is a CTest test. COLD as above.
 function(poinsot_tests name)
+    cmake_parse_arguments(arg "COLD" "" "" ${ARGN})
     file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/*_test.cpp)
     if(NOT sources)
         return()
     endif()
     add_executable(test_${name} ${sources} ${PROJECT_SOURCE_DIR}/tests/places.cpp ${PROJECT_SOURCE_DIR}/tests/left_behind.cpp)
-    target_link_libraries(test_${name} PRIVATE poinsot_options ${ARGN} GTest::gtest GTest::gtest_main)
+    target_link_libraries(test_${name} PRIVATE poinsot_options ${arg_UNPARSED_ARGUMENTS} GTest::gtest GTest::gtest_main)
+    if(arg_COLD)
+        target_compile_options(test_${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+    endif()
     # Only this file contains the repository's path, so that a compiler cache serves every checkout.
     set_source_files_properties(${PROJECT_SOURCE_DIR}/tests/places.cpp PROPERTIES
         COMPILE_DEFINITIONS "POINSOT_SOURCE_DIR=\"${PROJECT_SOURCE_DIR}\"")
