@@ -142,6 +142,35 @@ check('reads files that are dropped', async (browser) => {
   await tab.close();
 });
 
+check('opens the scene of files that are dropped and that poinsot made', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const first = await scene_text(tab);
+  const page = await saved_by(tab, 'export-page');
+  await write_scene(tab, first.replace(/omega_rad_s = .*/, 'omega_rad_s = [0.4, 1.5, 0.7]'));
+  await until(tab, 'window.poinsot.at(0).omega_body[0] === 0.4');
+  await drop(tab, [['page.html', page]]);
+  await until(tab, 'window.poinsot.at(0).omega_body[0] !== 0.4');
+  assert.equal(await scene_text(tab), first);
+  // A still by its record, at its instant; what was written before stays a draft.
+  const body = `[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nomega_rad_s = [0.375, 2, 0.3]\n`;
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg"><metadata id="poinsot">poinsot 0.1.0\nscene: theirs\ntime_s: 1.5\n\ntitle = "a &lt; b"\n${body}</metadata></svg>`;
+  await drop(tab, [['figure.svg', svg]]);
+  await until(tab, 'window.poinsot.at(0).omega_body[0] === 0.375');
+  assert.equal(await scene_text(tab), `title = "a < b"\n${body}`);
+  assert.equal(await tab.evaluate('window.poinsot.time_s'), 1.5);
+  assert.equal(await tab.evaluate('the_page.figure.data.name'), 'theirs');
+  await tab.click('#new-open');
+  assert.ok((await tab.$eval('#drafts', (list) => list.textContent)).length > 0);
+  await tab.evaluate('document.getElementById("new").close()');
+  // What has no scene is said, and the scene stays.
+  await drop(tab, [['other.mp4', 'no film']]);
+  await until(tab, 'document.querySelector("#findings button")');
+  assert.match(await tab.$eval('#findings', (f) => f.textContent), /other\.mp4 holds no scene/);
+  assert.equal(await tab.evaluate('window.poinsot.at(0).omega_body[0]'), 0.375);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('writes the page of the text that the program accepted last', async (browser) => {
   const {tab} = await opened(browser);
   const text = await scene_text(tab);

@@ -8,6 +8,7 @@ import {has_film_writer} from './film_file.js';
 import {is_too_long, state_of} from './link.js';
 import {packed_text, unpacked_text} from './link_text.js';
 import {block, bytes_of_base64} from './loader.js';
+import {made_scene, may_hold_scene} from './made_file.js';
 import {Measure, painted} from './measure.js';
 import {ZipWriter} from './png_frames.js';
 import './pptx.js';
@@ -33,6 +34,10 @@ import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_read
 const kept_whole = {text: true, lacks: []};
 const write_after_ms = 250;
 const most_rows = 20000;
+/** Of a file that is read whole; of a larger one, a film, both ends hold its record. */
+const most_read_bytes = 64e6;
+/** Files of an archive that are asked for a scene. */
+const most_made_files = 8;
 /** As in workbench.css. */
 const small_screen = matchMedia('(max-width: 760px)');
 
@@ -77,6 +82,7 @@ const workbench_words = {
   draft_remove: ['Remove', 'Entfernen', 'Supprimer', 'Eliminar', 'Elimina', '削除'],
   file_here: ['{file} is at hand, but the scene does not name it.', '{file} liegt bereit, aber die Szene nennt die Datei nicht.', '{file} est là, mais la scène ne le nomme pas.', '{file} está disponible, pero la escena no lo nombra.', '{file} è disponibile, ma la scena non lo nomina.', '{file} を読み込みましたが、シーンには名前がありません。'],
   file_begin: ['Begin a scene with it', 'Eine Szene damit beginnen', 'Commencer une scène avec ce fichier', 'Empezar una escena con él', 'Inizia una scena con esso', 'これでシーンを始める'],
+  made_none: ['{file} holds no scene: poinsot did not make it, or another program removed its record.', '{file} enthält keine Szene: poinsot hat die Datei nicht gemacht, oder ein anderes Programm hat ihre Angaben entfernt.', '{file} ne contient pas de scène : poinsot ne l’a pas fait, ou un autre programme a retiré ses données.', '{file} no contiene ninguna escena: poinsot no lo hizo, u otro programa quitó sus datos.', '{file} non contiene una scena: non è di poinsot, o un altro programma ha tolto i suoi dati.', '{file} にはシーンがありません。poinsot が作ったものでないか、別のプログラムが記録を消しました。'],
   start_moments: ['Moments of inertia', 'Trägheitsmomente', 'Moments d’inertie', 'Momentos de inercia', 'Momenti d’inerzia', '慣性モーメント'],
   start_moments_is: ['A body by its three principal moments', 'Ein Körper durch seine drei Hauptträgheitsmomente', 'Un corps par ses trois moments principaux', 'Un cuerpo por sus tres momentos principales', 'Un corpo dai suoi tre momenti principali', '三つの主慣性モーメントで決まる物体'],
   start_shape: ['Shape', 'Form', 'Forme', 'Forma', 'Forma', '形'],
@@ -121,6 +127,16 @@ function edited_by(text, values) {
 function file_name_of(title) {
   return title.replace(/\$[^$]*\$/g, ' ').normalize('NFKD').replace(/[\u0300-\u036f]/g, '').normalize('NFC').toLowerCase()
     .replace(/[^\p{L}\p{N}]+/gu, '_').slice(0, 60).replace(/^_+|_+$/g, '');
+}
+
+/** A file's name without folder and suffix. @param {string} name */
+function stem_of(name) {
+  return name.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
+}
+
+/** The first and last bytes of a large file. @param {File} file */
+async function ends_of(file) {
+  return new Uint8Array(await new Blob([file.slice(0, most_read_bytes / 2), file.slice(-most_read_bytes / 2)]).arrayBuffer());
 }
 
 class Workbench {
@@ -585,10 +601,12 @@ class Workbench {
       await this.#show_reading(dropped.map((file) => file.name));
       for (const file of dropped) {
         const read = async () => new Uint8Array(await file.arrayBuffer());
-        if (!/\.zip$/i.test(file.name)) files.push({name: file.name, read});
+        if (!/\.(zip|pptx)$/i.test(file.name)) files.push({name: file.name, read: file.size > most_read_bytes ? () => ends_of(file) : read});
         else {
           const bytes = await read();
-          for (const one of await in_archive(file.name, () => files_of_zip(bytes))) files.push({name: one.name, read: () => in_archive(file.name, one.read)});
+          const is_presentation = /\.pptx$/i.test(file.name);
+          for (const one of await in_archive(file.name, () => files_of_zip(bytes)))
+            if (!is_presentation || one.name.startsWith('ppt/media/')) files.push({name: one.name, read: () => in_archive(file.name, one.read)});
         }
       }
       const scene = files.find(({name}) => name.toLowerCase().endsWith('.toml'));
@@ -598,13 +616,14 @@ class Workbench {
         await this.measure.take(table.name, await table.read());
         return;
       }
+      if (!scene && !table && (await this.#take_made(files))) return;
       const text = scene ? new TextDecoder().decode(await scene.read()) : this.editor.text;
       for (const file of files) {
         // The new file takes the place of one of the same name.
         if (file !== scene) this.unread.set(file.name, file);
       }
       const taken = await this.#read_named(text);
-      if (scene) this.open({kind: 'file', name: scene.name.replace(/^.*\//, '').replace(/\.toml$/i, ''), text}, taken);
+      if (scene) this.open({kind: 'file', name: stem_of(scene.name), text}, taken);
       else {
         this.files = {...this.files, ...taken};
         this.#write();
@@ -614,6 +633,27 @@ class Workbench {
     } catch (error) {
       this.#find(error);
     }
+  }
+
+  /** Opens the scene of a picture, film or page that poinsot made, and that the text does not name; false: there is none. @param {ReadableFile[]} files */
+  async #take_made(files) {
+    const names = files.filter(({name}) => may_hold_scene(name) && !this.editor.text.includes(name)).slice(0, most_made_files);
+    for (const file of names) {
+      const made = made_scene(await file.read());
+      if (!made) continue;
+      const text = edited_by(made.text, new Map(made.overrides.map((pair) => [pair.slice(0, pair.indexOf('=')), pair.slice(pair.indexOf('=') + 1)])));
+      if (text === null) throw new Error(this.words.of('no_place').replace('{key}', () => made.overrides.join(', ')));
+      this.open({kind: 'file', name: made.name || stem_of(file.name), text}, {...this.#known_files(text), ...made.files}, true);
+      const {figure} = this.page;
+      if (made.time_s !== null && figure.program && !this.is_refused) {
+        figure.film.seek(figure.film_second_of(made.time_s));
+        this.page.changed();
+      }
+      return true;
+    }
+    const other = names.find(({name}) => !/\.png$/i.test(name));
+    if (!other) return false;
+    throw new Error(this.words.of('made_none').replace('{file}', () => other.name));
   }
 
   /** Reads the files at hand that a text names and that were not read before, as base64. @param {string} text */
