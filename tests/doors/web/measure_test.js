@@ -267,6 +267,86 @@ check('records a throw, and stops after the catch', async (browser) => {
   await tab.close();
 });
 
+/** Where ω about the middle axis, the instrument's first, is zero in the flight: seconds after its beginning. */
+function flip_of(rows) {
+  const flight = rows.filter(([t]) => t >= 1.5 && t <= 2.3);
+  const k = flight.findIndex((row, i) => i > 0 && row[1] * flight[i - 1][1] < 0);
+  return flight[k][0] - 1.5;
+}
+
+check('says first what a throw did, and shows it in half of the height', async (browser) => {
+  for (const [width, height] of [[390, 664], [320, 568], [664, 340]]) {
+    const {tab, faults} = await opened(browser, {size: {width, height, isMobile: !is_firefox, hasTouch: !is_firefox}});
+    await drop(tab, [['throw.csv', csv_of(thrown(60, 5))]]);
+    await until(tab, 'the_workbench.editor.text.includes("throw_flight_1.csv") && the_page.figure.frame === 0');
+    const sentence = await tab.$eval('#measure-sentence', (p) => p.textContent);
+    const [, at] = /^The body turned over once, after (0\.\d\d) s, about its middle axis\.$/.exec(sentence) ?? [];
+    assert.ok(Math.abs(Number(at) - flip_of(thrown(1000, 3))) < 0.04, `${sentence} ${flip_of(thrown(1000, 3))}`);
+    // Each ratio is within its deviations of the body that was thrown, and says what it is.
+    const said = await tab.$eval('#measure-ratios', (p) => p.textContent);
+    const ratios = [...said.matchAll(/(0\.\d+)\u00a0±\u00a0(0\.\d+)/g)].map(([, value, sd]) => [Number(value), Number(sd)]);
+    assert.equal(ratios.length, 2);
+    ratios.forEach(([value, sd], k) => assert.ok(Math.abs(value - moments[k + 1]) < 5 * sd && sd < 0.01, said));
+    assert.match(said, /moments of inertia/);
+    const shown = await tab.evaluate(() => {
+      const box = document.getElementById('stage').getBoundingClientRect();
+      const sees = (/** @type {string} */ id) => document.getElementById(id).checkVisibility();
+      const place = document.getElementById('measure').getBoundingClientRect();
+      return {width: box.width, height: box.height, right: box.right, bottom: document.getElementById('bar').getBoundingClientRect().bottom, overlaps: place.bottom > box.top + 1 && place.right > box.left + 1,
+        wide: document.documentElement.scrollWidth, sees: ['measure-charts', 'measure-words', 'tools', 'record', 'measure-more', 'measure-close'].filter(sees)};
+    });
+    assert.ok(shown.height >= height / 2, `the picture has ${shown.height} of ${height}`);
+    assert.ok(Math.abs(shown.right - width) < 1 && (width > height || shown.width === width), `it has ${shown.width} of ${width}`);
+    assert.ok(shown.bottom <= height + 1 && shown.wide <= width && !shown.overlaps, JSON.stringify(shown));
+    assert.deepEqual(shown.sees, ['record', 'measure-more', 'measure-close'].filter((id) => shown.sees.includes(id)));
+    assert.ok(shown.sees.includes('measure-more') && shown.sees.includes('measure-close'));
+    assert.deepEqual(await violations(tab), []);
+    // The numbers are one press away, none over another.
+    await tab.click('#measure-more');
+    const boxes = await tab.evaluate(() => ['measure-charts', 'measure-flights', 'measure-words'].map((id) => {
+      const {top, bottom} = document.getElementById(id).getBoundingClientRect();
+      return [top, bottom];
+    }).sort((a, b) => a[0] - b[0]));
+    boxes.forEach(([top, bottom], k) => assert.ok(bottom - top > 20 && (k === 0 || top >= boxes[k - 1][1] - 1), JSON.stringify(boxes)));
+    await tab.click('#measure-more');
+    // Closed, the tools are there again.
+    await tab.click('#measure-close');
+    assert.ok(await tab.evaluate(() => document.getElementById('tools').checkVisibility()));
+    assert.deepEqual(faults, []);
+    await tab.close();
+  }
+});
+
+check('is felt and heard, and keeps the screen awake while it records', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 390, height: 664}, before: () => {
+    window.done = [];
+    navigator.vibrate = (pattern) => window.done.push(`vibrates ${JSON.stringify(pattern)}`) > 0;
+    Object.defineProperty(navigator, 'wakeLock', {value: {request: async (kind) => {
+      window.done.push(`awake: ${kind}`);
+      return {release: async () => { window.done.push('asleep'); }};
+    }}});
+    const start = OscillatorNode.prototype.start;
+    OscillatorNode.prototype.start = function (...when) {
+      window.done.push(`tone ${this.frequency.value}`);
+      start.apply(this, when);
+    };
+  }});
+  await record(tab, thrown(60, 30));
+  await until(tab, 'document.getElementById("measure-time").textContent > "1"');
+  assert.deepEqual(await tab.evaluate(() => window.done), ['awake: screen', 'vibrates 150', 'tone 660']);
+  // The button that ends it is large, and the tools are not in reach.
+  const {height, width} = await tab.$eval('#record-stop', (button) => button.getBoundingClientRect().toJSON());
+  assert.ok(height >= 60 && width > 300, `${width} × ${height}`);
+  assert.equal(await tab.evaluate(() => document.getElementById('tools').checkVisibility()), false);
+  await until(tab, '!document.getElementById("measure-said").hidden', 20000);
+  assert.deepEqual(await tab.evaluate(() => window.done.slice(3)), ['vibrates [120,80,120]', 'tone 660', 'tone 990', 'asleep']);
+  assert.match(await tab.$eval('#measure-sentence', (p) => p.textContent), /^Your phone turned over once/);
+  assert.match(await scene_text(tab), /^title = "My throw, \d/);
+  assert.match(await tab.$eval('#record', (button) => button.textContent), /again/);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
 check('stops a recording on request, and keeps it', async (browser) => {
   const {tab, faults} = await opened(browser);
   await record(tab, thrown(60, 1.2));

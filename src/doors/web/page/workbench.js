@@ -804,7 +804,8 @@ class Workbench {
       }
       if (loaded) {
         const strong = document.createElement('strong');
-        strong.textContent = motion_said(loaded, this.words);
+        // Of a stepped motion, what the throw that it was fitted to did.
+        strong.textContent = motion_said(loaded, this.words) || (this.measure?.said ?? '');
         // In the words of `poinsot check`; a small screen leaves them out.
         const exact = document.createElement(strong.textContent ? 'span' : 'em');
         exact.textContent = loaded.regime;
