@@ -171,6 +171,8 @@ class Workbench {
     this.#show_tab('figure');
     page.on_loaded = () => this.#find();
     this.measure = new Measure(this.words, (name, text, files) => this.open({kind: 'file', name, text}, files, true));
+    // A way in for those who come to throw.
+    if (/[#&]measure$/.test(location.hash)) this.measure.show(true);
     /** Whether the program has refused the text that it was given last. */
     this.is_refused = false;
     /** The text that was packed last for a link; `packed` is null if it is too long. @type {{text: string, packed: string|null}} */
