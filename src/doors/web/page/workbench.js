@@ -65,6 +65,10 @@ const workbench_words = {
   link_unknown: ['There is no example “{scene}” here.', 'Ein Beispiel „{scene}“ gibt es hier nicht.', 'Il n’y a pas d’exemple « {scene} » ici.', 'Aquí no hay ningún ejemplo «{scene}».', 'Qui non c’è un esempio «{scene}».', '例「{scene}」はありません。'],
   link_long: ['The scene is too long for a link; save it, and send the file.', 'Die Szene ist zu lang für einen Link; speichern Sie sie, und senden Sie die Datei.', 'La scène est trop longue pour un lien ; enregistrez-la et envoyez le fichier.', 'La escena es demasiado larga para un enlace; guárdela y envíe el archivo.', 'La scena è troppo lunga per un link: la salvi e invii il file.', 'シーンが長すぎてリンクにできません。保存してファイルを送ってください。'],
   link_files: ['A link cannot hold {files}; save the scene, and send the archive.', 'Ein Link kann {files} nicht enthalten; speichern Sie die Szene, und senden Sie das Archiv.', 'Un lien ne peut pas contenir {files} ; enregistrez la scène et envoyez l’archive.', 'Un enlace no puede contener {files}; guarde la escena y envíe el archivo.', 'Un link non può contenere {files}: salvi la scena e invii l’archivio.', 'リンクには {files} を含められません。シーンを保存してアーカイブを送ってください。'],
+  qr: ['QR code', 'QR-Code', 'Code QR', 'Código QR', 'Codice QR', 'QRコード'],
+  qr_is: ['A phone that is pointed at it opens this scene.', 'Ein Telefon, das darauf gerichtet wird, öffnet diese Szene.', 'Un téléphone pointé dessus ouvre cette scène.', 'Un teléfono que lo enfoque abre esta escena.', 'Un telefono puntato su di esso apre questa scena.', '電話のカメラを向けると、このシーンが開きます。'],
+  qr_file: ['A phone cannot open a file of this computer. Open the workbench from an address that begins with https, and take its code.', 'Ein Telefon kann keine Datei dieses Computers öffnen. Öffnen Sie die Arbeitsfläche von einer Adresse, die mit https beginnt, und nehmen Sie deren Code.', 'Un téléphone ne peut pas ouvrir un fichier de cet ordinateur. Ouvrez l’atelier à une adresse qui commence par https, et prenez son code.', 'Un teléfono no puede abrir un archivo de este ordenador. Abra el taller desde una dirección que empiece por https y tome su código.', 'Un telefono non può aprire un file di questo computer. Apra il banco di lavoro da un indirizzo che comincia con https e prenda il suo codice.', '電話はこのコンピューターのファイルを開けません。https で始まるアドレスからこのページを開き、そのコードを使ってください。'],
+  qr_long: ['The scene is too long for a QR code; copy its link, or save it.', 'Die Szene ist zu lang für einen QR-Code; kopieren Sie ihren Link, oder speichern Sie sie.', 'La scène est trop longue pour un code QR ; copiez son lien ou enregistrez-la.', 'La escena es demasiado larga para un código QR; copie su enlace o guárdela.', 'La scena è troppo lunga per un codice QR: copi il suo link o la salvi.', 'シーンが長すぎて QR コードにできません。リンクをコピーするか、保存してください。'],
   no_place: ['The text has no place for {key}; write it there.', 'Der Text hat keinen Platz für {key}; schreiben Sie es hinein.', 'Le texte n’a pas de place pour {key} ; écrivez-le.', 'El texto no tiene lugar para {key}; escríbalo.', 'Il testo non ha posto per {key}: lo scriva.', 'テキストに {key} を書き込めません。手で書いてください。'],
   draft_lacks: ['without {files}', 'ohne {files}', 'sans {files}', 'sin {files}', 'senza {files}', '{files} なし'],
   unkept_text: ['This browser cannot keep this text: it is too long, or the browser’s store is full. Save the scene before you leave the page.',
@@ -121,6 +125,26 @@ function edited_by(text, values) {
     text = edited(text, edit);
   }
   return text;
+}
+
+/** What makes QR codes; null: it was not there when the workbench was built. @returns {any} */
+function qr_maker() {
+  return /** @type {any} */ (globalThis).text_editor?.qrcode ?? null;
+}
+
+/** The modules of a text's QR code as a path in SVG, with the margin of four that readers need; null: it is too long. @param {string} text */
+function qr_path(text) {
+  const code = qr_maker()(0, 'L');
+  try {
+    code.addData(text, 'Byte');
+    code.make();
+  } catch {
+    return null;
+  }
+  const n = code.getModuleCount();
+  let path = '';
+  for (let row = 0; row < n; ++row) for (let column = 0; column < n; ++column) if (code.isDark(row, column)) path += `M${column + 4} ${row + 4}h1v1h-1z`;
+  return {path, size: n + 8};
 }
 
 /** A title as the name of a file, without its suffix. @param {string} title */
@@ -271,6 +295,23 @@ class Workbench {
     return !scene && this.link_text.packed === null ? this.words.of('link_long') : '';
   }
 
+  /** Shows the link to the scene as a QR code, for the phones of a class. */
+  async #show_qr() {
+    const fault = await this.#link_fault();
+    const link = this.page.address.link();
+    const code = fault || !link.startsWith('http') ? null : qr_path(link);
+    const svg = part('qr-code');
+    svg.toggleAttribute('hidden', !code);
+    part('qr-text').textContent = fault || this.words.of(!link.startsWith('http') ? 'qr_file' : code ? 'qr_is' : 'qr_long');
+    if (code) {
+      svg.setAttribute('viewBox', `0 0 ${code.size} ${code.size}`);
+      svg.querySelector('rect')?.setAttribute('width', String(code.size));
+      svg.querySelector('rect')?.setAttribute('height', String(code.size));
+      svg.querySelector('path')?.setAttribute('d', code.path);
+    }
+    /** @type {HTMLDialogElement} */ (part('qr')).showModal();
+  }
+
   // ── Values ──────────────────────────────────────────────────────────────────────────────
 
   /** Writes values into the text; throws the program's refusal, after which the text is as it was. @param {Map<string, string|null>} values */
@@ -296,12 +337,12 @@ class Workbench {
   #name() {
     const {words} = this;
     for (const [id, word] of [['new-open', 'new'], ['gallery-open', 'gallery'], ['file-open', 'open'], ['file-save', 'save_scene'], ['export-page', 'export_page'],
-      ['export-csv', 'export_csv'], ['film-open', 'film_section'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
+      ['export-csv', 'export_csv'], ['qr-open', 'qr'], ['film-open', 'film_section'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
       ['drafts-head', 'drafts'], ['gallery-none', 'search_none']]) part(/** @type {string} */ (id)).textContent = words.of(/** @type {string} */ (word));
-    for (const [id, word] of [['writing', 'text'], ['tabs', 'tabs'], ['gallery-search', 'search'], ['new', 'new'], ['gallery', 'gallery']])
+    for (const [id, word] of [['writing', 'text'], ['tabs', 'tabs'], ['gallery-search', 'search'], ['new', 'new'], ['gallery', 'gallery'], ['qr', 'qr'], ['qr-code', 'qr']])
       part(/** @type {string} */ (id)).setAttribute('aria-label', words.of(/** @type {string} */ (word)));
     input('gallery-search').placeholder = words.of('search');
-    for (const [id, word] of [['new', 'new'], ['gallery', 'gallery']]) {
+    for (const [id, word] of [['new', 'new'], ['gallery', 'gallery'], ['qr', 'qr']]) {
       const heading = part(/** @type {string} */ (id)).querySelector('h2');
       if (heading) heading.textContent = words.of(/** @type {string} */ (word));
     }
@@ -326,6 +367,9 @@ class Workbench {
       // The keys of the figure are not for here.
       dialog.addEventListener('keydown', (event) => event.stopPropagation());
     }
+    part('qr-open').hidden = !qr_maker();
+    part('qr-open').addEventListener('click', () => void this.#show_qr());
+    part('qr').addEventListener('keydown', (event) => event.stopPropagation());
     part('file-open').addEventListener('click', () => input('file').click());
     input('file').addEventListener('change', () => {
       void this.#take([...(input('file').files ?? [])]);
