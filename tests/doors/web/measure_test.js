@@ -219,11 +219,14 @@ check('says of a bad table what the program says', async (browser) => {
 
 // ── Recording ───────────────────────────────────────────────────────────────────────────────
 
+/** What the accelerometer feels in `thrown`, m/s²: nearly nothing in flight. */
+const felt_in_throw = (rows) => rows.map(([t]) => (t > 1.5 && t < 2.3 ? 1.5 : 9.8));
+
 /** Presses Record, and gives the page events of motion from then on, one row in 4 ms or more, so that a slow machine only takes longer.
  * The times of events are those of the rows. */
-async function record(tab, rows) {
+async function record(tab, rows, felt = [], has_gyroscope = true) {
   await tab.click('#measure-open');
-  await tab.evaluate((rows) => {
+  await tab.evaluate((rows, felt, has_gyroscope) => {
     const degree = Math.PI / 180;
     // Chromium grants the permission a moment after the press.
     let listens = false;
@@ -236,13 +239,16 @@ async function record(tab, rows) {
       const row = listens && the_workbench.measure.recorder && rows.shift();
       if (row) {
         const [time_s, x, y, z] = row;
-        const event = new DeviceMotionEvent('devicemotion', {interval: 16, rotationRate: {alpha: x / degree, beta: y / degree, gamma: z / degree}});
+        const rate = (w) => (has_gyroscope ? w / degree : null);
+        const size = felt.shift();
+        const event = new DeviceMotionEvent('devicemotion', {interval: 16, rotationRate: {alpha: rate(x), beta: rate(y), gamma: rate(z)},
+          ...(size === undefined ? {} : {accelerationIncludingGravity: {x: 0, y: 0.6 * size, z: 0.8 * size}})});
         Object.defineProperty(event, 'timeStamp', {value: 5000 + 1000 * time_s});
         window.dispatchEvent(event);
       }
       if (rows.length === 0) clearInterval(timer);
     }, 4);
-  }, rows);
+  }, rows, felt, has_gyroscope);
   await tab.click('#record');
 }
 
@@ -345,6 +351,25 @@ check('is felt and heard, and keeps the screen awake while it records', async (b
   assert.match(await tab.$eval('#record', (button) => button.textContent), /again/);
   assert.deepEqual(faults, []);
   await tab.close();
+});
+
+check('says to one who throws what was wrong, and ends by itself', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 390, height: 664}});
+  // Flat as a disc: a turn about one axis alone.
+  const flat = thrown(60, 30).map(([t, ...omega]) => (t > 1.5 && t < 2.3 ? [t, 0.01 * Math.sin(917 * t), 0.01 * Math.sin(531 * t), 12] : [t, ...omega.map((w) => 0.02 * w)]));
+  await record(tab, flat, felt_in_throw(flat));
+  await until(tab, 'document.querySelector("#measure-message.refused")', 30000);
+  assert.match(await tab.$eval('#measure-message', (p) => p.textContent), /about one axis alone.*end over end/);
+  assert.equal(await tab.evaluate(() => document.getElementById('motion-words').checkVisibility()), false, 'what the example does is no answer');
+  const rows = (await saved_by(tab, 'record-save')).trim().split('\n').length - 1;
+  assert.ok(rows < 60 * 8, `it ended after ${rows} rows`);
+  assert.deepEqual(faults, []);
+  await tab.close();
+  const none = await opened(browser, {size: {width: 390, height: 664}});
+  await record(none.tab, flat, felt_in_throw(flat), false);
+  await until(none.tab, 'document.querySelector("#measure-message.refused")?.textContent.includes("has no gyroscope")', 20000);
+  assert.deepEqual(none.faults, []);
+  await none.tab.close();
 });
 
 check('stops a recording on request, and keeps it', async (browser) => {

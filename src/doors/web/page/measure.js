@@ -5,6 +5,7 @@ import {message_of} from './figure.js';
 import {unpacked} from './loader.js';
 import {OmegaChart} from './measure_chart.js';
 import {ProgramError, WasmModule} from './program.js';
+import {falls_of, why_poor} from './poor_throw.js';
 import {RecordSignals} from './record_signals.js';
 import {Recorder, is_caught, longest_record_s, table_of_rows} from './record.js';
 import {throw_story} from './throw_story.js';
@@ -48,6 +49,12 @@ const measure_words = {
   throw_title: ['My throw, {time}', 'Mein Wurf, {time}', 'Mon lancer, {time}', 'Mi lanzamiento, {time}', 'Il mio lancio, {time}', '{time} に投げた電話'],
   throw_more: ['Numbers', 'Zahlen', 'Nombres', 'Números', 'Numeri', '数値'],
   throw_again: ['Throw again', 'Noch einmal werfen', 'Relancer', 'Lanzar otra vez', 'Lancia di nuovo', 'もう一度投げる'],
+  poor_never_free: ['The phone was never in free fall: throw it, so that it flies for half a second.', 'Das Telefon war nie im freien Fall: Werfen Sie es, sodass es eine halbe Sekunde fliegt.', 'Le téléphone n’a jamais été en chute libre : lancez-le pour qu’il vole une demi-seconde.', 'El teléfono no estuvo en caída libre: láncelo para que vuele medio segundo.', 'Il telefono non è mai stato in caduta libera: lo lanci, così che voli mezzo secondo.', '電話は自由落下しませんでした。0.5秒ほど飛ぶように投げてください。'],
+  poor_too_short: ['The flight was too short: throw the phone higher, for half a second or more.', 'Der Flug war zu kurz: Werfen Sie das Telefon höher, eine halbe Sekunde oder länger.', 'Le vol était trop court : lancez le téléphone plus haut, une demi-seconde ou plus.', 'El vuelo fue demasiado corto: lance el teléfono más alto, medio segundo o más.', 'Il volo è stato troppo corto: lanci il telefono più in alto, per mezzo secondo o più.', '飛行が短すぎました。もっと高く、0.5秒以上飛ぶように投げてください。'],
+  poor_too_slow: ['The phone hardly turned: give it more spin, one turn in the flight or more.', 'Das Telefon drehte sich kaum: Geben Sie ihm mehr Drall, eine Umdrehung im Flug oder mehr.', 'Le téléphone a à peine tourné : donnez-lui plus de rotation, au moins un tour en vol.', 'El teléfono apenas giró: dele más giro, una vuelta o más en el vuelo.', 'Il telefono ha girato appena: gli dia più rotazione, un giro in volo o più.', '電話はほとんど回りませんでした。飛んでいる間に1回転以上するように回してください。'],
+  poor_too_fast: ['The phone turned faster than its gyroscope measures (2000° a second): throw it with less spin.', 'Das Telefon drehte sich schneller, als sein Gyroskop misst (2000° in der Sekunde): Werfen Sie es mit weniger Drall.', 'Le téléphone a tourné plus vite que ne mesure son gyroscope (2000° par seconde) : lancez-le avec moins de rotation.', 'El teléfono giró más rápido de lo que mide su giroscopio (2000° por segundo): láncelo con menos giro.', 'Il telefono ha girato più in fretta di quanto misura il suo giroscopio (2000° al secondo): lo lanci con meno rotazione.', '電話がジャイロスコープの限界（毎秒2000°）より速く回りました。回転を弱めて投げてください。'],
+  poor_one_axis: ['The phone turned about one axis alone, which tells nothing about the others: throw it end over end.', 'Das Telefon drehte sich nur um eine Achse, was nichts über die anderen sagt: Werfen Sie es so, dass es sich überschlägt.', 'Le téléphone a tourné autour d’un seul axe, ce qui ne dit rien des autres : lancez-le en culbute.', 'El teléfono giró sobre un solo eje, lo que no dice nada de los demás: láncelo dando volteretas.', 'Il telefono ha girato attorno a un solo asse, e ciò non dice nulla degli altri: lo lanci a capriola.', '電話は一つの軸のまわりだけで回ったため、ほかの軸のことが分かりません。前後に宙返りするように投げてください。'],
+  record_no_gyroscope: ['This phone has no gyroscope, or its browser does not give it. Take another phone, or another browser.', 'Dieses Telefon hat kein Gyroskop, oder sein Browser gibt es nicht frei. Nehmen Sie ein anderes Telefon oder einen anderen Browser.', 'Ce téléphone n’a pas de gyroscope, ou son navigateur ne le donne pas. Prenez un autre téléphone ou un autre navigateur.', 'Este teléfono no tiene giroscopio, o su navegador no lo da. Use otro teléfono u otro navegador.', 'Questo telefono non ha un giroscopio, o il suo browser non lo dà. Prenda un altro telefono o un altro browser.', 'この電話にはジャイロスコープがないか、ブラウザーが使わせません。別の電話かブラウザーを使ってください。'],
   record: ['Record', 'Aufnehmen', 'Enregistrer', 'Grabar', 'Registra', '記録'],
   record_stop: ['Stop', 'Stopp', 'Arrêter', 'Parar', 'Ferma', '停止'],
   record_save: ['Save recording', 'Aufnahme speichern', 'Enregistrer le tableau', 'Guardar grabación', 'Salva registrazione', '記録を保存'],
@@ -298,8 +305,12 @@ export class Measure {
       if (rows.length === 0) {
         if (performance.now() - began_ms < first_row_within_ms) return;
         this.#end_recording();
-        this.#say('record_needs', '', true);
-      } else if (last_s > longest_record_s || is_caught(rows, module.find(late_rows(rows)))) void this.stop();
+        this.#say(recorder.lacks_gyroscope ? 'record_no_gyroscope' : 'record_needs', '', true);
+        return;
+      }
+      // A throw that the rows do not show as a free body's is felt as a fall.
+      const flights = module.find(late_rows(rows));
+      if (last_s > longest_record_s || is_caught(rows, flights.length > 0 ? flights : falls_of(recorder.accelerations).slice(-2))) void this.stop();
     }, catch_looked_for_ms);
   }
 
@@ -319,6 +330,7 @@ export class Measure {
   /** Ends the recording and fits it. */
   async stop() {
     const rows = this.recorder?.rows ?? [];
+    const why = this.recorder ? why_poor(rows, this.recorder.accelerations) : '';
     this.#end_recording();
     if (rows.length === 0) {
       this.#say('record_needs', '', true);
@@ -329,6 +341,8 @@ export class Measure {
       time: new Date().toLocaleTimeString(this.words.code, {hour: '2-digit', minute: '2-digit'})};
     part('record-save').hidden = false;
     await this.take(this.recorded.name, new TextEncoder().encode(this.recorded.text));
+    // For one who throws, not for a table.
+    if (why && part('measure-message').classList.contains('refused')) this.#say(`poor_${why}`, '', true);
   }
 
   #end_recording() {
