@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 """Checks the site that src/cmake/make_site.py makes: every link leads to a file of the site and to one of its headings, nothing is
-loaded from elsewhere, every scene of the gallery opens in the workbench, downloads are offered, and a folder that is not a site is kept.
+loaded from elsewhere, every page says what it is about, every scene of the gallery opens in the workbench, downloads are offered, and a folder that is not a site is kept.
 
 Usage: site_check.py [SITE]; without it, makes one in a temporary folder, with an empty file in place of the workbench.
 """
@@ -20,15 +20,18 @@ class Links(html.parser.HTMLParser):
     def __init__(self, text):
         super().__init__()
         self.followed, self.loaded, self.anchors = [], [], set()
+        self.about = {}  # what search engines, mail and chat show
         self.feed(text)
 
     def handle_starttag(self, tag, attributes):
         values = dict(attributes)
         if "id" in values:
             self.anchors.add(values["id"])
+        if tag == "meta" and "content" in values:
+            self.about[values.get("name") or values.get("property")] = values["content"]
         if tag == "a" and "href" in values:
             self.followed.append(values["href"])
-        elif "href" in values or "src" in values:
+        elif values.get("rel") != "canonical" and ("href" in values or "src" in values):
             self.loaded.append(values.get("href") or values.get("src"))
 
 
@@ -39,6 +42,10 @@ def faults(site):
         yield f"only {len(pages)} pages"
     opened = set()
     for page, links in pages.items():
+        if page.name != "live.html":
+            for name in ("description", "og:title", "og:description", "og:image"):
+                if not 10 <= len(links.about.get(name, "")) <= 200 and (name != "og:image" or not links.about.get(name, "").endswith("card.png")):
+                    yield f"{page.relative_to(site)}: {name} is {links.about.get(name)!r}"
         for link in links.loaded:
             if re.match(r"(?!data:)[a-z]+:|//", link):
                 yield f"{page.relative_to(site)} loads {link}"
@@ -50,7 +57,7 @@ def faults(site):
             if not file.exists() or not file.is_relative_to(site):
                 yield f"{page.relative_to(site)}: nothing is at {link}"
             elif file.name == "poinsot.html":
-                opened |= {anchor.removeprefix("scene=")} - {""}
+                opened |= {anchor.removeprefix("scene=")} if anchor.startswith("scene=") else set()
             elif anchor and anchor not in pages[file].anchors:
                 yield f"{page.relative_to(site)}: {path or page.name} has no heading for #{anchor}"
     if opened != NAMES:

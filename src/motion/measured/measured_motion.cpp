@@ -10,10 +10,10 @@
 
 #include "error/error.h"
 #include "measured/table_faults.h"
+#include "measured/table_heading.h"
 #include "text/nearest.h"
 #include "text/numbers.h"
 #include "text/printable.h"
-#include "text/units.h"
 
 namespace poinsot {
 
@@ -28,13 +28,6 @@ std::string_view trimmed(std::string_view text) {
     return text;
 }
 
-std::string_view unquoted(std::string_view cell) {
-    cell = trimmed(cell);
-    if (cell.size() >= 2 && cell.front() == '"' && cell.back() == '"')
-        cell = cell.substr(1, cell.size() - 2);
-    return trimmed(cell);
-}
-
 void split(std::string_view line, char separator, std::vector<std::string_view>& cells) {
     cells.clear();
     std::size_t begin = 0;
@@ -47,76 +40,14 @@ void split(std::string_view line, char separator, std::vector<std::string_view>&
     }
 }
 
-// A heading as name and unit: "Gyroscope x (rad/s)" is "gyroscope_x" and "rad/s".
-struct Heading {
-    std::string name, unit;
-};
-
-Heading heading_of(std::string_view cell) {
-    std::string_view text = unquoted(cell);
-    Heading heading;
-    if (!text.empty() && (text.back() == ')' || text.back() == ']')) {
-        const std::size_t open = text.rfind(text.back() == ')' ? '(' : '[');
-        if (open != std::string_view::npos) {
-            heading.unit = trimmed(text.substr(open + 1, text.size() - open - 2));
-            text = trimmed(text.substr(0, open));
-        }
-    }
-    for (const char c : text) {
-        const bool separates = c == ' ' || c == '.' || c == '-' || c == '_';
-        if (!separates)
-            heading.name += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-        else if (!heading.name.empty() && heading.name.back() != '_')
-            heading.name += '_';
-    }
-    // The units at the end of a name, as this program's own tables have them.
-    constexpr std::array<std::pair<std::string_view, std::string_view>, 6> endings{
-        {{"_rad_s", "rad/s"},
-         {"_deg_s", "deg/s"},
-         {"_ms", "ms"},
-         {"_us", "us"},
-         {"_ns", "ns"},
-         {"_s", "s"}}};
-    for (const auto& [ending, unit] : endings)
-        if (heading.unit.empty() && heading.name.ends_with(ending)) {
-            heading.name.resize(heading.name.size() - ending.size());
-            heading.unit = unit;
-        }
-    return heading;
-}
-
-// The number of a component, if the name is one of these names with one of these components.
-std::optional<int> component_of(std::string_view name, std::span<const std::string_view> names,
-                                std::span<const std::string_view> components) {
-    for (std::size_t i = 0; i < components.size(); ++i) {
-        if (!name.ends_with(components[i])) continue;
-        std::string_view before = name.substr(0, name.size() - components[i].size());
-        if (before.ends_with('_')) before.remove_suffix(1);
-        if (std::find(names.begin(), names.end(), before) != names.end())
-            return static_cast<int>(i);
-    }
-    return std::nullopt;
-}
-
-constexpr std::array<std::string_view, 4> names_of_time{"t", "time", "timestamp", "time_stamp"};
-constexpr std::array<std::string_view, 9> names_of_omega{
-    "omega_body",      "omega",        "w", "gyroscope", "gyro", "gyr", "angular_velocity",
-    "angularvelocity", "rotation_rate"};
-constexpr std::array<std::string_view, 4> names_of_attitude{"q", "quat", "quaternion",
-                                                            "space_from_body"};
-constexpr std::array<std::string_view, 4> names_of_matrix{"r", "rotation", "matrix",
-                                                          "space_from_body"};
-constexpr std::array<std::string_view, 3> axes{"x", "y", "z"};
-constexpr std::array<std::string_view, 3> numbers{"1", "2", "3"};
-constexpr std::array<std::string_view, 4> of_quaternion{"w", "x", "y", "z"};
-constexpr std::array<std::string_view, 9> of_matrix{"11", "12", "13", "21", "22",
-                                                    "23", "31", "32", "33"};
-
-// SI units in one of this unit; nothing if it is none, or of another kind than `si`.
-std::optional<double> factor_of(std::string_view unit, std::string_view si) {
-    const std::optional<Unit> wanted = unit_named(si);
-    if (!wanted) return std::nullopt;
-    return measured_in("1 " + std::string(unit), *wanted);
+// Whether a table is named after another sensor than a gyroscope, as apps name theirs.
+bool is_of_another_sensor(std::string_view name) {
+    std::string stem(name.substr(name.find_last_of("/\\") + 1));
+    for (char& c : stem) c = c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+    constexpr std::array<std::string_view, 4> sensors{"accel", "gravity", "magnet", "orientation"};
+    return std::any_of(sensors.begin(), sensors.end(), [&stem](std::string_view sensor) {
+        return stem.find(sensor) != std::string::npos;
+    });
 }
 
 }  // namespace
@@ -192,6 +123,8 @@ void MeasuredReader::take_line(std::string_view line) {
 void MeasuredReader::check_text(std::string_view line) const {
     if (line.starts_with("\xFF\xFE") || line.starts_with("\xFE\xFF"))
         refuse_at(1, 1, "the table is UTF-16; save the table as UTF-8 text");
+    if (line.starts_with("PK\x03\x04") || line.starts_with("\xD0\xCF\x11\xE0"))
+        refuse_at(1, 1, "the file is a spreadsheet or an archive; export the table as CSV");
     if (line.find('\0') != std::string_view::npos)
         refuse_at(1, 1, "the table is UTF-16 or no text; save the table as UTF-8 text");
     const std::size_t end = line.find('\r');
@@ -208,36 +141,45 @@ void MeasuredReader::take_header(std::string_view line) {
     split(line, separator_, cells_);
     n_columns_ = cells_.size();
     factors_.assign(n_columns_, 1.0);
+    std::vector<TableHeading> headings;
+    for (const std::string_view cell : cells_) headings.push_back(table_heading_of(cell));
+    const auto is_attitude = [](const TableHeading& heading) {
+        return heading.kind == ColumnKind::quaternion || heading.kind == ColumnKind::matrix;
+    };
+    // Beside attitudes, x, y and z alone are a place.
+    if (std::any_of(headings.begin(), headings.end(), is_attitude))
+        for (TableHeading& heading : headings)
+            if (heading.kind == ColumnKind::omega && heading.rank < sure_rank)
+                heading.kind = ColumnKind::other;
+    const auto is_outranked = [&headings](const TableHeading& heading) {
+        return std::any_of(headings.begin(), headings.end(), [&heading](const TableHeading& other) {
+            return other.kind == heading.kind && other.rank > heading.rank;
+        });
+    };
     for (std::size_t i = 0; i < n_columns_; ++i) {
-        const Heading heading = heading_of(cells_[i]);
-        int* column = nullptr;
-        std::string_view si;
-        if (std::find(names_of_time.begin(), names_of_time.end(), heading.name) !=
-            names_of_time.end()) {
-            column = &column_of_time_;
-            si = "s";
-        } else if (auto axis = component_of(heading.name, names_of_omega, axes);
-                   axis || (axis = component_of(heading.name, names_of_omega, numbers))) {
-            column = &column_of_omega_[static_cast<std::size_t>(*axis)];
-            si = "rad/s";
-        } else if (const auto part = component_of(heading.name, names_of_attitude, of_quaternion)) {
-            column = &column_of_quaternion_[static_cast<std::size_t>(*part)];
-        } else if (const auto element = component_of(heading.name, names_of_matrix, of_matrix)) {
-            column = &column_of_matrix_[static_cast<std::size_t>(*element)];
-        }
-        if (column == nullptr) continue;
-        if (*column >= 0)
-            refuse(i, fmt::format("two columns say the same, \"{}\" and \"{}\"; take one out",
-                                  printable(unquoted(cells_[static_cast<std::size_t>(*column)])),
-                                  printable(unquoted(cells_[i]))));
-        *column = static_cast<int>(i);
-        if (heading.unit.empty() || si.empty()) continue;
-        const auto factor = factor_of(heading.unit, si);
-        if (!factor)
+        const TableHeading& heading = headings[i];
+        if (heading.kind == ColumnKind::other || is_outranked(heading)) continue;
+        const auto component = static_cast<std::size_t>(heading.component);
+        int& column = heading.kind == ColumnKind::time         ? column_of_time_
+                      : heading.kind == ColumnKind::omega      ? column_of_omega_[component]
+                      : heading.kind == ColumnKind::quaternion ? column_of_quaternion_[component]
+                                                               : column_of_matrix_[component];
+        if (column >= 0)
+            refuse(i,
+                   fmt::format("two columns say the same, \"{}\" and \"{}\"; take one out",
+                               printable(unquoted_cell(cells_[static_cast<std::size_t>(column)])),
+                               printable(unquoted_cell(cells_[i]))));
+        column = static_cast<int>(i);
+        if (!heading.is_unit_known) {
+            const bool is_time = heading.kind == ColumnKind::time;
             refuse(i, fmt::format("\"{}\" is no unit of {}; write it as in \"{} ({})\"",
-                                  printable(heading.unit), si == "s" ? "time" : "angular velocity",
-                                  printable(heading.name), si));
-        factors_[i] = *factor;
+                                  printable(heading.unit), is_time ? "time" : "angular velocity",
+                                  printable(heading.name), is_time ? "s" : "rad/s"));
+        }
+        factors_[i] = heading.si_in_unit;
+        if (heading.kind == ColumnKind::omega && heading.rank < sure_rank &&
+            is_of_another_sensor(name_))
+            refuse(i, "by the table's name this is no column of ω; give the gyroscope's table");
     }
     check_columns();
 }
@@ -248,7 +190,14 @@ void MeasuredReader::check_columns() const {
                              [](int column) { return column >= 0; });
     };
     const auto refuse_missing = [this](std::string_view what) {
-        refuse_at(line_number_, 1, fmt::format("the first line names no column for {}", what));
+        constexpr std::size_t most_columns = 12;
+        std::string columns;
+        for (std::size_t i = 0; i < std::min(n_columns_, most_columns); ++i)
+            columns +=
+                fmt::format("{}\"{}\"", i == 0 ? "" : ", ", printable(unquoted_cell(cells_[i])));
+        refuse_at(line_number_, 1,
+                  fmt::format("the first line names no column for {}; it has {}{}", what, columns,
+                              n_columns_ > most_columns ? ", …" : ""));
     };
     if (column_of_time_ < 0) refuse_missing("the time; name one \"time\", or \"time (ms)\"");
     if (const auto n = n_of(column_of_omega_); n > 0 && n < 3)
@@ -264,18 +213,24 @@ void MeasuredReader::check_columns() const {
             "ω or the attitude; name three omega_x, omega_y, omega_z, or four q_w, q_x, q_y, q_z");
 }
 
-double MeasuredReader::number_in(int column) const {
+double MeasuredReader::number_in(int column) {
     const auto i = static_cast<std::size_t>(column);
-    const std::string_view cell = unquoted(cells_[i]);
+    std::string cell(unquoted_cell(cells_[i]));
+    // A comma within a cell is no separator, so that it is the decimal one, where no other number
+    // of the table has a point.
+    const std::size_t mark = cell.find_first_of(".,");
+    if (mark != std::string::npos && cell.find_first_of(".,", mark + 1) == std::string::npos) {
+        if (decimal_mark_ != '\0' && decimal_mark_ != cell[mark])
+            refuse(i, fmt::format("\"{}\" has a decimal {}, and earlier numbers have {}; write all "
+                                  "with points",
+                                  printable(cell), cell[mark] == ',' ? "comma" : "point",
+                                  cell[mark] == ',' ? "points" : "commas"));
+        decimal_mark_ = cell[mark];
+        cell[mark] = '.';
+    }
     const auto number = number_of<double>(without_plus(cell));
     if (!number) {
         if (cell.empty()) refuse(i, "the cell is empty; leave out rows without values");
-        if (std::count(cell.begin(), cell.end(), ',') == 1)
-            refuse(
-                i,
-                fmt::format(
-                    "\"{}\" has a decimal comma; write decimal points, as export in English does",
-                    printable(cell)));
         refuse(i, fmt::format("\"{}\" is not a number", printable(cell)));
     }
     if (!std::isfinite(*number * factors_[i]))
@@ -285,12 +240,17 @@ double MeasuredReader::number_in(int column) const {
 
 void MeasuredReader::take_row(std::string_view line) {
     split(line, separator_, cells_);
+    // As spreadsheets leave them at the end.
+    if (std::all_of(cells_.begin(), cells_.end(),
+                    [](std::string_view cell) { return unquoted_cell(cell).empty(); }))
+        return;
     if (cells_.size() != n_columns_)
         refuse(
             std::min(cells_.size(), n_columns_),
             fmt::format("the row has {} cells and the first line {}{}", cells_.size(), n_columns_,
                         separator_ == ',' && cells_.size() > n_columns_
-                            ? "; where numbers have decimal commas, write decimal points"
+                            ? "; where numbers have decimal commas, separate the columns by "
+                              "semicolons or tabs"
                             : ""));
     MeasuredRow row;
     row.time_s = number_in(column_of_time_);

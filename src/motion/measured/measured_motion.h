@@ -24,9 +24,11 @@ struct MeasuredRow {
 //
 // The first line names the columns; columns of other names are ignored. Time: "time", "t" or
 // "timestamp". ω: "omega_body", "omega", "w", "gyroscope", "gyro" or "angular velocity" with x, y,
-// z or 1, 2, 3. Attitude, space from body: "q" or "quaternion" with w, x, y, z, or a matrix "r11" …
-// "r33". Units stand in parentheses or brackets, "Gyroscope x (rad/s)", or at the end, "time_ms";
-// without them they are s and rad/s. Columns are separated by commas, semicolons or tabs.
+// z or 1, 2, 3, or these letters alone. Attitude, space from body: "q" or "quaternion" with w, x,
+// y, z, or a matrix "r11" … "r33". Further names: measured/table_heading.h. Units stand in
+// parentheses or brackets, "Gyroscope x (rad/s)", or at the end, "time_ms"; without them they are s
+// and rad/s. Columns are separated by commas, semicolons or tabs, and a comma within a cell is a
+// decimal comma. Rows whose cells are all empty are ignored.
 class MeasuredReader {
  public:
     using TakeRow = std::function<void(const MeasuredRow& row)>;
@@ -52,7 +54,7 @@ class MeasuredReader {
     void take_header(std::string_view line);
     void take_row(std::string_view line);
     void check_columns() const;
-    double number_in(int column) const;
+    double number_in(int column);
     [[noreturn]] void refuse(std::size_t cell, const std::string& what) const;
     [[noreturn]] void refuse_at(std::size_t line, std::size_t column, std::string_view what) const;
 
@@ -61,6 +63,7 @@ class MeasuredReader {
     std::string rest_;  // of a line whose end has not come yet
     std::size_t line_number_ = 0;
     char separator_ = ',';
+    char decimal_mark_ = '\0';  // that a number had; '\0': none had one
     std::size_t n_columns_ = 0;
     int column_of_time_ = -1;
     std::array<int, 3> column_of_omega_{-1, -1, -1};

@@ -94,6 +94,49 @@ std::vector<Saturation> saturations_of(std::span<const MeasuredRow> rows) {
     return found;
 }
 
+std::string unit_doubt_of(std::span<const MeasuredRow> rows) {
+    // Gyroscopes of phones end at 2000 °/s, 34.9 rad/s.
+    constexpr double most_of_phone_rad_s = 36.0, most_turn_rad = 0.5;
+    constexpr double degrees_in_radian = 57.3;
+    if (rows.size() < 3) return "";
+    double most_rad_s = 0.0;
+    std::vector<double> turns_rad, steps_s;
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        most_rad_s = std::max(most_rad_s, rows[i].omega_body.cwiseAbs().maxCoeff());
+        if (i == 0) continue;
+        steps_s.push_back(rows[i].time_s - rows[i - 1].time_s);
+        turns_rad.push_back(rows[i].omega_body.cwiseAbs().maxCoeff() * steps_s.back());
+    }
+    const auto median_of = [](std::vector<double>& values) {
+        const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+        std::nth_element(values.begin(), middle, values.end());
+        return *middle;
+    };
+    const double step_s = median_of(steps_s), turn_rad = median_of(turns_rad);
+    if (most_rad_s > most_of_phone_rad_s && turn_rad / degrees_in_radian < most_turn_rad)
+        return fmt::format(
+            "ω reaches {:.3g} rad/s, and the gyroscope of a phone {:.3g}: the values look like "
+            "degrees a second; if they are, name the columns as in \"omega_x (deg/s)\"",
+            most_rad_s, 34.9);
+    // A clock that counts in whole units of its own; rows come every few milliseconds.
+    constexpr double least_step_s = 1.0, least_rows_step_s = 1e-4;
+    struct Unit {
+        const char* name;
+        const char* symbol;
+        double in_s;
+    };
+    constexpr Unit units[] = {
+        {"milliseconds", "ms", 1e-3}, {"microseconds", "us", 1e-6}, {"nanoseconds", "ns", 1e-9}};
+    if (turn_rad > most_turn_rad && step_s >= least_step_s)
+        for (const Unit& unit : units)
+            if (turn_rad * unit.in_s < most_turn_rad && step_s * unit.in_s >= least_rows_step_s)
+                return fmt::format(
+                    "from row to row the body would turn by {:.3g} rad in {:.3g} s: the times look "
+                    "like {}; if they are, name the column \"time ({})\"",
+                    turn_rad, step_s, unit.name, unit.symbol);
+    return "";
+}
+
 std::string in_words(const Saturation& saturation) {
     return fmt::format(
         "omega_{} stays at {:.6g} rad/s for {} rows from {:.6g} s on: the sensor's "

@@ -37,6 +37,11 @@ std::vector<Saturation> saturations_of(std::span<const MeasuredRow> rows);
 // to. Infinite if it is constant.
 double resolution_of(std::span<const MeasuredRow> rows, int component);
 
+// In words, that the values look like degrees a second or the times like a smaller unit than the
+// seconds that they are read as: ω beyond what the gyroscope of a phone measures, or turns from row
+// to row that only another unit makes small. Empty if nothing speaks for it.
+std::string unit_doubt_of(std::span<const MeasuredRow> rows);
+
 // "omega_y stays at 34.9 rad/s for 12 rows from 1.23 s on: the sensor's limit?"
 std::string in_words(const Saturation& saturation);
 // "no rows for 0.31 s from 1.2 s on", "no rows in 3 stretches, the longest …"; empty without gaps.

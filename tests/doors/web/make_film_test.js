@@ -13,6 +13,7 @@ const [program, make_workbench, ...only] = process.argv.slice(2);
 
 const check = browser_checks(only);
 
+const made_file = `file://${path.join(__dirname, '../../../src/doors/web/page/made_file.js')}`;
 const small = {width: 160, height: 90};
 const scene = path.join(folder, 'short.toml');
 // generic.toml for two seconds, with a stop between, and a name that fades in.
@@ -41,6 +42,9 @@ function assert_record(file, frames) {
   assert.deepEqual(record.frames, frames);
   assert.deepEqual(record.size, [size.width, size.height]);
   assert.match(poinsot('explain', file), /moments_kg_m2/);
+  // The workbench, too, reads its scene.
+  const in_page = `import(${JSON.stringify(made_file)}).then(({made_scene}) => console.log(made_scene(new Uint8Array(require("fs").readFileSync(process.argv[1]))).text))`;
+  assert.match(run(process.execPath, ['-e', in_page, file]), /moments_kg_m2 = .*[^]*\[\[stops\]\]/);
 }
 
 check('makes an MP4 film with the frames of the native one', async (browser) => {

@@ -219,11 +219,14 @@ check('says of a bad table what the program says', async (browser) => {
 
 // ── Recording ───────────────────────────────────────────────────────────────────────────────
 
+/** What the accelerometer feels in `thrown`, m/s²: nearly nothing in flight. */
+const felt_in_throw = (rows) => rows.map(([t]) => (t > 1.5 && t < 2.3 ? 1.5 : 9.8));
+
 /** Presses Record, and gives the page events of motion from then on, one row in 4 ms or more, so that a slow machine only takes longer.
  * The times of events are those of the rows. */
-async function record(tab, rows) {
+async function record(tab, rows, felt = [], has_gyroscope = true) {
   await tab.click('#measure-open');
-  await tab.evaluate((rows) => {
+  await tab.evaluate((rows, felt, has_gyroscope) => {
     const degree = Math.PI / 180;
     // Chromium grants the permission a moment after the press.
     let listens = false;
@@ -236,13 +239,16 @@ async function record(tab, rows) {
       const row = listens && the_workbench.measure.recorder && rows.shift();
       if (row) {
         const [time_s, x, y, z] = row;
-        const event = new DeviceMotionEvent('devicemotion', {interval: 16, rotationRate: {alpha: x / degree, beta: y / degree, gamma: z / degree}});
+        const rate = (w) => (has_gyroscope ? w / degree : null);
+        const size = felt.shift();
+        const event = new DeviceMotionEvent('devicemotion', {interval: 16, rotationRate: {alpha: rate(x), beta: rate(y), gamma: rate(z)},
+          ...(size === undefined ? {} : {accelerationIncludingGravity: {x: 0, y: 0.6 * size, z: 0.8 * size}})});
         Object.defineProperty(event, 'timeStamp', {value: 5000 + 1000 * time_s});
         window.dispatchEvent(event);
       }
       if (rows.length === 0) clearInterval(timer);
     }, 4);
-  }, rows);
+  }, rows, felt, has_gyroscope);
   await tab.click('#record');
 }
 
@@ -265,6 +271,105 @@ check('records a throw, and stops after the catch', async (browser) => {
   assert.deepEqual(await violations(tab), []);
   assert.deepEqual(faults, []);
   await tab.close();
+});
+
+/** Where ω about the middle axis, the instrument's first, is zero in the flight: seconds after its beginning. */
+function flip_of(rows) {
+  const flight = rows.filter(([t]) => t >= 1.5 && t <= 2.3);
+  const k = flight.findIndex((row, i) => i > 0 && row[1] * flight[i - 1][1] < 0);
+  return flight[k][0] - 1.5;
+}
+
+check('says first what a throw did, and shows it in half of the height', async (browser) => {
+  for (const [width, height] of [[390, 664], [320, 568], [664, 340]]) {
+    const {tab, faults} = await opened(browser, {size: {width, height, isMobile: !is_firefox, hasTouch: !is_firefox}});
+    await drop(tab, [['throw.csv', csv_of(thrown(60, 5))]]);
+    await until(tab, 'the_workbench.editor.text.includes("throw_flight_1.csv") && the_page.figure.frame === 0');
+    const sentence = await tab.$eval('#measure-sentence', (p) => p.textContent);
+    const [, at] = /^The body turned over once, after (0\.\d\d) s, about its middle axis\.$/.exec(sentence) ?? [];
+    assert.ok(Math.abs(Number(at) - flip_of(thrown(1000, 3))) < 0.04, `${sentence} ${flip_of(thrown(1000, 3))}`);
+    // Each ratio is within its deviations of the body that was thrown, and says what it is.
+    const said = await tab.$eval('#measure-ratios', (p) => p.textContent);
+    const ratios = [...said.matchAll(/(0\.\d+)\u00a0±\u00a0(0\.\d+)/g)].map(([, value, sd]) => [Number(value), Number(sd)]);
+    assert.equal(ratios.length, 2);
+    ratios.forEach(([value, sd], k) => assert.ok(Math.abs(value - moments[k + 1]) < 5 * sd && sd < 0.01, said));
+    assert.match(said, /moments of inertia/);
+    const shown = await tab.evaluate(() => {
+      const box = document.getElementById('stage').getBoundingClientRect();
+      const sees = (/** @type {string} */ id) => document.getElementById(id).checkVisibility();
+      const place = document.getElementById('measure').getBoundingClientRect();
+      return {width: box.width, height: box.height, right: box.right, bottom: document.getElementById('bar').getBoundingClientRect().bottom, overlaps: place.bottom > box.top + 1 && place.right > box.left + 1,
+        wide: document.documentElement.scrollWidth, sees: ['measure-charts', 'measure-words', 'tools', 'record', 'measure-more', 'measure-close'].filter(sees)};
+    });
+    assert.ok(shown.height >= height / 2, `the picture has ${shown.height} of ${height}`);
+    assert.ok(Math.abs(shown.right - width) < 1 && (width > height || shown.width === width), `it has ${shown.width} of ${width}`);
+    assert.ok(shown.bottom <= height + 1 && shown.wide <= width && !shown.overlaps, JSON.stringify(shown));
+    assert.deepEqual(shown.sees, ['record', 'measure-more', 'measure-close'].filter((id) => shown.sees.includes(id)));
+    assert.ok(shown.sees.includes('measure-more') && shown.sees.includes('measure-close'));
+    assert.deepEqual(await violations(tab), []);
+    // The numbers are one press away, none over another.
+    await tab.click('#measure-more');
+    const boxes = await tab.evaluate(() => ['measure-charts', 'measure-flights', 'measure-words'].map((id) => {
+      const {top, bottom} = document.getElementById(id).getBoundingClientRect();
+      return [top, bottom];
+    }).sort((a, b) => a[0] - b[0]));
+    boxes.forEach(([top, bottom], k) => assert.ok(bottom - top > 20 && (k === 0 || top >= boxes[k - 1][1] - 1), JSON.stringify(boxes)));
+    await tab.click('#measure-more');
+    // Closed, the tools are there again.
+    await tab.click('#measure-close');
+    assert.ok(await tab.evaluate(() => document.getElementById('tools').checkVisibility()));
+    assert.deepEqual(faults, []);
+    await tab.close();
+  }
+});
+
+check('is felt and heard, and keeps the screen awake while it records', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 390, height: 664}, before: () => {
+    window.done = [];
+    navigator.vibrate = (pattern) => window.done.push(`vibrates ${JSON.stringify(pattern)}`) > 0;
+    Object.defineProperty(navigator, 'wakeLock', {value: {request: async (kind) => {
+      window.done.push(`awake: ${kind}`);
+      return {release: async () => { window.done.push('asleep'); }};
+    }}});
+    const start = OscillatorNode.prototype.start;
+    OscillatorNode.prototype.start = function (...when) {
+      window.done.push(`tone ${this.frequency.value}`);
+      start.apply(this, when);
+    };
+  }});
+  await record(tab, thrown(60, 30));
+  await until(tab, 'document.getElementById("measure-time").textContent > "1"');
+  assert.deepEqual(await tab.evaluate(() => window.done), ['awake: screen', 'vibrates 150', 'tone 660']);
+  // The button that ends it is large, and the tools are not in reach.
+  const {height, width} = await tab.$eval('#record-stop', (button) => button.getBoundingClientRect().toJSON());
+  assert.ok(height >= 60 && width > 300, `${width} × ${height}`);
+  assert.equal(await tab.evaluate(() => document.getElementById('tools').checkVisibility()), false);
+  await until(tab, '!document.getElementById("measure-said").hidden', 20000);
+  assert.deepEqual(await tab.evaluate(() => window.done.slice(3)), ['vibrates [120,80,120]', 'tone 660', 'tone 990', 'asleep']);
+  assert.match(await tab.$eval('#measure-sentence', (p) => p.textContent), /^Your phone turned over once/);
+  assert.match(await scene_text(tab), /^title = "My throw, \d/);
+  assert.match(await tab.$eval('#record', (button) => button.textContent), /again/);
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('says to one who throws what was wrong, and ends by itself', async (browser) => {
+  const {tab, faults} = await opened(browser, {size: {width: 390, height: 664}});
+  // Flat as a disc: a turn about one axis alone.
+  const flat = thrown(60, 30).map(([t, ...omega]) => (t > 1.5 && t < 2.3 ? [t, 0.01 * Math.sin(917 * t), 0.01 * Math.sin(531 * t), 12] : [t, ...omega.map((w) => 0.02 * w)]));
+  await record(tab, flat, felt_in_throw(flat));
+  await until(tab, 'document.querySelector("#measure-message.refused")', 30000);
+  assert.match(await tab.$eval('#measure-message', (p) => p.textContent), /about one axis alone.*end over end/);
+  assert.equal(await tab.evaluate(() => document.getElementById('motion-words').checkVisibility()), false, 'what the example does is no answer');
+  const rows = (await saved_by(tab, 'record-save')).trim().split('\n').length - 1;
+  assert.ok(rows < 60 * 8, `it ended after ${rows} rows`);
+  assert.deepEqual(faults, []);
+  await tab.close();
+  const none = await opened(browser, {size: {width: 390, height: 664}});
+  await record(none.tab, flat, felt_in_throw(flat), false);
+  await until(none.tab, 'document.querySelector("#measure-message.refused")?.textContent.includes("has no gyroscope")', 20000);
+  assert.deepEqual(none.faults, []);
+  await none.tab.close();
 });
 
 check('stops a recording on request, and keeps it', async (browser) => {

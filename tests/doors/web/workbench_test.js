@@ -4,8 +4,10 @@
 const assert = require('node:assert/strict');
 const {spawnSync} = require('node:child_process');
 const fs = require('node:fs');
+const http = require('node:http');
 const os = require('node:os');
 const path = require('node:path');
+const jsqr = require('jsqr').default;
 const {browser_checks, drop, is_firefox, opened_file, ready, saved_by, scene_text, until, violations, wait, write_page, write_scene} = require('./browsers.js');
 
 const [make, scenes, ...only] = process.argv.slice(2);
@@ -138,6 +140,35 @@ check('reads files that are dropped', async (browser) => {
   await until(tab, '!the_workbench.editor.text.includes("solid.obj")');
   await write_scene(tab, scene);
   await until(tab, 'window.poinsot.at(0).omega_body[1] === 2');
+  assert.deepEqual(faults, []);
+  await tab.close();
+});
+
+check('opens the scene of files that are dropped and that poinsot made', async (browser) => {
+  const {tab, faults} = await opened(browser);
+  const first = await scene_text(tab);
+  const page = await saved_by(tab, 'export-page');
+  await write_scene(tab, first.replace(/omega_rad_s = .*/, 'omega_rad_s = [0.4, 1.5, 0.7]'));
+  await until(tab, 'window.poinsot.at(0).omega_body[0] === 0.4');
+  await drop(tab, [['page.html', page]]);
+  await until(tab, 'window.poinsot.at(0).omega_body[0] !== 0.4');
+  assert.equal(await scene_text(tab), first);
+  // A still by its record, at its instant; what was written before stays a draft.
+  const body = `[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nomega_rad_s = [0.375, 2, 0.3]\n`;
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg"><metadata id="poinsot">poinsot 0.1.0\nscene: theirs\ntime_s: 1.5\n\ntitle = "a &lt; b"\n${body}</metadata></svg>`;
+  await drop(tab, [['figure.svg', svg]]);
+  await until(tab, 'window.poinsot.at(0).omega_body[0] === 0.375');
+  assert.equal(await scene_text(tab), `title = "a < b"\n${body}`);
+  assert.equal(await tab.evaluate('window.poinsot.time_s'), 1.5);
+  assert.equal(await tab.evaluate('the_page.figure.data.name'), 'theirs');
+  await tab.click('#new-open');
+  assert.ok((await tab.$eval('#drafts', (list) => list.textContent)).length > 0);
+  await tab.evaluate('document.getElementById("new").close()');
+  // What has no scene is said, and the scene stays.
+  await drop(tab, [['other.mp4', 'no film']]);
+  await until(tab, 'document.querySelector("#findings button")');
+  assert.match(await tab.$eval('#findings', (f) => f.textContent), /other\.mp4 holds no scene/);
+  assert.equal(await tab.evaluate('window.poinsot.at(0).omega_body[0]'), 0.375);
   assert.deepEqual(faults, []);
   await tab.close();
 });
@@ -659,6 +690,55 @@ const download_by = async (tab, button) => {
   }), button);
   return {name, bytes: Buffer.from(base64, 'base64')};
 };
+
+check('shows the QR code of the link, which opens the scene', async (browser) => {
+  const server = http.createServer((request, answer) => answer.writeHead(200, {'content-type': 'text/html'}).end(fs.readFileSync(workbench)));
+  await new Promise((resolve) => server.listen(0, '127.0.0.1', () => resolve(null)));
+  const tab = await browser.newPage();
+  await tab.goto(`http://127.0.0.1:${/** @type {import('node:net').AddressInfo} */ (server.address()).port}/poinsot.html`);
+  await ready(tab);
+  await write_scene(tab, mine);
+  await until(tab, 'window.poinsot.at(0).omega_body[1] === 1.25');
+  await tab.click('#qr-open');
+  await until(tab, 'document.getElementById("qr").open');
+  assert.deepEqual(await violations(tab), []);
+  // Another library reads it, from its pixels.
+  const [pixels, size] = await tab.evaluate(async () => {
+    const svg = document.getElementById('qr-code').cloneNode(true);
+    const size = 4 * svg.viewBox.baseVal.width;
+    svg.setAttribute('xmlns', 'http://www.w3.org/2000/svg');
+    svg.setAttribute('width', String(size));
+    svg.setAttribute('height', String(size));
+    const picture = new Image();
+    picture.src = `data:image/svg+xml,${encodeURIComponent(svg.outerHTML)}`;
+    await picture.decode();
+    const canvas = new OffscreenCanvas(size, size);
+    canvas.getContext('2d').drawImage(picture, 0, 0);
+    return [[...canvas.getContext('2d').getImageData(0, 0, size, size).data], size];
+  });
+  const link = jsqr(Uint8ClampedArray.from(pixels), size, size)?.data;
+  assert.equal(link, await tab.evaluate(() => the_page.address.link()));
+  const other = await browser.newPage();
+  await other.goto(link);
+  await ready(other);
+  assert.equal(await scene_text(other), mine);
+  await other.close();
+  // Too long for a code, not for a link; and a file says why it has none.
+  await tab.evaluate(() => document.getElementById('qr').close());
+  await write_scene(tab, `${mine}\n# ${Array.from({length: 1800}, (_, k) => (k * k * 7919 % 99991).toString(36)).join(' ')}\n`);
+  await wait(600);
+  await tab.click('#qr-open');
+  await until(tab, 'document.getElementById("qr-text").textContent.includes("too long")');
+  await tab.close();
+  server.closeAllConnections();
+  server.close();
+  const local = await opened(browser);
+  await local.tab.click('#qr-open');
+  await until(local.tab, 'document.getElementById("qr-text").textContent.includes("cannot open a file")');
+  assert.equal(await local.tab.$eval('#qr-code', (svg) => svg.checkVisibility()), false);
+  assert.deepEqual(local.faults, []);
+  await local.tab.close();
+});
 
 check('names what it saves after the file of the scene, or its title', async (browser) => {
   const {tab, faults} = await opened(browser);

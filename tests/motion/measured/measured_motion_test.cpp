@@ -58,6 +58,60 @@ TEST(MeasuredReader, ReadsExportsOfPhonesWithTheirUnits) {
     EXPECT_NEAR(motion.rows[1].omega_body.y(), 0.5 * std::numbers::pi, 1e-15);
 }
 
+TEST(MeasuredReader, ReadsDecimalCommasWhereTheyAreNoSeparators) {
+    const std::string rows[] = {"\"0,01\";\"8,5E+00\";\"-1,25\";\"2\"\r\n",
+                                "0,01\t8,5E+00\t-1,25\t2\n", "\"0,01\",\"8,5E+00\",\"-1,25\",2\n"};
+    const char separators[] = {';', '\t', ','};
+    for (std::size_t k = 0; k < 3; ++k) {
+        std::string head = "Zeit (s);Gyroskop x (rad/s);Gyroskop y (rad/s);Gyroskop z (rad/s)\n";
+        std::replace(head.begin(), head.end(), ';', separators[k]);
+        const MeasuredMotion motion = read_measured("\xEF\xBB\xBF" + head + rows[k], "a.csv");
+        ASSERT_EQ(motion.rows.size(), 1u);
+        EXPECT_EQ(motion.rows[0].time_s, 0.01);
+        EXPECT_EQ(motion.rows[0].omega_body, Eigen::Vector3d(8.5, -1.25, 2.0));
+    }
+}
+
+TEST(MeasuredReader, IgnoresRowsWithoutAnyValue) {
+    const MeasuredMotion motion =
+        read_measured("t,wx,wy,wz\n0,1,2,3\n1,1,2,3\n,,,\n,,,,\n\"\", ,,\n", "a.csv");
+    EXPECT_EQ(motion.rows.size(), 2u);
+}
+
+TEST(MeasuredReader, TakesTheMostCertainColumns) {
+    // Sensor Logger: nanoseconds since 1970, and seconds of the recording.
+    MeasuredMotion motion = read_measured(
+        "time,seconds_elapsed,z,y,x\n1635954023000000000,0.01,3,2,1\n1635954023010000000,0.02,6,5,"
+        "4\n",
+        "Gyroscope.csv");
+    EXPECT_EQ(motion.rows[1].time_s, 0.02);
+    EXPECT_EQ(motion.rows[1].omega_body, Eigen::Vector3d(4.0, 5.0, 6.0));
+    // Physics Toolbox, and a place and an acceleration beside ω.
+    motion = read_measured("time,gFx,gFy,gFz,ax,ay,az,wx,wy,wz,x,y,z\n0,9,9,9,9,9,9,1,2,3,9,9,9\n",
+                           "a.csv");
+    EXPECT_EQ(motion.rows[0].omega_body, Eigen::Vector3d(1.0, 2.0, 3.0));
+    // Beside attitudes, x, y and z are a place.
+    motion = read_measured("t,x,y,z,qw,qx,qy,qz\n0,9,9,9,1,0,0,0\n", "a.csv");
+    EXPECT_FALSE(motion.has_omega);
+    EXPECT_TRUE(motion.has_attitude);
+}
+
+TEST(MeasuredReader, RefusesColumnsOfOtherSensors) {
+    EXPECT_TRUE(refusal("t,x (m/s^2),y (m/s^2),z (m/s^2)\n0,1,2,3\n")
+                    .ends_with("; it has \"t\", \"x (m/s^2)\", \"y (m/s^2)\", \"z (m/s^2)\""));
+    try {
+        read_measured("time,seconds_elapsed,z,y,x\n0,0,1,2,3\n", "throw/Accelerometer.csv");
+        ADD_FAILURE() << "not refused";
+    } catch (const InputError& error) {
+        EXPECT_EQ(std::string(error.what()),
+                  "throw/Accelerometer.csv:1:22: by the table's name this is no column of ω; give "
+                  "the gyroscope's table");
+    }
+    expect_refused(std::string("PK\x03\x04\0\0", 6), "gyro.csv:1:1: the file is a spreadsheet");
+    expect_refused(std::string("\xD0\xCF\x11\xE0\xA1\0", 6),
+                   "gyro.csv:1:1: the file is a spreadsheet");
+}
+
 TEST(MeasuredReader, ReadsMatrices) {
     const MeasuredMotion motion = read_measured(
         "t\tr11\tr12\tr13\tr21\tr22\tr23\tr31\tr32\tr33\n1\t0\t-1\t0\t1\t0\t0\t0\t0\t1\n", "a.tsv");
@@ -167,7 +221,9 @@ TEST(MeasuredReader, RefusesWithLineAndColumn) {
     expect_refused(head + "0,5,1,0,2,0,3,0\n",
                    "gyro.csv:2:9: the row has 8 cells and the first line 4; where numbers have "
                    "decimal commas");
-    expect_refused("t;wx;wy;wz\n0;1,5;2;3\n", "gyro.csv:2:3: \"1,5\" has a decimal comma");
+    expect_refused("t;wx;wy;wz\n0;1,5;2;3.25\n",
+                   "gyro.csv:2:9: \"3.25\" has a decimal point, and earlier numbers have commas");
+    expect_refused("t;wx;wy;wz\n0;1.234,5;2;3\n", "gyro.csv:2:3: \"1.234,5\" is not a number");
     expect_refused("t,qw,qx,qy,qz\n0,1,1,0,0\n", "gyro.csv:2:3: the quaternion has length 1.41421");
     expect_refused("t,r11,r12,r13,r21,r22,r23,r31,r32,r33\n0,1,0,0,0,1,0,0,0,-1\n",
                    "gyro.csv:2:3: the matrix is a reflection");

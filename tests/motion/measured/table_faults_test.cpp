@@ -98,5 +98,34 @@ TEST(Saturation, IsNeitherRestNorTheRoundedTopOfACurve) {
     EXPECT_TRUE(saturations_of(rows_of(top)).empty());
 }
 
+// ω about a turning axis, of this size in rad/s, at this many rows a second.
+std::vector<MeasuredRow> turning(double size, double rate_Hz, double unit_s = 1.0) {
+    std::vector<MeasuredRow> rows(200);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        const double t = static_cast<double>(i) / rate_Hz;
+        rows[i].time_s = t / unit_s;
+        rows[i].omega_body = size * Eigen::Vector3d(std::sin(t), 0.3, std::cos(t));
+    }
+    return rows;
+}
+
+TEST(UnitDoubt, KnowsDegreesAndSmallerUnitsOfTime) {
+    EXPECT_NE(unit_doubt_of(turning(600.0, 100.0)).find("look like degrees a second"),
+              std::string::npos);
+    EXPECT_NE(unit_doubt_of(turning(10.0, 100.0, 1e-3)).find("the times look like milliseconds"),
+              std::string::npos);
+    EXPECT_NE(unit_doubt_of(turning(10.0, 100.0, 1e-6)).find("the times look like microseconds"),
+              std::string::npos);
+    EXPECT_NE(unit_doubt_of(turning(10.0, 100.0, 1e-9)).find("the times look like nanoseconds"),
+              std::string::npos);
+}
+
+TEST(UnitDoubt, IsNoneOfThrowsSlowTurnsAndMotionsOfPlanets) {
+    for (const double size : {0.01, 1.0, 20.0, 34.9})
+        EXPECT_EQ(unit_doubt_of(turning(size, 60.0)), "") << size;
+    EXPECT_EQ(unit_doubt_of(turning(1e-4, 1e-3)), "");
+    EXPECT_EQ(unit_doubt_of({}), "");
+}
+
 }  // namespace
 }  // namespace poinsot

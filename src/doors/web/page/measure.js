@@ -5,9 +5,13 @@ import {message_of} from './figure.js';
 import {unpacked} from './loader.js';
 import {OmegaChart} from './measure_chart.js';
 import {ProgramError, WasmModule} from './program.js';
+import {falls_of, why_poor} from './poor_throw.js';
+import {RecordSignals} from './record_signals.js';
 import {Recorder, is_caught, longest_record_s, table_of_rows} from './record.js';
+import {throw_story} from './throw_story.js';
 import {all_words} from './words.js';
 import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_reader.js';
+/** @import {ThrowStory} from './throw_story.js' */
 /** @import {Words} from './words.js' */
 
 /**
@@ -33,6 +37,24 @@ const measure_words = {
   measure_chart: ['Measured ω(t), all of the table', 'Gemessenes ω(t), die ganze Tabelle', 'ω(t) mesuré, tout le tableau', 'ω(t) medida, toda la tabla', 'ω(t) misurata, tutta la tabella', '測定した ω(t)、表全体'],
   measure_zoom: ['Measured ω(t) of the flight', 'Gemessenes ω(t) des Fluges', 'ω(t) mesuré du vol', 'ω(t) medida del vuelo', 'ω(t) misurata del volo', '飛行中に測定した ω(t)'],
   measure_numbers: ['What the fit says', 'Was die Anpassung sagt', 'Ce que dit l’ajustement', 'Lo que dice el ajuste', 'Che cosa dice il fit', 'あてはめの結果'],
+  throw_phone: ['Your phone', 'Ihr Telefon', 'Votre téléphone', 'Su teléfono', 'Il suo telefono', '電話'],
+  throw_body: ['The body', 'Der Körper', 'Le corps', 'El cuerpo', 'Il corpo', '物体'],
+  throw_once: ['{who} turned over once, after {at} s, about its middle axis{air}.', '{who} schlug einmal um, nach {at} s, um seine mittlere Achse{air}.', '{who} s’est retourné une fois, après {at} s, autour de son axe moyen{air}.', '{who} se dio la vuelta una vez, a los {at} s, sobre su eje intermedio{air}.', '{who} si è capovolto una volta, dopo {at} s, attorno al suo asse intermedio{air}.', '{who}は中間の軸のまわりで、{at} 秒後に一度反転しました{air}。'],
+  throw_often: ['{who} turned over {n} times, first after {at} s, about its middle axis{air}.', '{who} schlug {n}-mal um, zuerst nach {at} s, um seine mittlere Achse{air}.', '{who} s’est retourné {n} fois, la première après {at} s, autour de son axe moyen{air}.', '{who} se dio la vuelta {n} veces, la primera a los {at} s, sobre su eje intermedio{air}.', '{who} si è capovolto {n} volte, la prima dopo {at} s, attorno al suo asse intermedio{air}.', '{who}は中間の軸のまわりで {n} 回反転し、最初は {at} 秒後でした{air}。'],
+  throw_short: ['{who} turned about its middle axis, and {length} s were too short to turn over{air}.', '{who} drehte sich um seine mittlere Achse, und {length} s waren zu kurz zum Umschlagen{air}.', '{who} a tourné autour de son axe moyen, et {length} s étaient trop courtes pour se retourner{air}.', '{who} giró sobre su eje intermedio, y {length} s fueron pocos para darse la vuelta{air}.', '{who} ha ruotato attorno al suo asse intermedio, e {length} s erano troppo pochi per capovolgersi{air}.', '{who}は中間の軸のまわりで回りましたが、{length} 秒では反転に足りませんでした{air}。'],
+  throw_wobbles_0: ['{who} wobbled about the axis of its largest moment, {turns} turns in {length} s, and did not turn over{air}.', '{who} taumelte um die Achse seines größten Moments, {turns} Umdrehungen in {length} s, und schlug nicht um{air}.', '{who} a oscillé autour de l’axe de son plus grand moment, {turns} tours en {length} s, sans se retourner{air}.', '{who} osciló sobre el eje de su mayor momento, {turns} vueltas en {length} s, sin darse la vuelta{air}.', '{who} ha oscillato attorno all’asse del suo momento maggiore, {turns} giri in {length} s, senza capovolgersi{air}.', '{who}は最大モーメントの軸のまわりで {length} 秒に {turns} 回転し、反転しませんでした{air}。'],
+  throw_wobbles_2: ['{who} wobbled about its long axis, {turns} turns in {length} s, and did not turn over{air}.', '{who} taumelte um seine lange Achse, {turns} Umdrehungen in {length} s, und schlug nicht um{air}.', '{who} a oscillé autour de son grand axe, {turns} tours en {length} s, sans se retourner{air}.', '{who} osciló sobre su eje largo, {turns} vueltas en {length} s, sin darse la vuelta{air}.', '{who} ha oscillato attorno al suo asse lungo, {turns} giri in {length} s, senza capovolgersi{air}.', '{who}は長い軸のまわりで {length} 秒に {turns} 回転し、反転しませんでした{air}。'],
+  throw_air: ['; it lost {lost} % of its spin to the air', '; {lost} % seines Dralls verlor es an die Luft', ' ; l’air lui a pris {lost} % de sa rotation', '; perdió en el aire el {lost} % de su giro', '; ha perso nell’aria il {lost} % della sua rotazione', '。空気で回転の {lost} % を失いました'],
+  throw_ratios: ['Its moments of inertia, the middle and the smallest of the largest: {two}, {three}.', 'Seine Trägheitsmomente, das mittlere und das kleinste vom größten: {two}; {three}.', 'Ses moments d’inertie, le moyen et le plus petit, rapportés au plus grand : {two} ; {three}.', 'Sus momentos de inercia, el intermedio y el menor respecto al mayor: {two}; {three}.', 'I suoi momenti d’inerzia, l’intermedio e il minore rispetto al maggiore: {two}; {three}.', '慣性モーメント（最大を 1 として中間、最小）: {two}、{three}。'],
+  throw_title: ['My throw, {time}', 'Mein Wurf, {time}', 'Mon lancer, {time}', 'Mi lanzamiento, {time}', 'Il mio lancio, {time}', '{time} に投げた電話'],
+  throw_more: ['Numbers', 'Zahlen', 'Nombres', 'Números', 'Numeri', '数値'],
+  throw_again: ['Throw again', 'Noch einmal werfen', 'Relancer', 'Lanzar otra vez', 'Lancia di nuovo', 'もう一度投げる'],
+  poor_never_free: ['The phone was never in free fall: throw it, so that it flies for half a second.', 'Das Telefon war nie im freien Fall: Werfen Sie es, sodass es eine halbe Sekunde fliegt.', 'Le téléphone n’a jamais été en chute libre : lancez-le pour qu’il vole une demi-seconde.', 'El teléfono no estuvo en caída libre: láncelo para que vuele medio segundo.', 'Il telefono non è mai stato in caduta libera: lo lanci, così che voli mezzo secondo.', '電話は自由落下しませんでした。0.5秒ほど飛ぶように投げてください。'],
+  poor_too_short: ['The flight was too short: throw the phone higher, for half a second or more.', 'Der Flug war zu kurz: Werfen Sie das Telefon höher, eine halbe Sekunde oder länger.', 'Le vol était trop court : lancez le téléphone plus haut, une demi-seconde ou plus.', 'El vuelo fue demasiado corto: lance el teléfono más alto, medio segundo o más.', 'Il volo è stato troppo corto: lanci il telefono più in alto, per mezzo secondo o più.', '飛行が短すぎました。もっと高く、0.5秒以上飛ぶように投げてください。'],
+  poor_too_slow: ['The phone hardly turned: give it more spin, one turn in the flight or more.', 'Das Telefon drehte sich kaum: Geben Sie ihm mehr Drall, eine Umdrehung im Flug oder mehr.', 'Le téléphone a à peine tourné : donnez-lui plus de rotation, au moins un tour en vol.', 'El teléfono apenas giró: dele más giro, una vuelta o más en el vuelo.', 'Il telefono ha girato appena: gli dia più rotazione, un giro in volo o più.', '電話はほとんど回りませんでした。飛んでいる間に1回転以上するように回してください。'],
+  poor_too_fast: ['The phone turned faster than its gyroscope measures (2000° a second): throw it with less spin.', 'Das Telefon drehte sich schneller, als sein Gyroskop misst (2000° in der Sekunde): Werfen Sie es mit weniger Drall.', 'Le téléphone a tourné plus vite que ne mesure son gyroscope (2000° par seconde) : lancez-le avec moins de rotation.', 'El teléfono giró más rápido de lo que mide su giroscopio (2000° por segundo): láncelo con menos giro.', 'Il telefono ha girato più in fretta di quanto misura il suo giroscopio (2000° al secondo): lo lanci con meno rotazione.', '電話がジャイロスコープの限界（毎秒2000°）より速く回りました。回転を弱めて投げてください。'],
+  poor_one_axis: ['The phone turned about one axis alone, which tells nothing about the others: throw it end over end.', 'Das Telefon drehte sich nur um eine Achse, was nichts über die anderen sagt: Werfen Sie es so, dass es sich überschlägt.', 'Le téléphone a tourné autour d’un seul axe, ce qui ne dit rien des autres : lancez-le en culbute.', 'El teléfono giró sobre un solo eje, lo que no dice nada de los demás: láncelo dando volteretas.', 'Il telefono ha girato attorno a un solo asse, e ciò non dice nulla degli altri: lo lanci a capriola.', '電話は一つの軸のまわりだけで回ったため、ほかの軸のことが分かりません。前後に宙返りするように投げてください。'],
+  record_no_gyroscope: ['This phone has no gyroscope, or its browser does not give it. Take another phone, or another browser.', 'Dieses Telefon hat kein Gyroskop, oder sein Browser gibt es nicht frei. Nehmen Sie ein anderes Telefon oder einen anderen Browser.', 'Ce téléphone n’a pas de gyroscope, ou son navigateur ne le donne pas. Prenez un autre téléphone ou un autre navigateur.', 'Este teléfono no tiene giroscopio, o su navegador no lo da. Use otro teléfono u otro navegador.', 'Questo telefono non ha un giroscopio, o il suo browser non lo dà. Prenda un altro telefono o un altro browser.', 'この電話にはジャイロスコープがないか、ブラウザーが使わせません。別の電話かブラウザーを使ってください。'],
   record: ['Record', 'Aufnehmen', 'Enregistrer', 'Grabar', 'Registra', '記録'],
   record_stop: ['Stop', 'Stopp', 'Arrêter', 'Parar', 'Ferma', '停止'],
   record_save: ['Save recording', 'Aufnahme speichern', 'Enregistrer le tableau', 'Guardar grabación', 'Salva registrazione', '記録を保存'],
@@ -61,6 +83,8 @@ Object.assign(all_words, measure_words);
 
 const catch_looked_for_ms = 500;
 const first_row_within_ms = 2500;
+/** Of |L|: less is not spoken of. */
+const least_loss = 0.01;
 /** Seconds of a recording that are shown, and searched for a flight. */
 const live_s = 10;
 
@@ -112,8 +136,12 @@ export class Measure {
     this.recorder = null;
     this.timer = 0;
     /** The last recording, as a table. */
-    this.recorded = {name: '', text: ''};
+    this.recorded = {name: '', text: '', time: ''};
     this.n_recorded = 0;
+    /** What the throw that is shown did, in words. */
+    this.said = '';
+    /** @type {RecordSignals|null} */
+    this.signals = null;
     this.#name();
     this.#wire();
     // Nobody drops files on a phone.
@@ -142,6 +170,7 @@ export class Measure {
     part('measure').hidden = !is_open;
     part('measure-open').setAttribute('aria-expanded', String(is_open));
     document.body.classList.toggle('measures', is_open);
+    this.#unfold(false);
   }
 
   /** Reads a table, or the one in an archive, and shows the flight that says most about the body. @param {string} name @param {Uint8Array<ArrayBuffer>} bytes */
@@ -180,10 +209,12 @@ export class Measure {
     this.#show_flight();
     if (!flight || flight.refusal) {
       part('measure-words').replaceChildren();
+      this.#show_result(false);
       this.#say('', `${name}${read.is_recording ? `, flight ${number}` : ''}: ${flight?.refusal ?? ''}`, true);
       return;
     }
     this.#say('', '');
+    const is_own = name === this.recorded.name;
     const stem = name.replace(/\.[a-z]+$/i, '') + (read.is_recording ? `_flight_${number}` : '');
     const scene_table = read.is_recording ? `${stem}.csv` : name;
     const fitted = module.flight(number, scene_table);
@@ -194,7 +225,38 @@ export class Measure {
       return row;
     }));
     const rows = fitted.table === undefined ? bytes : new TextEncoder().encode(fitted.table);
-    this.open_scene(stem, fitted.scene, {[scene_table]: base64_of_bytes(rows)});
+    const {fit} = fitted;
+    this.said = this.#story_in_words(throw_story({moments: fit.moments, axes: fit.axes}, read.rows, flight.begin_s, flight.end_s), is_own);
+    part('measure-sentence').textContent = this.said;
+    const ratio = (/** @type {number} */ k) => ratio_in_words(fit.moments[k], fit.moments_sd[k], this.words.code);
+    part('measure-ratios').textContent = this.words.of('throw_ratios').replace('{two}', ratio(1)).replace('{three}', ratio(2));
+    this.#show_result(true);
+    const title = is_own ? `title = ${JSON.stringify(this.words.of('throw_title').replace('{time}', this.recorded.time))}\n` : '';
+    this.open_scene(stem, title + fitted.scene, {[scene_table]: base64_of_bytes(rows)});
+  }
+
+  /** The sentence that a thrower waits for. @param {ThrowStory} story @param {boolean} is_own whether it is of the phone itself */
+  #story_in_words({axis, n_flips, first_flip_s, length_s, n_turns, lost}, is_own) {
+    const number = (/** @type {number} */ x, /** @type {number} */ digits) => x.toLocaleString(this.words.code, {minimumFractionDigits: digits, maximumFractionDigits: digits});
+    const word = n_flips === null ? `throw_wobbles_${axis}` : n_flips === 0 ? 'throw_short' : n_flips === 1 ? 'throw_once' : 'throw_often';
+    const air = lost < least_loss ? '' : this.words.of('throw_air').replace('{lost}', number(100 * lost, 0));
+    return this.words.of(word).replace('{who}', this.words.of(is_own ? 'throw_phone' : 'throw_body')).replace('{at}', number(first_flip_s ?? 0, 2))
+      .replace('{n}', String(n_flips)).replace('{length}', number(length_s, 2)).replace('{turns}', number(n_turns, 1)).replace('{air}', air);
+  }
+
+  /** On a small screen a result is the picture: what it says comes first, and the rest behind a press. @param {boolean} is_there */
+  #show_result(is_there) {
+    part('measure-said').hidden = !is_there;
+    document.body.classList.toggle('has-throw', is_there);
+    part('record').textContent = this.words.of(is_there ? 'throw_again' : 'record');
+    if (!is_there) this.said = '';
+    this.#unfold(false);
+  }
+
+  /** @param {boolean} is_unfolded */
+  #unfold(is_unfolded) {
+    document.body.classList.toggle('unfolded', is_unfolded);
+    part('measure-more').setAttribute('aria-expanded', String(is_unfolded));
   }
 
   // ── Recording ───────────────────────────────────────────────────────────────────────────
@@ -208,6 +270,9 @@ export class Measure {
     if (this.#refuses()) return;
     const recorder = new Recorder(() => this.#show_live());
     this.recorder = recorder;
+    const signals = new RecordSignals();
+    this.signals = signals;
+    document.body.classList.add('records');
     part('record').hidden = true;
     part('record-stop').hidden = false;
     // Near the thumb that holds the phone.
@@ -240,8 +305,12 @@ export class Measure {
       if (rows.length === 0) {
         if (performance.now() - began_ms < first_row_within_ms) return;
         this.#end_recording();
-        this.#say('record_needs', '', true);
-      } else if (last_s > longest_record_s || is_caught(rows, module.find(late_rows(rows)))) void this.stop();
+        this.#say(recorder.lacks_gyroscope ? 'record_no_gyroscope' : 'record_needs', '', true);
+        return;
+      }
+      // A throw that the rows do not show as a free body's is felt as a fall.
+      const flights = module.find(late_rows(rows));
+      if (last_s > longest_record_s || is_caught(rows, flights.length > 0 ? flights : falls_of(recorder.accelerations).slice(-2))) void this.stop();
     }, catch_looked_for_ms);
   }
 
@@ -251,6 +320,7 @@ export class Measure {
     const {rows} = recorder;
     const to_s = rows[rows.length - 4] ?? 0;
     if (rows.length <= 8) this.#say('record_throw');
+    if (rows.length === 4) this.signals?.begun();
     part('measure-time').textContent = `${to_s.toFixed(1)} s`;
     part('measure-charts').hidden = false;
     this.whole.canvas.hidden = true;
@@ -260,20 +330,27 @@ export class Measure {
   /** Ends the recording and fits it. */
   async stop() {
     const rows = this.recorder?.rows ?? [];
+    const why = this.recorder ? why_poor(rows, this.recorder.accelerations) : '';
     this.#end_recording();
     if (rows.length === 0) {
       this.#say('record_needs', '', true);
       return;
     }
     ++this.n_recorded;
-    this.recorded = {name: `recording${this.n_recorded > 1 ? `_${this.n_recorded}` : ''}.csv`, text: table_of_rows(rows)};
+    this.recorded = {name: `recording${this.n_recorded > 1 ? `_${this.n_recorded}` : ''}.csv`, text: table_of_rows(rows),
+      time: new Date().toLocaleTimeString(this.words.code, {hour: '2-digit', minute: '2-digit'})};
     part('record-save').hidden = false;
     await this.take(this.recorded.name, new TextEncoder().encode(this.recorded.text));
+    // For one who throws, not for a table.
+    if (why && part('measure-message').classList.contains('refused')) this.#say(`poor_${why}`, '', true);
   }
 
   #end_recording() {
     window.clearInterval(this.timer);
     this.recorder?.stop();
+    this.signals?.ended((this.recorder?.rows.length ?? 0) > 0);
+    this.signals = null;
+    document.body.classList.remove('records');
     this.recorder = null;
     part('record').hidden = !Recorder.is_possible;
     part('record-stop').hidden = true;
@@ -285,7 +362,7 @@ export class Measure {
 
   #name() {
     for (const [id, word] of [['measure-open', 'measure'], ['measure-file-open', 'measure_open'], ['record', 'record'],
-      ['record-stop', 'record_stop'], ['record-save', 'record_save']]) part(/** @type {string} */ (id)).textContent = this.words.of(/** @type {string} */ (word));
+      ['record-stop', 'record_stop'], ['record-save', 'record_save'], ['measure-more', 'throw_more']]) part(/** @type {string} */ (id)).textContent = this.words.of(/** @type {string} */ (word));
     for (const [id, word] of [['measure', 'measure'], ['measure-close', 'close'], ['measure-whole', 'measure_chart'], ['measure-zoom', 'measure_zoom'],
       ['measure-flights', 'measure_flights'], ['measure-words', 'measure_numbers'], ['measure-file', 'measure_open']])
       part(/** @type {string} */ (id)).setAttribute('aria-label', this.words.of(/** @type {string} */ (word)));
@@ -306,6 +383,7 @@ export class Measure {
       if (file) void file.arrayBuffer().then((bytes) => this.take(file.name, new Uint8Array(bytes)));
     });
     part('record').addEventListener('click', () => void this.record());
+    part('measure-more').addEventListener('click', () => this.#unfold(!document.body.classList.contains('unfolded')));
     part('record-stop').addEventListener('click', () => void this.stop());
     part('record-save').addEventListener('click', () => save_as(new Blob([this.recorded.text], {type: 'text/csv'}), this.recorded.name));
     part('measure-whole').addEventListener('click', (event) => this.#pick_at(event.offsetX));
@@ -330,6 +408,7 @@ export class Measure {
 
   #show_table() {
     const read = this.table?.read;
+    this.#show_result(false);
     part('measure-charts').hidden = !read;
     this.whole.canvas.hidden = !read?.is_recording;
     part('measure-flights').hidden = !read?.is_recording;
@@ -382,6 +461,8 @@ export class Measure {
     const message = part('measure-message');
     message.textContent = word ? this.words.of(word) : text;
     message.classList.toggle('refused', is_refusal);
+    // Of the scene before, which is no answer to a throw.
+    document.body.classList.toggle('refused-throw', is_refusal);
   }
 
   /** @param {unknown} error */
@@ -394,6 +475,13 @@ export class Measure {
   #started() {
     return (this.module ??= FitModule.start(unpacked('fit-module')));
   }
+}
+
+/** "0.932 ± 0.003": to two digits of the deviation. @param {number} value @param {number} sd @param {string} language */
+function ratio_in_words(value, sd, language) {
+  const digits = sd > 0 ? Math.min(6, Math.max(1, 1 - Math.floor(Math.log10(sd)))) : 6;
+  const number = (/** @type {number} */ x) => x.toLocaleString(language, {minimumFractionDigits: digits, maximumFractionDigits: digits});
+  return `${number(value)}\u00a0±\u00a0${number(sd)}`;
 }
 
 /** Waits until what was changed is painted: a large file takes seconds. */

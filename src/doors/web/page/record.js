@@ -48,13 +48,21 @@ export class Recorder {
     this.taken = {gyroscope: [], motion: []};
     /** Milliseconds of the first row. @type {{gyroscope: number|null, motion: number|null}} */
     this.first_ms = {gyroscope: null, motion: null};
+    /** Sizes of the acceleration with gravity, two numbers each: ms and m/s². @type {number[]} */
+    this.felt = [];
+    /** Whether the phone tells how it is accelerated, and nothing of its rotation. */
+    this.lacks_gyroscope = false;
     /** @type {any} */
     this.gyroscope = null;
     // By the Device Orientation specification of today and in all browsers, alpha, beta and gamma of a rate are about
     // x, y and z, in degrees a second (w3c/deviceorientation #43).
     this.take_motion = (/** @type {DeviceMotionEvent} */ event) => {
+      const {x, y, z} = event.accelerationIncludingGravity ?? {x: null, y: null, z: null};
+      if (x !== null && y !== null && z !== null) this.felt.push(event.timeStamp, Math.hypot(x, y, z));
       const {alpha, beta, gamma} = event.rotationRate ?? {alpha: null, beta: null, gamma: null};
+      this.lacks_gyroscope = this.rows.length === 0 && this.felt.length > 0;
       if (alpha === null || beta === null || gamma === null) return;
+      this.lacks_gyroscope = false;
       this.#take('motion', event.timeStamp, [alpha, beta, gamma].map((rate) => (rate * Math.PI) / 180));
     };
   }
@@ -62,6 +70,12 @@ export class Recorder {
   /** @returns {OmegaRows} */
   get rows() {
     return this.taken.gyroscope.length > 0 ? this.taken.gyroscope : this.taken.motion;
+  }
+
+  /** Sizes of the acceleration by the clock of the rows, two numbers each: s and m/s². */
+  get accelerations() {
+    const first_ms = this.taken.gyroscope.length > 0 ? this.first_ms.gyroscope : this.first_ms.motion;
+    return this.felt.map((value, k) => (k % 2 === 0 ? (value - (first_ms ?? 0)) / 1000 : value));
   }
 
   /** Call it from a press: iOS asks the viewer. @returns {Promise<boolean>} whether the viewer allows it */

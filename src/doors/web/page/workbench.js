@@ -8,6 +8,7 @@ import {has_film_writer} from './film_file.js';
 import {is_too_long, state_of} from './link.js';
 import {packed_text, unpacked_text} from './link_text.js';
 import {block, bytes_of_base64} from './loader.js';
+import {made_scene, may_hold_scene} from './made_file.js';
 import {Measure, painted} from './measure.js';
 import {ZipWriter} from './png_frames.js';
 import './pptx.js';
@@ -33,6 +34,10 @@ import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_read
 const kept_whole = {text: true, lacks: []};
 const write_after_ms = 250;
 const most_rows = 20000;
+/** Of a file that is read whole; of a larger one, a film, both ends hold its record. */
+const most_read_bytes = 64e6;
+/** Files of an archive that are asked for a scene. */
+const most_made_files = 8;
 /** As in workbench.css. */
 const small_screen = matchMedia('(max-width: 760px)');
 
@@ -60,6 +65,10 @@ const workbench_words = {
   link_unknown: ['There is no example “{scene}” here.', 'Ein Beispiel „{scene}“ gibt es hier nicht.', 'Il n’y a pas d’exemple « {scene} » ici.', 'Aquí no hay ningún ejemplo «{scene}».', 'Qui non c’è un esempio «{scene}».', '例「{scene}」はありません。'],
   link_long: ['The scene is too long for a link; save it, and send the file.', 'Die Szene ist zu lang für einen Link; speichern Sie sie, und senden Sie die Datei.', 'La scène est trop longue pour un lien ; enregistrez-la et envoyez le fichier.', 'La escena es demasiado larga para un enlace; guárdela y envíe el archivo.', 'La scena è troppo lunga per un link: la salvi e invii il file.', 'シーンが長すぎてリンクにできません。保存してファイルを送ってください。'],
   link_files: ['A link cannot hold {files}; save the scene, and send the archive.', 'Ein Link kann {files} nicht enthalten; speichern Sie die Szene, und senden Sie das Archiv.', 'Un lien ne peut pas contenir {files} ; enregistrez la scène et envoyez l’archive.', 'Un enlace no puede contener {files}; guarde la escena y envíe el archivo.', 'Un link non può contenere {files}: salvi la scena e invii l’archivio.', 'リンクには {files} を含められません。シーンを保存してアーカイブを送ってください。'],
+  qr: ['QR code', 'QR-Code', 'Code QR', 'Código QR', 'Codice QR', 'QRコード'],
+  qr_is: ['A phone that is pointed at it opens this scene.', 'Ein Telefon, das darauf gerichtet wird, öffnet diese Szene.', 'Un téléphone pointé dessus ouvre cette scène.', 'Un teléfono que lo enfoque abre esta escena.', 'Un telefono puntato su di esso apre questa scena.', '電話のカメラを向けると、このシーンが開きます。'],
+  qr_file: ['A phone cannot open a file of this computer. Open the workbench from an address that begins with https, and take its code.', 'Ein Telefon kann keine Datei dieses Computers öffnen. Öffnen Sie die Arbeitsfläche von einer Adresse, die mit https beginnt, und nehmen Sie deren Code.', 'Un téléphone ne peut pas ouvrir un fichier de cet ordinateur. Ouvrez l’atelier à une adresse qui commence par https, et prenez son code.', 'Un teléfono no puede abrir un archivo de este ordenador. Abra el taller desde una dirección que empiece por https y tome su código.', 'Un telefono non può aprire un file di questo computer. Apra il banco di lavoro da un indirizzo che comincia con https e prenda il suo codice.', '電話はこのコンピューターのファイルを開けません。https で始まるアドレスからこのページを開き、そのコードを使ってください。'],
+  qr_long: ['The scene is too long for a QR code; copy its link, or save it.', 'Die Szene ist zu lang für einen QR-Code; kopieren Sie ihren Link, oder speichern Sie sie.', 'La scène est trop longue pour un code QR ; copiez son lien ou enregistrez-la.', 'La escena es demasiado larga para un código QR; copie su enlace o guárdela.', 'La scena è troppo lunga per un codice QR: copi il suo link o la salvi.', 'シーンが長すぎて QR コードにできません。リンクをコピーするか、保存してください。'],
   no_place: ['The text has no place for {key}; write it there.', 'Der Text hat keinen Platz für {key}; schreiben Sie es hinein.', 'Le texte n’a pas de place pour {key} ; écrivez-le.', 'El texto no tiene lugar para {key}; escríbalo.', 'Il testo non ha posto per {key}: lo scriva.', 'テキストに {key} を書き込めません。手で書いてください。'],
   draft_lacks: ['without {files}', 'ohne {files}', 'sans {files}', 'sin {files}', 'senza {files}', '{files} なし'],
   unkept_text: ['This browser cannot keep this text: it is too long, or the browser’s store is full. Save the scene before you leave the page.',
@@ -77,6 +86,7 @@ const workbench_words = {
   draft_remove: ['Remove', 'Entfernen', 'Supprimer', 'Eliminar', 'Elimina', '削除'],
   file_here: ['{file} is at hand, but the scene does not name it.', '{file} liegt bereit, aber die Szene nennt die Datei nicht.', '{file} est là, mais la scène ne le nomme pas.', '{file} está disponible, pero la escena no lo nombra.', '{file} è disponibile, ma la scena non lo nomina.', '{file} を読み込みましたが、シーンには名前がありません。'],
   file_begin: ['Begin a scene with it', 'Eine Szene damit beginnen', 'Commencer une scène avec ce fichier', 'Empezar una escena con él', 'Inizia una scena con esso', 'これでシーンを始める'],
+  made_none: ['{file} holds no scene: poinsot did not make it, or another program removed its record.', '{file} enthält keine Szene: poinsot hat die Datei nicht gemacht, oder ein anderes Programm hat ihre Angaben entfernt.', '{file} ne contient pas de scène : poinsot ne l’a pas fait, ou un autre programme a retiré ses données.', '{file} no contiene ninguna escena: poinsot no lo hizo, u otro programa quitó sus datos.', '{file} non contiene una scena: non è di poinsot, o un altro programma ha tolto i suoi dati.', '{file} にはシーンがありません。poinsot が作ったものでないか、別のプログラムが記録を消しました。'],
   start_moments: ['Moments of inertia', 'Trägheitsmomente', 'Moments d’inertie', 'Momentos de inercia', 'Momenti d’inerzia', '慣性モーメント'],
   start_moments_is: ['A body by its three principal moments', 'Ein Körper durch seine drei Hauptträgheitsmomente', 'Un corps par ses trois moments principaux', 'Un cuerpo por sus tres momentos principales', 'Un corpo dai suoi tre momenti principali', '三つの主慣性モーメントで決まる物体'],
   start_shape: ['Shape', 'Form', 'Forme', 'Forma', 'Forma', '形'],
@@ -117,10 +127,40 @@ function edited_by(text, values) {
   return text;
 }
 
+/** What makes QR codes; null: it was not there when the workbench was built. @returns {any} */
+function qr_maker() {
+  return /** @type {any} */ (globalThis).text_editor?.qrcode ?? null;
+}
+
+/** The modules of a text's QR code as a path in SVG, with the margin of four that readers need; null: it is too long. @param {string} text */
+function qr_path(text) {
+  const code = qr_maker()(0, 'L');
+  try {
+    code.addData(text, 'Byte');
+    code.make();
+  } catch {
+    return null;
+  }
+  const n = code.getModuleCount();
+  let path = '';
+  for (let row = 0; row < n; ++row) for (let column = 0; column < n; ++column) if (code.isDark(row, column)) path += `M${column + 4} ${row + 4}h1v1h-1z`;
+  return {path, size: n + 8};
+}
+
 /** A title as the name of a file, without its suffix. @param {string} title */
 function file_name_of(title) {
   return title.replace(/\$[^$]*\$/g, ' ').normalize('NFKD').replace(/[\u0300-\u036f]/g, '').normalize('NFC').toLowerCase()
     .replace(/[^\p{L}\p{N}]+/gu, '_').slice(0, 60).replace(/^_+|_+$/g, '');
+}
+
+/** A file's name without folder and suffix. @param {string} name */
+function stem_of(name) {
+  return name.replace(/^.*\//, '').replace(/\.[^.]*$/, '');
+}
+
+/** The first and last bytes of a large file. @param {File} file */
+async function ends_of(file) {
+  return new Uint8Array(await new Blob([file.slice(0, most_read_bytes / 2), file.slice(-most_read_bytes / 2)]).arrayBuffer());
 }
 
 class Workbench {
@@ -155,6 +195,8 @@ class Workbench {
     this.#show_tab('figure');
     page.on_loaded = () => this.#find();
     this.measure = new Measure(this.words, (name, text, files) => this.open({kind: 'file', name, text}, files, true));
+    // A way in for those who come to throw.
+    if (/[#&]measure$/.test(location.hash)) this.measure.show(true);
     /** Whether the program has refused the text that it was given last. */
     this.is_refused = false;
     /** The text that was packed last for a link; `packed` is null if it is too long. @type {{text: string, packed: string|null}} */
@@ -253,6 +295,23 @@ class Workbench {
     return !scene && this.link_text.packed === null ? this.words.of('link_long') : '';
   }
 
+  /** Shows the link to the scene as a QR code, for the phones of a class. */
+  async #show_qr() {
+    const fault = await this.#link_fault();
+    const link = this.page.address.link();
+    const code = fault || !link.startsWith('http') ? null : qr_path(link);
+    const svg = part('qr-code');
+    svg.toggleAttribute('hidden', !code);
+    part('qr-text').textContent = fault || this.words.of(!link.startsWith('http') ? 'qr_file' : code ? 'qr_is' : 'qr_long');
+    if (code) {
+      svg.setAttribute('viewBox', `0 0 ${code.size} ${code.size}`);
+      svg.querySelector('rect')?.setAttribute('width', String(code.size));
+      svg.querySelector('rect')?.setAttribute('height', String(code.size));
+      svg.querySelector('path')?.setAttribute('d', code.path);
+    }
+    /** @type {HTMLDialogElement} */ (part('qr')).showModal();
+  }
+
   // ── Values ──────────────────────────────────────────────────────────────────────────────
 
   /** Writes values into the text; throws the program's refusal, after which the text is as it was. @param {Map<string, string|null>} values */
@@ -278,12 +337,12 @@ class Workbench {
   #name() {
     const {words} = this;
     for (const [id, word] of [['new-open', 'new'], ['gallery-open', 'gallery'], ['file-open', 'open'], ['file-save', 'save_scene'], ['export-page', 'export_page'],
-      ['export-csv', 'export_csv'], ['film-open', 'film_section'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
+      ['export-csv', 'export_csv'], ['qr-open', 'qr'], ['film-open', 'film_section'], ['tab-text', 'tab_text'], ['tab-figure', 'figure'], ['offer-take', 'draft_take'], ['offer-leave', 'draft_leave'],
       ['drafts-head', 'drafts'], ['gallery-none', 'search_none']]) part(/** @type {string} */ (id)).textContent = words.of(/** @type {string} */ (word));
-    for (const [id, word] of [['writing', 'text'], ['tabs', 'tabs'], ['gallery-search', 'search'], ['new', 'new'], ['gallery', 'gallery']])
+    for (const [id, word] of [['writing', 'text'], ['tabs', 'tabs'], ['gallery-search', 'search'], ['new', 'new'], ['gallery', 'gallery'], ['qr', 'qr'], ['qr-code', 'qr']])
       part(/** @type {string} */ (id)).setAttribute('aria-label', words.of(/** @type {string} */ (word)));
     input('gallery-search').placeholder = words.of('search');
-    for (const [id, word] of [['new', 'new'], ['gallery', 'gallery']]) {
+    for (const [id, word] of [['new', 'new'], ['gallery', 'gallery'], ['qr', 'qr']]) {
       const heading = part(/** @type {string} */ (id)).querySelector('h2');
       if (heading) heading.textContent = words.of(/** @type {string} */ (word));
     }
@@ -308,6 +367,9 @@ class Workbench {
       // The keys of the figure are not for here.
       dialog.addEventListener('keydown', (event) => event.stopPropagation());
     }
+    part('qr-open').hidden = !qr_maker();
+    part('qr-open').addEventListener('click', () => void this.#show_qr());
+    part('qr').addEventListener('keydown', (event) => event.stopPropagation());
     part('file-open').addEventListener('click', () => input('file').click());
     input('file').addEventListener('change', () => {
       void this.#take([...(input('file').files ?? [])]);
@@ -585,10 +647,12 @@ class Workbench {
       await this.#show_reading(dropped.map((file) => file.name));
       for (const file of dropped) {
         const read = async () => new Uint8Array(await file.arrayBuffer());
-        if (!/\.zip$/i.test(file.name)) files.push({name: file.name, read});
+        if (!/\.(zip|pptx)$/i.test(file.name)) files.push({name: file.name, read: file.size > most_read_bytes ? () => ends_of(file) : read});
         else {
           const bytes = await read();
-          for (const one of await in_archive(file.name, () => files_of_zip(bytes))) files.push({name: one.name, read: () => in_archive(file.name, one.read)});
+          const is_presentation = /\.pptx$/i.test(file.name);
+          for (const one of await in_archive(file.name, () => files_of_zip(bytes)))
+            if (!is_presentation || one.name.startsWith('ppt/media/')) files.push({name: one.name, read: () => in_archive(file.name, one.read)});
         }
       }
       const scene = files.find(({name}) => name.toLowerCase().endsWith('.toml'));
@@ -598,13 +662,14 @@ class Workbench {
         await this.measure.take(table.name, await table.read());
         return;
       }
+      if (!scene && !table && (await this.#take_made(files))) return;
       const text = scene ? new TextDecoder().decode(await scene.read()) : this.editor.text;
       for (const file of files) {
         // The new file takes the place of one of the same name.
         if (file !== scene) this.unread.set(file.name, file);
       }
       const taken = await this.#read_named(text);
-      if (scene) this.open({kind: 'file', name: scene.name.replace(/^.*\//, '').replace(/\.toml$/i, ''), text}, taken);
+      if (scene) this.open({kind: 'file', name: stem_of(scene.name), text}, taken);
       else {
         this.files = {...this.files, ...taken};
         this.#write();
@@ -614,6 +679,27 @@ class Workbench {
     } catch (error) {
       this.#find(error);
     }
+  }
+
+  /** Opens the scene of a picture, film or page that poinsot made, and that the text does not name; false: there is none. @param {ReadableFile[]} files */
+  async #take_made(files) {
+    const names = files.filter(({name}) => may_hold_scene(name) && !this.editor.text.includes(name)).slice(0, most_made_files);
+    for (const file of names) {
+      const made = made_scene(await file.read());
+      if (!made) continue;
+      const text = edited_by(made.text, new Map(made.overrides.map((pair) => [pair.slice(0, pair.indexOf('=')), pair.slice(pair.indexOf('=') + 1)])));
+      if (text === null) throw new Error(this.words.of('no_place').replace('{key}', () => made.overrides.join(', ')));
+      this.open({kind: 'file', name: made.name || stem_of(file.name), text}, {...this.#known_files(text), ...made.files}, true);
+      const {figure} = this.page;
+      if (made.time_s !== null && figure.program && !this.is_refused) {
+        figure.film.seek(figure.film_second_of(made.time_s));
+        this.page.changed();
+      }
+      return true;
+    }
+    const other = names.find(({name}) => !/\.png$/i.test(name));
+    if (!other) return false;
+    throw new Error(this.words.of('made_none').replace('{file}', () => other.name));
   }
 
   /** Reads the files at hand that a text names and that were not read before, as base64. @param {string} text */
@@ -764,7 +850,8 @@ class Workbench {
       }
       if (loaded) {
         const strong = document.createElement('strong');
-        strong.textContent = motion_said(loaded, this.words);
+        // Of a stepped motion, what the throw that it was fitted to did.
+        strong.textContent = motion_said(loaded, this.words) || (this.measure?.said ?? '');
         // In the words of `poinsot check`; a small screen leaves them out.
         const exact = document.createElement(strong.textContent ? 'span' : 'em');
         exact.textContent = loaded.regime;

@@ -88,9 +88,9 @@ export async function in_archive(name, action) {
   }
 }
 
-/** The table of a recording in an archive: phyphox's of the gyroscope, or the only one. @param {ReadableFile[]} files */
+/** The table of a recording in an archive: phyphox's of the gyroscope, or the only one. The program says of spreadsheets what to do. @param {ReadableFile[]} files */
 export function table_among(files) {
-  const tables = files.filter(({name}) => /\.(csv|tsv|txt)$/i.test(name) && !name.startsWith('meta/'));
+  const tables = files.filter(({name}) => /\.(csv|tsv|txt|xlsx?|ods)$/i.test(name) && !name.startsWith('meta/'));
   return tables.find(({name}) => /gyro/i.test(name)) ?? tables[0];
 }
 

@@ -11,6 +11,7 @@
 #include "measured/fit_start.h"
 #include "measured/flight_fit.h"
 #include "measured/flights.h"
+#include "measured/table_faults.h"
 #include "production/fits/fit_words.h"
 #include "text/json_text.h"
 #include "text/printable.h"
@@ -37,6 +38,8 @@ void fit_into(TableFlight& flight, const FitKnown& known) {
         flight.fit = fit_motion(flight.measured.rows, known.moments_kg_m2, known.drag);
     } catch (const InputError& error) {
         flight.refusal = error.what();
+        if (const std::string doubt = unit_doubt_of(flight.measured.rows); !doubt.empty())
+            flight.refusal += "; " + doubt;
     }
 }
 

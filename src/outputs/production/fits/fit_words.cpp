@@ -79,6 +79,12 @@ std::vector<std::string> body_lines(const Fit& fit, std::string_view before) {
     }
     lines.push_back(fmt::format("axes uncertain by {:.2g}, {:.2g}, {:.2g} rad about e1, e2, e3",
                                 fit.axes_sd_rad[0], fit.axes_sd_rad[1], fit.axes_sd_rad[2]));
+    // ω alone cannot tell: Euler's equations also have a solution for the mirrored rows.
+    if (!fit.I1_kg_m2)
+        lines.emplace_back(
+            "the instrument's axes x, y, z are taken as right-handed; of left-handed ones, the "
+            "same "
+            "rows give another body");
     return lines;
 }
 template std::vector<std::string> body_lines(const FittedMotion& fit, std::string_view before);
@@ -113,6 +119,8 @@ std::vector<std::string> notes_of(const FittedMotion& fit, const MeasuredMotion&
         notes.push_back(std::move(gaps));
     for (const Saturation& saturation : saturations_of(measured.rows))
         notes.push_back(in_words(saturation));
+    if (std::string doubt = unit_doubt_of(measured.rows); !doubt.empty())
+        notes.push_back(std::move(doubt));
     return notes;
 }
 

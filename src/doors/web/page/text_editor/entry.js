@@ -1,4 +1,4 @@
-// What the workbench takes of CodeMirror (MIT).
+// What the workbench takes of CodeMirror and of qrcode-generator (MIT).
 /*! CodeMirror 6 (@codemirror, @lezer, style-mod, w3c-keyname, crelt, @marijn/find-cluster-break)
  * Copyright (C) 2016-2024 by Marijn Haverbeke <marijn@haverbeke.berlin> and others. MIT License:
  *
@@ -19,6 +19,9 @@
  * LIABILITY, WHETHER IN AN ACTION OF CONTRACT, TORT OR OTHERWISE, ARISING FROM,
  * OUT OF OR IN CONNECTION WITH THE SOFTWARE OR THE USE OR OTHER DEALINGS IN
  * THE SOFTWARE.
+ *
+ * qrcode-generator, Copyright (c) 2009 Kazuhiko Arase, http://www.d-project.com/. The same licence. The word "QR Code" is a registered
+ * trademark of DENSO WAVE INCORPORATED.
  */
 import {autocompletion, closeBrackets, closeBracketsKeymap, completionKeymap, startCompletion} from '@codemirror/autocomplete';
 import {defaultKeymap, history, historyField, historyKeymap, isolateHistory} from '@codemirror/commands';
@@ -29,6 +32,7 @@ import {highlightSelectionMatches, search, searchKeymap} from '@codemirror/searc
 import {EditorState, Transaction} from '@codemirror/state';
 import {drawSelection, EditorView, highlightActiveLine, highlightActiveLineGutter, hoverTooltip, keymap, lineNumbers} from '@codemirror/view';
 import {classHighlighter} from '@lezer/highlight';
+import qrcode from 'qrcode-generator';
 import {StyleModule} from 'style-mod';
 
 // The page's policy allows no style elements of scripts; sheets that a script makes need no permission.
@@ -47,5 +51,5 @@ StyleModule.mount = (root, modules) => {
 
 globalThis.text_editor = {autocompletion, bracketMatching, classHighlighter, closeBrackets, closeBracketsKeymap, codeFolding, completionKeymap, defaultKeymap,
   drawSelection, EditorState, EditorView, foldGutter, foldKeymap, foldService, highlightActiveLine, highlightActiveLineGutter, highlightSelectionMatches,
-  history, historyField, historyKeymap, hoverTooltip, isolateHistory, keymap, lineNumbers, lintGutter, search, searchKeymap, setDiagnostics, startCompletion,
+  history, historyField, historyKeymap, hoverTooltip, isolateHistory, keymap, lineNumbers, lintGutter, qrcode, search, searchKeymap, setDiagnostics, startCompletion,
   StreamLanguage, syntaxHighlighting, toml, Transaction};
