@@ -203,6 +203,7 @@ struct PageSpec {
     std::optional<std::vector<std::string>> controls;  // keys as in --set; absent: controls_of()
     std::optional<std::vector<std::string>> elements;  // absent: all that are shown
     std::string next;  // file of the page that follows, in the same folder; empty: none
+    std::optional<double> planned_s;  // of the lecture, for this scene
 };
 
 // [[captions]]: text shown for some seconds of the film.

@@ -8,8 +8,8 @@ const path = require('node:path');
 const {browser_checks, opened_file, page_of, press, ready, until} = require('./browsers.js');
 
 const [program, scenes, out] = process.argv.slice(2);
-const pages = ['lecture', 'sphere', 'symmetric_oblate', 'symmetric_prolate', 'euler_angles', 'heavy_top_conserved', 'heavy_top_wavy', 'heavy_top_cusp',
-  'heavy_top_looping'];
+const pages = ['tensor', 'momentum_sphere', 'torque_axis', 'torque_symmetric', 'lecture', 'energy_sweep', 'sphere', 'symmetric_oblate', 'symmetric_prolate',
+  'euler_angles', 'heavy_top_conserved', 'heavy_top_wavy', 'heavy_top_cusp', 'heavy_top_looping'];
 const size = {width: 1280, height: 720};
 fs.mkdirSync(out, {recursive: true});
 
@@ -45,7 +45,7 @@ async function write_sheet(browser, name, tiles, n_columns) {
 }
 
 browser_checks()('gives the whole lecture, stop by stop and page by page', async (browser) => {
-  const {tab, faults} = await opened_file(browser, page_of(program, path.join(scenes, 'lecture.toml'), path.join(out, 'lecture.html')), {size});
+  const {tab, faults} = await opened_file(browser, page_of(program, path.join(scenes, 'tensor.toml'), path.join(out, 'lecture.html')), {size});
   const stops = [];
   const loops = [];
   const others = [];
