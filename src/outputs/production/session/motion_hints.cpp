@@ -116,9 +116,9 @@ void add_stepped_motion(const Session& session, const FilmPlan& film,
     const double at_end = energy_of(session.motion.at(film.last_time_s()).omega_body);
     std::string change;
     if (at_start > 0.0 && at_end != at_start)
-        change =
-            fmt::format(", {:.3g} % of T at t = 0 {}", 100.0 * std::abs(1.0 - at_end / at_start),
-                        at_end < at_start ? "lost" : "gained");
+        change = at_end < at_start ? fmt::format(", {:.3g} % of T at t = 0 lost",
+                                                 100.0 * (1.0 - at_end / at_start))
+                                   : fmt::format(", {:.4g} times T at t = 0", at_end / at_start);
     lines.push_back({"end_kinetic_energy_J", json_number(at_end),
                      fmt::format("T at t = {:.6g} s", film.last_time_s()),
                      fmt::format("{:.9g} J{}", at_end, change)});
