@@ -478,8 +478,10 @@ inline void write_what_is_told(Dice& dice, Text& text) {
         }
     }
     if (dice.one_in(3)) text.set("page.elements", some_texts(dice));
-    if (dice.one_in(3)) text.set("page.next", R"("the next.html")");
-    if (dice.one_in(3)) text.set_number("page.planned_s", dice.between(0.0, 600.0));
+    if (dice.one_in(3)) {
+        text.set("page.next", R"("the next.html")");
+        text.set_number("page.planned_s", 60.0 * at_s);
+    }
     if (dice.one_in(3))
         text.set("page.controls", R"(["film.speed", "start.omega_rad_s[2]", "camera.motion"])");
 }
