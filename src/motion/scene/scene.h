@@ -128,6 +128,7 @@ struct CameraSpec {
     double elevation_deg = 14.0;
     double distance = 5.2;                  // in units of the largest half-axis, from the target
     double field_deg = 28.0;                // vertical
+    double roll_deg = 0.0;                  // turns the picture counterclockwise
     std::optional<Eigen::Vector3d> target;  // picture axes; absent: what look_at names
     std::string look_at = "middle";         // of camera_aims()
     std::string view;                       // of camera_views(), which give the values not set here

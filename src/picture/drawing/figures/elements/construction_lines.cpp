@@ -48,10 +48,13 @@ void request_label_beside_line(const Panel& panel, const LabelledLine& line, con
     builder.requests.push_back(request);
 }
 
-// The camera's right, projected onto the plane.
+// The camera's right, projected onto the plane; of a camera that lies on its side, the direction in
+// the plane across the line of sight.
 Eigen::Vector3d right_of(const ViewBuilder& builder) {
-    Eigen::Vector3d right = camera_axes(builder.view.camera).col(0);
+    const Eigen::Matrix3d axes = camera_axes(builder.view.camera);
+    Eigen::Vector3d right = axes.col(0);
     right.z() = 0.0;
+    if (right.norm() < 0.5) right = Eigen::Vector3d::UnitZ().cross(Eigen::Vector3d(axes.col(2)));
     return right.normalized();
 }
 
