@@ -5,6 +5,7 @@ Usage: docs_check.py POINSOT WHAT
 links:     every relative link of *.md and docs/*.md leads to an existing file, and to one of its headings.
 readme:    README.md is at most 8192 bytes; its two commands, and each `./run WORD` of a document, exist.
 files:     every path of src/, tests/, scenes/, shaders/ or .ci/ in backticks exists; `*` matches any name.
+excerpts:  blocks that say to be lines of a scene are.
 tests:     every test that docs/formulas.md names, as `Suite.Claim`, exists in tests/.
 walks:     the sh blocks of the guide's walks run unchanged, one after the other, in a folder with only
            scenes; of films, only the first two frames are drawn.
@@ -66,6 +67,16 @@ def files(_program):
                 yield f"{page.relative_to(ROOT)}: no file is at {path}"
 
 
+def excerpts(_program):
+    """A block of TOML after "these lines of `scenes/NAME.toml`" has lines of that scene, comments aside."""
+    for page in PAGES:
+        for path, block in re.findall(r"these lines of `(scenes/[^`]*)`:\n\n```toml\n(.*?)^```", page.read_text(), re.M | re.S):
+            known = {line.split("#")[0].strip() for line in (ROOT / path).read_text().splitlines()}
+            for line in block.splitlines():
+                if line.split("#")[0].strip() not in known:
+                    yield f"{page.relative_to(ROOT)}: {path} has no line {line}"
+
+
 def tests(_program):
     source = "\n".join(path.read_text() for path in (ROOT / "tests").rglob("*.cpp"))
     known = {".".join(pair) for pair in re.findall(r"TEST(?:_P|_F)?\((\w+),\s*(\w+)\)", source)}
@@ -125,7 +136,7 @@ poinsot() {{
 
 
 if __name__ == "__main__":
-    checks = {check.__name__: check for check in (links, readme, files, tests, commands, walks)}
+    checks = {check.__name__: check for check in (links, readme, files, excerpts, tests, commands, walks)}
     if len(sys.argv) != 3 or sys.argv[2] not in checks:
         sys.exit(__doc__)
     faults = list(checks[sys.argv[2]](sys.argv[1]))

@@ -9,6 +9,7 @@
 #include <future>
 #include <memory>
 #include <optional>
+#include <set>
 #include <tuple>
 #include <utility>
 
@@ -118,10 +119,18 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
     const OutputPlace place(job.output, session.scene, "_####.png");
     for (std::size_t i = 0; i < stops.size(); ++i)
         place.check(frame_name(place.path(), static_cast<std::int64_t>(i) + 1));
-    // The notes are the same for all pictures.
-    Task without_notes = task;
-    without_notes.say = [say = task.say](const std::string& line) {
-        if (!line.starts_with("note: ")) say(line);
+    // The notes are the same for all pictures, and so, as a rule, is the accuracy: the lines after
+    // the name of a picture.
+    const auto said = std::make_shared<std::set<std::string>>();
+    Task once = task;
+    once.say = [say = task.say, said](const std::string& words) {
+        const std::size_t end = words.find('\n');
+        const std::string after = end == std::string::npos ? "" : words.substr(end);
+        say(said->insert(after).second ? words : words.substr(0, end));
+    };
+    Task without_notes = once;
+    without_notes.say = [say = once.say](const std::string& words) {
+        if (!words.starts_with("note: ")) say(words);
     };
     for (std::size_t i = 0; i < stops.size(); ++i) {
         StillRequest still = order.still;
@@ -131,7 +140,7 @@ int draw_chapters(const SceneJob& job, const StillChoices& choices, LazyRenderer
         still.names_fade =
             !is_vector_name(still.output) && !still.print.width_mm && !still.print.height_mm;
         draw_still(prepare_still(Session(session), std::move(still)), renderer, writer,
-                   i == 0 ? task : without_notes);
+                   i == 0 ? once : without_notes);
     }
     writer.finish();
     return 0;

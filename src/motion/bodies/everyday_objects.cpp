@@ -1,4 +1,5 @@
 // Everyday objects. The sources of their numbers are in the table in named_objects.cpp.
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <functional>
@@ -176,6 +177,48 @@ std::vector<ObjectPart> book() {
                                  {x + board_m, 0.0, z + overhang_m}),
                      {0.36, 0.08, 0.09},
                      board_kg_m3}});
+}
+
+// Thickness along x, with the glass at the positive end; width along y, height along z. The bump
+// has no mass, so that the principal axes are those of the slab.
+std::vector<ObjectPart> phone() {
+    constexpr double x = 0.5 * 0.00780;
+    constexpr double y = 0.5 * 0.0716;
+    constexpr double z = 0.5 * 0.1476;
+    constexpr double mass_kg = 0.171;
+    constexpr double glass_m = 0.0008;
+    constexpr double rim_m = 0.002;
+    // The bump is a square in the upper corner, with two lenses on its diagonal.
+    constexpr double bump_m = 0.032;
+    constexpr double bump_height_m = 0.002;
+    constexpr double edge_m = 0.004;
+    constexpr double lens_radius_m = 0.0065;
+    constexpr double lens_height_m = 0.001;
+    // Lighter than the glass, so that both are seen on white paper and on a dark slide.
+    constexpr std::array<double, 3> case_colour{0.42, 0.50, 0.60};
+    constexpr std::array<double, 3> glass_colour{0.12, 0.13, 0.17};
+    std::vector<ObjectPart> parts = of_mass(
+        {{"case", box_between({-x, -y, -z}, {x - glass_m, y, z}), case_colour},
+         {"glass", box_between({x - glass_m, rim_m - y, rim_m - z}, {x, y - rim_m, z - rim_m}),
+          glass_colour}},
+        mass_kg);
+    const Eigen::Vector3d corner(-x, y - edge_m - bump_m, z - edge_m - bump_m);
+    parts.push_back({"bump",
+                     box_between(corner - bump_height_m * Eigen::Vector3d::UnitX(),
+                                 corner + Eigen::Vector3d(0.0, bump_m, bump_m)),
+                     {0.34, 0.41, 0.50},
+                     1.0,
+                     PartUse::look_only});
+    std::vector<TriangleMesh> lenses;
+    for (const double share : {0.29, 0.71}) {
+        const Eigen::Vector3d at = corner + Eigen::Vector3d(-bump_height_m - 0.5 * lens_height_m,
+                                                            share * bump_m, share * bump_m);
+        lenses.push_back(placed(
+            cylinder_mesh(lens_radius_m, lens_height_m),
+            Eigen::Translation3d(at) * Eigen::AngleAxisd(0.5 * pi, Eigen::Vector3d::UnitY())));
+    }
+    parts.push_back({"lenses", joined(lenses), glass_colour, 1.0, PartUse::look_only});
+    return centred(std::move(parts));
 }
 
 // Long axis along z. Length, girth and mass are the middle of the ranges that the rule allows: 11

@@ -11,7 +11,7 @@ namespace poinsot {
 
 namespace {
 
-constexpr std::array<NamedObject, 15> object_rows{{
+constexpr std::array<NamedObject, 16> object_rows{{
     {"t-handle", "T-shaped handle, as spun on the space station; flips about its stem",
      "proportions as seen in NASA's film of the tumbling T-handle (none are published); O'Reilly, "
      "rotations.berkeley.edu/a-tumbling-t-handle-in-space; aluminium, 2700 kg/m^3",
@@ -25,6 +25,10 @@ constexpr std::array<NamedObject, 15> object_rows{{
      "royal octavo, 234 x 156 mm (BS 1413); 80 g/m^2 paper of 0.11 mm; 2.5 mm greyboard of 650 "
      "kg/m^3",
      object_makers::book},
+    {"phone", "mobile phone: glass in front, a bump for the cameras at the back",
+     "Apple, iPhone 15 technical specifications: 147.6 x 71.6 x 7.80 mm, 171 g; the sizes of the "
+     "bump and of the glass's rim are poinsot's own choice",
+     object_makers::phone},
     {"football", "American football, a hollow spindle",
      "NFL Rulebook, rule 2, section 1; shape between a spheroid and a parabola of revolution: Horn "
      "& Fearn, arXiv:0706.0366",

@@ -11,6 +11,7 @@ namespace poinsot::object_makers {
 std::vector<ObjectPart> t_handle();
 std::vector<ObjectPart> racket();
 std::vector<ObjectPart> book();
+std::vector<ObjectPart> phone();
 std::vector<ObjectPart> football();
 std::vector<ObjectPart> plate();
 std::vector<ObjectPart> disc();

@@ -39,6 +39,9 @@ std::span<const SceneKey> camera_keys() {
                "the figure fits"),
         number("camera.field_deg", camera(&CameraSpec::field_deg), fields_deg, "degrees", "28.0",
                "vertical field of view"),
+        number("camera.roll_deg", camera(&CameraSpec::roll_deg), within(-360.0, 360.0), "degrees",
+               "90.0", "turns the picture counterclockwise; 90 lays L flat")
+            .omitted_if_default(),
         numbers("camera.target", camera(&CameraSpec::target), coordinates,
                 "units of the largest half-axis", "[0.0, 0.0, -0.2]",
                 "point that the camera looks at, in picture axes")

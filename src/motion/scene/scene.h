@@ -128,6 +128,7 @@ struct CameraSpec {
     double elevation_deg = 14.0;
     double distance = 5.2;                  // in units of the largest half-axis, from the target
     double field_deg = 28.0;                // vertical
+    double roll_deg = 0.0;                  // turns the picture counterclockwise
     std::optional<Eigen::Vector3d> target;  // picture axes; absent: what look_at names
     std::string look_at = "middle";         // of camera_aims()
     std::string view;                       // of camera_views(), which give the values not set here
@@ -203,6 +204,7 @@ struct PageSpec {
     std::optional<std::vector<std::string>> controls;  // keys as in --set; absent: controls_of()
     std::optional<std::vector<std::string>> elements;  // absent: all that are shown
     std::string next;  // file of the page that follows, in the same folder; empty: none
+    std::optional<double> planned_s;  // of the lecture, for this scene
 };
 
 // [[captions]]: text shown for some seconds of the film.

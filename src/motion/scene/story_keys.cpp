@@ -200,6 +200,10 @@ std::span<const SceneKey> story_keys() {
              "and Page Down lead to it")
             .checked_by(check_page_name)
             .default_is("none"),
+        number("page.planned_s", in(&Scene::page, &PageSpec::planned_s), film_seconds, "s", "240.0",
+               "planned time for this scene, in seconds of the lecture; in a page of several "
+               "scenes, the notes add it to the planned times of the scenes that follow")
+            .default_is("0"),
     };
     return rows;
 }

@@ -35,6 +35,26 @@ TEST(Still, HasTheRequestedSize) {
     EXPECT_EQ(image.height(), 120);
 }
 
+// The pictures of all stops have one accuracy, said once.
+TEST(Still, OfAllChaptersSaysItsAccuracyOnce) {
+    const ScratchFolder folder;
+    folder.write("scene.toml", std::string(racket) +
+                                   "\n[[stops]]\nat_s = 0.1\n[[stops]]\nat_s = 0.2\n[[stops]]\n"
+                                   "at_s = 0.3\n");
+    const ProgramRun run =
+        run_program_in(folder, "still scene.toml --chapters --size 64x36 -o a_##.png");
+    ASSERT_EQ(run.code, 0) << run.err;
+    const auto n_of = [&run](const std::string& text) {
+        int n = 0;
+        for (std::size_t at = run.err.find(text); at != std::string::npos;
+             at = run.err.find(text, at + 1))
+            ++n;
+        return n;
+    };
+    EXPECT_EQ(n_of(" of the truth"), 1) << run.err;
+    for (const char* name : {"a_01.png", "a_02.png", "a_03.png"}) EXPECT_EQ(n_of(name), 1) << name;
+}
+
 TEST(Still, IsReproducible) {
     const ScratchFolder folder;
     folder.write("scene.toml", racket);

@@ -681,9 +681,9 @@ check('leads to the page that follows at the end of the film', async (browser) =
 
 check('gives the scenes that follow in one page, by one key, forwards and backwards', async (browser) => {
   const scene = (name, rest) => scene_file(name, `title = "${name}"\n[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nomega_rad_s = [0.3, 1.6, 0.6]\n[film]\nlength_s = 2\n${rest}`);
-  const first = scene('chain_one', 'still_s = 1\n[page]\nnext = "chain_two.html"\n[[stops]]\nat_s = 1\ntitle = "Only"\n[[stops]]\nat_s = 2\ntitle = "End of one"\n');
+  const first = scene('chain_one', 'still_s = 1\n[page]\nnext = "chain_two.html"\nplanned_s = 90\n[[stops]]\nat_s = 1\ntitle = "Only"\n[[stops]]\nat_s = 2\ntitle = "End of one"\n');
   scene('chain_two', 'still_s = 1.5\n[page]\nnext = "chain_three.html"\n');
-  scene('chain_three', '[page]\nnext = "chain_one.html"\n[[stops]]\nat_s = 0.5\ntitle = "Third"\nnote = "Say it."\n');
+  scene('chain_three', '[page]\nnext = "chain_one.html"\n[[stops]]\nat_s = 0.5\ntitle = "Third"\nnote = "Say it."\nplanned_s = 30\n');
   const {tab, faults} = await opened_file(browser, page_of(program, first, path.join(folder, 'chain_one.html')));
   await ready(tab);
   const title = () => tab.evaluate(() => the_page.figure.loaded.title);
@@ -710,6 +710,7 @@ check('gives the scenes that follow in one page, by one key, forwards and backwa
   await until(tab, 'the_page.figure.loaded.title === "chain_three"');
   assert.equal(await note('where'), '3 / 3 · Third');
   assert.equal(await note('note'), 'Say it.');
+  assert.match(await note('clock'), /Planned 2:00/, 'after the planned time of the scenes before it');
   await until(tab, '/Elapsed 0:0[1-9]/.test(the_page.notes.page.querySelector(".notes-clock").textContent)');
   // One window of notes, whose keys go on working.
   assert.ok(await tab.evaluate(() => the_page.notes.is_open && the_page.notes.page === window.notes_page));

@@ -7,7 +7,7 @@ import {component_of, slider_span, toml_of} from '../../../src/doors/web/page/co
 import {Film} from '../../../src/doors/web/page/film.js';
 import {film_qualities} from '../../../src/doors/web/page/film_encoder.js';
 import {empty_state, fragment_of, state_of} from '../../../src/doors/web/page/link.js';
-import {Words, all_words, element_words, key_words, languages} from '../../../src/doors/web/page/words.js';
+import {Words, all_words, element_words, key_words, languages, motion_said} from '../../../src/doors/web/page/words.js';
 
 const stop = (at_s, loop_s = 0) => ({at_s, title: '', loop_s, note: ''});
 const film_with = (changes = {}) => new Film({length_s: 10, frames_per_s: 30, loops: false, stops: [], chapters: [], ...changes});
@@ -224,6 +224,15 @@ test('the space bar plays, pauses and goes on', () => {
   assert.equal(film.is_looping, true);
   film.toggle();
   assert.equal(film.leaving, true);
+});
+
+test('a motion under a torque says when the body turns over', () => {
+  const words = new Words('en');
+  const said = (flips) => motion_said({flips, polhode_axis: null}, words);
+  assert.equal(said({one_s: 1.27027, interval_s: null, times_s: [1.27027, 5.58201]}), 'The body turns over at 1.27; 5.58 s.');
+  assert.equal(said({one_s: 2, interval_s: null, times_s: [2]}), 'The body turns over once, at 2 s.');
+  assert.equal(said({one_s: 1, interval_s: null, times_s: [1, 2, 3, 4, 5]}), 'The body turns over at 1; 2; 3; 4; … s.');
+  assert.equal(said({one_s: 1, interval_s: 3.5}), 'The body turns over every 3.5 s.');
 });
 
 // `node film_test.mjs PROGRAM`

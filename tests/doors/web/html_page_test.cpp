@@ -105,6 +105,7 @@ TEST(HtmlPage, HoldsTheScenesThatFollow) {
     second.title = "Second </script>";
     second.scene_text = "# second";
     second.n_stops = 3;
+    second.planned_s = 90.0;
     contents.following = {second};
     const std::string page = html_page(contents);
     EXPECT_EQ(n_of(page, "</script>"), 6);
@@ -113,6 +114,7 @@ TEST(HtmlPage, HoldsTheScenesThatFollow) {
     const std::string following = scene.substr(scene.find("\"following\": ["));
     EXPECT_NE(following.find("\"# second\""), std::string::npos);
     EXPECT_NE(following.find("\"n_stops\": 3"), std::string::npos);
+    EXPECT_NE(following.find("\"planned_s\": 90"), std::string::npos);
     EXPECT_LT(page.size(), html_page(a_page()).size() + 2000) << "one program for all scenes";
 }
 

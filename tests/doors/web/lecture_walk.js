@@ -8,8 +8,8 @@ const path = require('node:path');
 const {browser_checks, opened_file, page_of, press, ready, until} = require('./browsers.js');
 
 const [program, scenes, out] = process.argv.slice(2);
-const pages = ['lecture', 'sphere', 'symmetric_oblate', 'symmetric_prolate', 'euler_angles', 'heavy_top_conserved', 'heavy_top_wavy', 'heavy_top_cusp',
-  'heavy_top_looping'];
+const pages = ['tensor', 'momentum_sphere', 'torque_axis', 'torque_symmetric', 'lecture', 'energy_sweep', 'sphere', 'symmetric_oblate', 'symmetric_prolate',
+  'euler_angles', 'heavy_top_conserved', 'heavy_top_wavy', 'heavy_top_cusp', 'heavy_top_looping'];
 const size = {width: 1280, height: 720};
 fs.mkdirSync(out, {recursive: true});
 
@@ -45,10 +45,9 @@ async function write_sheet(browser, name, tiles, n_columns) {
 }
 
 browser_checks()('gives the whole lecture, stop by stop and page by page', async (browser) => {
-  const {tab, faults} = await opened_file(browser, page_of(program, path.join(scenes, 'lecture.toml'), path.join(out, 'lecture.html')), {size});
+  const {tab, faults} = await opened_file(browser, page_of(program, path.join(scenes, 'tensor.toml'), path.join(out, 'lecture.html')), {size});
   const stops = [];
   const loops = [];
-  const others = [];
   for (const name of pages) {
     await ready(tab);
     await until(tab, `the_page.figure.data.name === ${JSON.stringify(name)}`);
@@ -69,13 +68,12 @@ browser_checks()('gives the whole lecture, stop by stop and page by page', async
       for (const share of [0, 0.2, 0.4, 0.6, 0.8])
         loops.push({title: `${k + 1}, ${share} of its loop`, png: await drawn_at(tab, stop.at_s - (1 - share) * stop.loop_s)});
     }
-    if (plan.stops.length === 0)
-      for (const share of [0.3, 0.9]) others.push({title: `${name}, ${share} of the film`, png: await drawn_at(tab, share * plan.length_s)});
-    // What follows the last stop, or the whole film, plays to its end.
+    assert.ok(plan.stops.length > 0, `${name} has no stops`);
+    // What follows the last stop plays to its end.
     await tab.evaluate(() => { the_page.figure.film.speed = 10; });
     if (!(await tab.evaluate(() => the_page.figure.film.is_over))) {
       await press(tab, 'PageDown');
-      if (plan.stops.at(-1)?.loop_s) await press(tab, 'PageDown');
+      if (plan.stops.at(-1).loop_s) await press(tab, 'PageDown');
     }
     await until(tab, 'the_page.figure.film.is_over', 120000);
     if (name !== pages.at(-1)) await press(tab, 'PageDown');
@@ -83,6 +81,5 @@ browser_checks()('gives the whole lecture, stop by stop and page by page', async
   assert.deepEqual(faults, []);
   await write_sheet(browser, 'stops', stops, 3);
   await write_sheet(browser, 'loops', loops, 5);
-  await write_sheet(browser, 'others', others, 4);
-  console.log(`${stops.length} stops and ${others.length / 2} pages; look at ${path.join(out, 'stops.png')}, loops.png and others.png`);
+  console.log(`${stops.length} stops; look at ${path.join(out, 'stops.png')} and loops.png`);
 });

@@ -4,6 +4,7 @@
 
 #include <gtest/gtest.h>
 
+#include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -104,7 +105,9 @@ TEST(NamedObjectParts, OfLookAloneChangeNoMoment) {
         EXPECT_EQ(properties_of(parts).inertia_kg_m2, whole.inertia_kg_m2) << object.name;
         EXPECT_EQ(properties_of(parts).mass_kg, whole.mass_kg) << object.name;
     }
-    EXPECT_EQ(n_looks, 6);  // laces, line and foot of the plate, strings, two lobes of Toutatis
+    // Laces, line and foot of the plate, strings, bump and lenses of the phone, two lobes of
+    // Toutatis.
+    EXPECT_EQ(n_looks, 8);
 }
 
 // The laces lie on the football's surface, half sunk into it, on one side of it.
@@ -122,6 +125,29 @@ TEST(NamedObjectParts, OfTheFootballHaveLacesOnOneSeam) {
     }
     EXPECT_GT(most, girth_radius_m + 0.002);
     EXPECT_LT(most, girth_radius_m + 0.005);
+}
+
+// The moments of a uniform slab of these edges, but for the air before the rim; the bump is seen at
+// the back, the glass in front, and none of it has mass.
+TEST(NamedObjectParts, OfThePhoneAreGlassAndABump) {
+    const auto parts = object_named("phone").make();
+    const BodyProperties body = properties_of(parts);
+    const double x = 7.80e-3, y = 71.6e-3, z = 147.6e-3;
+    EXPECT_NEAR(body.mass_kg, 0.171, 1e-15);
+    const Eigen::Vector3d slab =
+        0.171 / 12.0 * Eigen::Vector3d(y * y + z * z, z * z + x * x, x * x + y * y);
+    const Eigen::Vector3d I = body.inertia_kg_m2.diagonal();
+    for (int i = 0; i < 3; ++i) EXPECT_NEAR(I[i], slab[i], 0.015 * slab[i]) << i;
+    for (const ObjectPart& part : parts) {
+        Eigen::AlignedBox3d box;
+        for (const Eigen::Vector3d& v : part.mesh.vertices) box.extend(v);
+        if (part.name == "glass") {
+            EXPECT_NEAR(box.max().x(), 0.5 * x, 2e-5);
+        }
+        if (part.use != PartUse::look_only) continue;
+        EXPECT_LT(box.min().x(), -0.5 * x - 1e-3) << part.name;
+        EXPECT_GT(box.min().z(), 0.0) << "above the middle";
+    }
 }
 
 // Closed forms; the error of the facets is below 2e-6.

@@ -32,7 +32,7 @@ TEST(LectureScenes, EachHasTitleCaptionAndAFilmOfASuitableLength) {
         const double film_s = FilmClock(scene).length_s().value_or(0.0);
         EXPECT_GE(film_s, 10.0) << file;
         // A film with chapters may be longer, and one with stops much longer.
-        const double most_s = scene.chapters.empty() ? 20.0 : scene.stops.empty() ? 60.0 : 180.0;
+        const double most_s = scene.chapters.empty() ? 20.0 : scene.stops.empty() ? 60.0 : 200.0;
         EXPECT_LE(film_s, most_s) << file;
         EXPECT_TRUE(scene.notes.empty()) << file;
     }

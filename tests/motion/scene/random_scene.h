@@ -387,6 +387,7 @@ inline void write_camera(Dice& dice, const std::string& table, Text& text) {
 
 inline void write_cameras_and_panels(Dice& dice, Text& text) {
     write_camera(dice, "camera.", text);
+    text.set_number("camera.roll_deg", 30.0);
     if (dice.one_in(2)) text.set_number("trail.length_s", dice.magnitude(-40, 40));
     if (dice.one_in(2)) text.set("trail.direction_marks", "true");
     if (dice.one_in(2)) text.set("trail.ticks", "true");
@@ -478,7 +479,10 @@ inline void write_what_is_told(Dice& dice, Text& text) {
         }
     }
     if (dice.one_in(3)) text.set("page.elements", some_texts(dice));
-    if (dice.one_in(3)) text.set("page.next", R"("the next.html")");
+    if (dice.one_in(3)) {
+        text.set("page.next", R"("the next.html")");
+        text.set_number("page.planned_s", 60.0 * at_s);
+    }
     if (dice.one_in(3))
         text.set("page.controls", R"(["film.speed", "start.omega_rad_s[2]", "camera.motion"])");
 }

@@ -1,9 +1,13 @@
 // What check says of flips and of loops nearby.
 #include "production/session/motion_hints.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
+#include <vector>
 
 #include "scene/parse_scene.h"
 #include "typeset/files/installed_fonts.h"
@@ -48,6 +52,37 @@ TEST(MotionHints, SayWhenTheBodyFlips) {
                                    "omega_rad_s = [0.5, 0.3, 2.5]\n"),
                       "flips_s"),
               "");
+}
+
+// A body that air drags: its flips, and what is left of T, against the motion's own samples.
+TEST(MotionHints, SayWhatAStepTakenMotionLosesAndWhenItFlips) {
+    const Session session = session_with(racket +
+                                         "[torque]\nkind = \"drag\"\nlinear_1_s = "
+                                         "[0.02, 0.02, 0.02]\n[motion]\nmethod = \"rkmk4\"\n"
+                                         "[film]\nduration_s = 30\n");
+    std::vector<double> wanted;
+    constexpr int n = 30000;
+    const double last_s = film_plan(session).last_time_s();
+    double before = 2.0;
+    for (int k = 1; k <= n; ++k) {
+        const double now = session.motion.at(last_s * k / n).omega_body[1];
+        if (now * before < 0.0) wanted.push_back(last_s * (k - 0.5) / n);
+        before = now;
+    }
+    ASSERT_GE(wanted.size(), 2u);
+    const std::string times = json_of(session, "flips_s");
+    EXPECT_EQ(std::count(times.begin(), times.end(), ','),
+              static_cast<std::ptrdiff_t>(wanted.size() - 1))
+        << times;
+    EXPECT_NEAR(std::stod(times.substr(1)), wanted.front(), 1e-3);
+    // Equal drag about all axes leaves the polhode and takes exp(−2ct) of T.
+    const double energy_J = 0.5 * (3.0 * 1e-4 + 2.0 * 4.0 + 1e-4);
+    const double left = std::exp(-0.04 * last_s);
+    EXPECT_NEAR(std::stod(json_of(session, "end_kinetic_energy_J")), energy_J * left, 1e-6);
+    const std::string text = text_of_line(session, "end_kinetic_energy_J");
+    EXPECT_NE(text.find(fmt::format("{:.3g} % of T at t = 0 lost", 100.0 * (1.0 - left))),
+              std::string::npos)
+        << text;
 }
 
 TEST(MotionHints, NameLoopsNearby) {

@@ -150,6 +150,12 @@ TEST_F(SlideDeck, FilesAreDrawnAgainFromTheirRecords) {
     }
 }
 
+// A slide for paper has the type of a hand-out, so that it has room for the same names.
+TEST_F(SlideDeck, PagesHaveTheTypeOfAFigure) {
+    write("deck");
+    EXPECT_EQ(read_record(folder_ / "deck/01.pdf").type_pt, default_type_pt);
+}
+
 TEST_F(SlideDeck, ThePlanNamesTimesTitlesNotesAndFiles) {
     write("deck");
     const std::string plan = read_text(folder_ / "deck/slides.json");

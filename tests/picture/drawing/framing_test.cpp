@@ -2,6 +2,7 @@
 // measured with a projection that is independent of the program's.
 #include "drawing/stage/framing.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,6 +20,7 @@
 #include "places.h"
 #include "refusal.h"
 #include "scene/files/load_scene.h"
+#include "scene/parse_scene.h"
 #include "scene/write_scene.h"
 #include "scenes_by_hand.h"
 #include "shapes/projection.h"
@@ -384,6 +386,45 @@ class Extent {
 };
 
 bool is_chart(const PanelSpec& panel) { return panel.kind == "plot" || panel.kind == "potential"; }
+
+// A roll turns the whole picture about its middle, counterclockwise, and nothing else: at 90° what
+// was up is at the left.
+TEST(Roll, TurnsThePictureCounterclockwise) {
+    for (const std::string kind : {"space", "object"}) {
+        const auto drawn = [&](double roll_deg) {
+            const Scene scene = parse_scene(
+                "[body]\nmoments_kg_m2 = [3.0, 2.0, 1.0]\n[start]\nomega_rad_s = [0.3, 1.0, 0.4]\n"
+                "[film]\nsize = [400, 400]\n[camera]\ntarget = [0.0, 0.0, 0.0]\n"
+                "distance = 8.0\nroll_deg = " +
+                    fmt::format("{}", roll_deg) + "\n[[panels]]\nkind = \"" + kind + "\"\n",
+                "a.toml");
+            const Motion motion(problem_of(scene));
+            const Stage stage(scene, theme_of(scene), motion,
+                              {.width_px = 400,
+                               .height_px = 400,
+                               .first_time_s = 0.0,
+                               .last_time_s = 10.0,
+                               .fonts = installed_fonts()});
+            return stage.at(2.0).views.front();
+        };
+        // Where the vertical points in the picture: to the right, and up.
+        const auto vertical_of = [](const View& view) {
+            const Eigen::Matrix3d axes = camera_axes(view.camera);
+            return Eigen::Vector2d(axes.col(0).z(), axes.col(1).z());
+        };
+        const Eigen::Vector2d upright = vertical_of(drawn(0.0));
+        EXPECT_NEAR(upright.x(), 0.0, 1e-15);
+        EXPECT_GT(upright.y(), 0.5);
+        for (const double roll_deg : {90.0, -90.0, 30.0}) {
+            const View view = drawn(roll_deg);
+            const double roll = roll_deg * std::numbers::pi / 180.0;
+            const Eigen::Vector2d expected =
+                upright.y() * Eigen::Vector2d(-std::sin(roll), std::cos(roll));
+            EXPECT_LT((vertical_of(view) - expected).norm(), 1e-14) << kind << roll_deg;
+            for (const Curve& curve : view.curves) EXPECT_FALSE(curve.placement.matrix().hasNaN());
+        }
+    }
+}
 
 TEST(Filling, FigureSpansFourFifthsOfItsPanel) {
     const std::vector<std::filesystem::path> files = supplied_scenes();

@@ -111,20 +111,23 @@ TEST(LectureClaims, StopsShowWhatTheyName) {
         const double film_s = lecture.scene.stops.at(number - 1).at_s;
         return lecture.staged.stage.at(FilmTime{clock.time_at(film_s), film_s});
     };
-    // 3: an axis n with I(n), before ρ is defined; 4: ρ and its path.
-    Drawing drawing = at_stop(3);
+    // 1: ω, whose product with L moves L in the body.
+    Drawing drawing = at_stop(1);
+    EXPECT_TRUE(shows(drawing.views.front(), "omega"));
+    // 4: an axis n with I(n), before ρ is defined; 5: ρ and its path.
+    drawing = at_stop(4);
     EXPECT_TRUE(says(drawing.views.front(), "\\mathbf{n}"));
     EXPECT_FALSE(says(drawing.views.front(), "rho"));
     EXPECT_FALSE(shows(drawing.views.front(), "trace"));
-    drawing = at_stop(4);
+    drawing = at_stop(5);
     EXPECT_TRUE(says(drawing.views.front(), "rho"));
     EXPECT_TRUE(shows(drawing.views.front(), "trace"));
-    // 6: n along ω with its moment.
-    drawing = at_stop(6);
+    // 7: n along ω with its moment.
+    drawing = at_stop(7);
     EXPECT_TRUE(shows(drawing.views.front(), "spin-direction"));
     EXPECT_TRUE(says(drawing.views.front(), "2T/"));
-    // 7 and 8: the tangent plane, and ∇F at right angles to it.
-    for (const std::size_t number : {7u, 8u}) {
+    // 8 and 9: the tangent plane, and ∇F at right angles to it.
+    for (const std::size_t number : {8u, 9u}) {
         drawing = at_stop(number);
         EXPECT_TRUE(says(drawing.views.front(), "tangent plane")) << number;
         EXPECT_TRUE(shows(drawing.views.front(), "tangent")) << number;
@@ -135,8 +138,16 @@ TEST(LectureClaims, StopsShowWhatTheyName) {
             2)
             << number;
     }
-    // 14: the herpolhode fills more than half of the picture's height, and all of it is seen.
-    drawing = at_stop(14);
+    // 10: the projection, with its right angle on L: two lines and the two legs of the mark.
+    drawing = at_stop(10);
+    const auto& lines = drawing.views.front().curves;
+    EXPECT_EQ(std::count_if(lines.begin(), lines.end(),
+                            [](const Curve& curve) {
+                                return curve.name.element == "projection" && curve.opacity > 0.5;
+                            }),
+              4);
+    // 15: the herpolhode fills more than half of the picture's height, and all of it is seen.
+    drawing = at_stop(15);
     const View& view = drawing.views.front();
     double top = 1e9, bottom = -1e9;
     for (const Curve& curve : view.curves) {
@@ -149,10 +160,10 @@ TEST(LectureClaims, StopsShowWhatTheyName) {
     EXPECT_GT(bottom - top, 0.55 * view.height_px);
     EXPECT_GT(top, 0.0);
     EXPECT_LT(bottom, 0.92 * view.height_px);
-    // 15 and 16: the body turns beside the construction.
-    for (const std::size_t number : {15u, 16u})
+    // 16 and 17: the body turns beside the construction.
+    for (const std::size_t number : {16u, 17u})
         EXPECT_TRUE(shows(at_stop(number).views.front(), "body-beside"));
-    EXPECT_FALSE(shows(at_stop(13).views.front(), "body-beside"));
+    EXPECT_FALSE(shows(at_stop(14).views.front(), "body-beside"));
 }
 
 TEST(LectureClaims, PrincipalAxesMakeTheTensorDiagonal) {  // pages 2–5
@@ -552,6 +563,58 @@ DrawnArc drawn_arc(const Curve& arc) {
     const Vector3d from = arc.placement.linear().col(0).normalized();
     const Vector3d towards = arc.placement.linear().col(1).normalized();
     return {from, std::cos(angle) * from + std::sin(angle) * towards, angle};
+}
+
+// The sense about a direction in which the head of a ring's arrow points.
+double drawn_sense(const View& view, const Colour& colour, const Vector3d& direction) {
+    for (const Arrow& head : view.arrows) {
+        if (!(head.colour == colour) || head.name.element != "precession") continue;
+        return std::copysign(1.0, direction.dot(head.tail.cross(head.tip)));
+    }
+    ADD_FAILURE() << "no ring of this colour";
+    return 0.0;
+}
+
+// The senses of the drawn rings are those of the motion, and the captions say them: e3 goes round
+// L; the body turns about e3, measured from the plane of L and e3; ω goes round e3 in the body.
+TEST(LectureClaims, RingsTurnAsTheCaptionsSay) {  // pages 18–19
+    for (const auto& [name, is_retrograde] :
+         {std::pair{"symmetric_oblate", true}, std::pair{"symmetric_prolate", false}}) {
+        const Lecture lecture(name);
+        const Motion& motion = lecture.staged.motion;
+        const auto e = [&](int axis, double t) {
+            return Vector3d(motion.at(t).space_from_body * Vector3d::Unit(axis));
+        };
+        const RotationState start = motion.at(0.0);
+        const Vector3d L =
+            start.space_from_body * Vector3d(lecture.moments().cwiseProduct(start.omega_body));
+        const auto psi = [&](double t) {
+            const Vector3d node = L.cross(e(2, t)), along = e(2, t).cross(node);
+            return std::atan2(e(0, t).dot(along) / along.norm(), e(0, t).dot(node) / node.norm());
+        };
+        for (const double t : lecture.instants()) {
+            const double h = 0.01;
+            const Drawing drawing = lecture.staged.stage.at(t);
+            const View& space = drawing.views.at(0);
+            const View& body = drawing.views.at(1);
+            const Vector3d drawn_e3 = arrow_of(space, lecture.theme().axes[2]).tip;
+            const Vector3d drawn_L = arrow_of(space, lecture.theme().momentum).tip;
+            const double about_L = L.dot(e(2, t).cross(e(2, t + h)));
+            const double spin = std::remainder(psi(t + h) - psi(t), 2.0 * std::numbers::pi);
+            const Vector3d w0 = motion.at(t).omega_body, w1 = motion.at(t + h).omega_body;
+            const double in_body = w0.head<2>().x() * w1.y() - w0.y() * w1.x();
+            EXPECT_GT(drawn_sense(space, lecture.theme().space_cone, drawn_L) * about_L, 0.0) << t;
+            EXPECT_GT(drawn_sense(space, lecture.theme().body_cone, drawn_e3) * spin, 0.0) << t;
+            EXPECT_GT(drawn_sense(body, lecture.theme().body_cone, Vector3d::UnitZ()) * in_body,
+                      0.0)
+                << t;
+            EXPECT_EQ(spin * about_L < 0.0, is_retrograde) << name;
+        }
+        const std::string& caption = lecture.scene.caption;
+        EXPECT_NE(caption.find(is_retrograde ? "Retrograde" : "Prograde"), std::string::npos);
+        EXPECT_NE(caption.find(is_retrograde ? "the other way" : "the same way"),
+                  std::string::npos);
+    }
 }
 
 // The angles φ, θ, ψ measured from the drawn line of nodes and axes, each about its own axis.

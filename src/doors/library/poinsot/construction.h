@@ -95,9 +95,9 @@ class __attribute__((visibility("default"))) Construction {
     // None unless exactly two moments are equal.
     std::optional<Cones> cones() const;
 
-    // The instants within an interval, in order, at which a body that turns about its middle axis
-    // flips over: ω along that axis changes its sign. Empty for other motions. Throws InputError
-    // for more than a million.
+    // The instants within an interval, in order, at which a body flips over: ω along its middle
+    // axis changes its sign, and this axis comes within 45° of L before and of −L after, or the
+    // other way round. Empty for other motions. Throws InputError for more than a million.
     std::vector<double> flips(double first_time_s, double last_time_s) const;
 
     Residuals residuals(double time_s) const;

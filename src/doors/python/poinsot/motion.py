@@ -328,7 +328,7 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
         """The instants in s between these two at which the body flips over.
 
         ω along the middle axis changes its sign in every elliptic motion. These instants count as
-        flips only if ω comes within 0.5 rad of that axis; else the list is empty.
+        flips only if that axis comes within 45° of L and of −L; else the list is empty.
         """
         return self._native.flips(second("first_s", first_s), second("last_s", last_s))
 

@@ -27,10 +27,24 @@ namespace poinsot {
 namespace {
 
 // The flips of a body that turns over: one instant, and the time between two unless there is one
-// flip alone, both in seconds of the motion; null for any other motion.
-std::string flips_text(const Motion& motion) {
+// flip alone, both in seconds of the motion; of a motion under a torque the instants within the
+// film, `times_s`. Null for any other motion.
+std::string flips_text(const Motion& motion, const FilmPlan& film) {
     const MotionProblem& problem = motion.problem();
-    if (!is_free(problem.torque)) return "null";
+    if (!is_free(problem.torque)) {
+        if (motion.heavy_top() != nullptr) return "null";
+        const auto [first_s, last_s] = std::minmax({film.start_s, film.last_time_s()});
+        const auto times = sampled_flips(motion, first_s, last_s);
+        if (!times || times->empty()) return "null";
+        std::vector<std::string> numbers;
+        numbers.reserve(times->size());
+        for (const double time_s : *times) numbers.push_back(json_number(time_s));
+        return JsonObject()
+            .add("one_s", times->front())
+            .json("interval_s", "null")
+            .json("times_s", json_list(numbers))
+            .line();
+    }
     const auto flips = flips_of(problem, motion.free_constants());
     if (!flips) return "null";
     return JsonObject()
@@ -189,7 +203,7 @@ std::string LiveScene::description() const {
         .add("film_height", film_size_.height_px)
         .add("motion", motion_in_words(session_.motion))
         .add("regime", regime_sentence(session_.motion))
-        .json("flips", flips_text(session_.motion))
+        .json("flips", flips_text(session_.motion, film_))
         .json("polhode_axis", polhode_axis_text(session_.motion))
         .json("drags", drags_text(scene))
         .add("next", scene.page.next)

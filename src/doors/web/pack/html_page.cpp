@@ -121,6 +121,7 @@ std::string scene_json(const PageContents& contents) {
         .add("height", contents.height_px)
         .add("poster_at_s", contents.poster_at_s)
         .add("n_stops", contents.n_stops)
+        .add("planned_s", contents.planned_s)
         .json("following", json_list(following))
         .line();
 }

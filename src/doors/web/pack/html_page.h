@@ -23,6 +23,7 @@ struct PageContents {
     std::vector<std::uint8_t> poster_png;
     double poster_at_s = 0.0;  // second of the film that it shows
     std::size_t n_stops = 0;
+    double planned_s = 0.0;               // for this scene, see PageSpec
     std::string next;                     // page that follows, see PageSpec
     std::vector<PageContents> following;  // scenes that the page shows after this one
 };

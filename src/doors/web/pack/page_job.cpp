@@ -89,6 +89,7 @@ PageContents contents_of(const SceneRequest& request) {
     contents.width_px = scene.film.width_px;
     contents.height_px = scene.film.height_px;
     contents.n_stops = scene.stops.size();
+    contents.planned_s = scene.page.planned_s.value_or(0.0);
     contents.next = scene.page.next;
     return contents;
 }

@@ -4,7 +4,7 @@ import {bytes_of_base94, unpacked_lzma} from './unpack.js';
 
 /**
  * @typedef {{name: string, text: string, overrides: string[], files: Record<string, string>, controls: string[],
- *   language: string, width: number, height: number, poster_at_s: number, title: string, n_stops: number, following: SceneData[]}} SceneData
+ *   language: string, width: number, height: number, poster_at_s: number, title: string, n_stops: number, planned_s: number, following: SceneData[]}} SceneData
  *   `following`: the scenes that the page shows after this one.
  */
 

@@ -4,8 +4,9 @@
 /** @import {Words} from './words.js' */
 
 /**
- * Where a scene stands among those of the page: stops of the scenes before it, and of all; its title, and that of the scene that follows.
- * @typedef {{n_stops_before: number, n_stops: number, title: string, next_title: string}} Place
+ * Where a scene stands among those of the page: stops of the scenes before it, and of all; the planned time of the scenes before it; its title,
+ * and that of the scene that follows.
+ * @typedef {{n_stops_before: number, n_stops: number, planned_before_s: number, title: string, next_title: string}} Place
  */
 
 export class Notes {
@@ -103,14 +104,14 @@ export class Notes {
     const now = new Date().toLocaleTimeString(words.code, {hour: '2-digit', minute: '2-digit'});
     // On the way to a stop, what to say there; after the last, what was said.
     const shown = stop ?? stops[stops.length - 1];
-    const planned = shown?.planned_s == null ? [] : [`${words.of('planned')} ${clock_text(shown.planned_s)}`];
+    const place = this.place();
+    const planned = shown?.planned_s == null ? [] : [`${words.of('planned')} ${clock_text(place.planned_before_s + shown.planned_s)}`];
     this.#write('clock', [now, `${words.of('elapsed')} ${clock_text(passed_s)}`, ...planned,
       `${words.of('film')} ${clock_text(film.at_s)} / ${clock_text(film.plan.length_s)}`].join(' · '));
-    const place = this.place();
     const number = stops.length > 0 ? `${place.n_stops_before + (stop ? coming : stops.length - 1) + 1} / ${place.n_stops}` : '';
     this.#write('where', [number, shown?.title || film.chapter()?.title || place.title].filter(Boolean).join(' · '));
     this.#write('note', shown?.note ?? '');
-    const at = waits && after?.planned_s != null ? `${clock_text(after.planned_s)} · ` : '';
+    const at = waits && after?.planned_s != null ? `${clock_text(place.planned_before_s + after.planned_s)} · ` : '';
     this.#write('next', `${words.of('next')}: ${at}${after ? after.title || clock_text(after.at_s) : place.next_title || words.of('end')}`);
     this.#draw(film, after ? after.at_s : film.plan.length_s);
   }

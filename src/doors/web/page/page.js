@@ -85,7 +85,7 @@ export class Page {
       // The scene that runs may have another number of stops than when the page was written.
       const stops = this.scenes.map((scene, k) => (k === this.place ? this.figure.film.plan.stops.length : scene.n_stops));
       const sum = (/** @type {number[]} */ counts) => counts.reduce((all, count) => all + count, 0);
-      return {n_stops_before: sum(stops.slice(0, this.place)), n_stops: sum(stops), title: this.figure.loaded?.title ?? '', next_title: this.scenes[this.place + 1]?.title ?? ''};
+      return {n_stops_before: sum(stops.slice(0, this.place)), n_stops: sum(stops), planned_before_s: sum(this.scenes.slice(0, this.place).map((scene) => scene.planned_s)), title: this.figure.loaded?.title ?? '', next_title: this.scenes[this.place + 1]?.title ?? ''};
     });
     /** What keeps values, the text of the workbench; null: they are choices of this visit. @type {ValueStore|null} */
     this.store = null;

@@ -19,7 +19,7 @@
  * @typedef {{title: string, caption: string, language: string,
  *   theme: {name: string, background: string, text: string}, first_time_s: number,
  *   last_time_s: number, film_length_s: number, opens_at_s: number, loops: boolean, frames_per_s: number,
- *   width: number, height: number, film_width: number, film_height: number, motion: string, regime: string, next: string, flips: {one_s: number, interval_s: number|null}|null,
+ *   width: number, height: number, film_width: number, film_height: number, motion: string, regime: string, next: string, flips: {one_s: number, interval_s: number|null, times_s?: number[]}|null,
  *   polhode_axis: 'smallest'|'largest'|null, drags: {omega: boolean, plane: boolean}, notes: string[],
  *   panels: Panel[], chapters: {at_s: number, title: string}[],
  *   stops: {at_s: number, title: string, loop_s: number|null, note: string, planned_s: number|null}[],

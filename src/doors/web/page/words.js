@@ -77,6 +77,7 @@ export const all_words = {
   quality_print: ['Print', 'Druck', 'Impression', 'Impresión', 'Stampa', '印刷'],
   quality_reference: ['Reference', 'Referenz', 'Référence', 'Referencia', 'Riferimento', '基準'],
   turns_over: ['The body turns over every {s} s.', 'Der Körper schlägt alle {s} s um.', 'Le corps se retourne toutes les {s} s.', 'El cuerpo se da la vuelta cada {s} s.', 'Il corpo si capovolge ogni {s} s.', '物体は {s} 秒ごとに反転します。'],
+  turns_over_at: ['The body turns over at {s} s.', 'Der Körper schlägt bei {s} s um.', 'Le corps se retourne à {s} s.', 'El cuerpo se da la vuelta a los {s} s.', 'Il corpo si capovolge a {s} s.', '物体は {s} 秒に反転します。'],
   turns_over_once: ['The body turns over once, at {s} s.', 'Der Körper schlägt einmal um, bei {s} s.', 'Le corps se retourne une seule fois, à {s} s.', 'El cuerpo se da la vuelta una sola vez, a los {s} s.', 'Il corpo si capovolge una sola volta, a {s} s.', '物体は {s} 秒に一度だけ反転します。'],
   wobbles_smallest: ['The body wobbles about the axis of its smallest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines kleinsten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus petit moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento menor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento minore e non si capovolge.', '物体は最小の慣性モーメントの軸のまわりで揺れ、反転しません。'],
   wobbles_largest: ['The body wobbles about the axis of its largest moment, and does not turn over.', 'Der Körper taumelt um die Achse seines größten Trägheitsmoments und schlägt nicht um.', 'Le corps oscille autour de l’axe de son plus grand moment et ne se retourne pas.', 'El cuerpo oscila alrededor del eje de su momento mayor y no se da la vuelta.', 'Il corpo oscilla attorno all’asse del suo momento maggiore e non si capovolge.', '物体は最大の慣性モーメントの軸のまわりで揺れ、反転しません。'],
@@ -224,9 +225,10 @@ export class Words {
   }
 }
 
-/** What a body that moves freely does, in words that need no theory; '' of any other motion. @param {Loaded} loaded @param {Words} words */
+/** What a body does that moves freely or turns over, in words that need no theory; '' of any other motion. @param {Loaded} loaded @param {Words} words */
 export function motion_said({flips, polhode_axis}, words) {
   const seconds = (/** @type {number} */ s) => s.toLocaleString(words.code, {maximumSignificantDigits: 3});
+  if (flips?.times_s && flips.times_s.length > 1) return words.of('turns_over_at').replace('{s}', flips.times_s.slice(0, 4).map(seconds).join('; ') + (flips.times_s.length > 4 ? '; …' : ''));
   if (flips) return flips.interval_s === null ? words.of('turns_over_once').replace('{s}', seconds(flips.one_s))
     : words.of('turns_over').replace('{s}', seconds(flips.interval_s));
   return polhode_axis ? words.of(`wobbles_${polhode_axis}`) : '';

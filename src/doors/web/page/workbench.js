@@ -893,7 +893,7 @@ class Workbench {
     const files = Object.fromEntries(Object.entries(page.data.files).filter(([name]) => text.includes(name)));
     const scene = {...page.data, files, controls: loaded?.controls.map((c) => c.key) ?? [],
       overrides: [...figure.choices.values].map(([key, value]) => `${key}=${value}`), language, width: loaded?.width ?? page.data.width, height: loaded?.height ?? page.data.height,
-      poster_at_s: figure.film.at_s, title: loaded?.title ?? '', n_stops: loaded?.stops.length ?? 0, following: []};
+      poster_at_s: figure.film.at_s, title: loaded?.title ?? '', n_stops: loaded?.stops.length ?? 0, planned_s: 0, following: []};
     /** @type {Record<string, string>} */
     const values = {
       language: escaped(language), 'no-script': escaped(this.data.no_script[language] ?? ''), ground: escaped(loaded?.theme.background ?? '#ffffff'), title: escaped(loaded?.title ?? page.data.name),

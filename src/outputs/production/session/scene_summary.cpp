@@ -251,6 +251,8 @@ SceneSummary summarise(const Session& session, bool plan, const Task& task) {
     if (can_certify(session)) {
         add_flips(session, film, lines);
         add_near_loops(session, lines);
+    } else if (!is_free(session.motion.problem().torque) && !session.motion.heavy_top()) {
+        add_stepped_motion(session, film, lines);
     }
     add_film(session, film, lines);
     // Making the stage checks that the scene can be drawn; it opens no context.

@@ -162,7 +162,8 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
                 const Task& task) {
     const FilmPlan film = film_plan(session);
     const std::vector<Slide> slides = slides_of(session.scene, film, "--slides");
-    // Stills for paper have the width and the type of a Beamer slide in 16:9.
+    // Stills for paper have the width of a Beamer slide in 16:9, and the type of all figures:
+    // larger letters leave no space for some of the names.
     constexpr double beamer_width_mm = 160.0;
     const int least_px = static_cast<int>(std::ceil(least_dpi * beamer_width_mm / mm_per_inch));
     if (const int width_px = session.scene.film.width_px; width_px < least_px)
@@ -174,7 +175,6 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     SceneRequest on_paper = request.scene;
     on_paper.print = {};
     on_paper.print.dpi = session.scene.film.width_px * mm_per_inch / beamer_width_mm;
-    on_paper.print.type_pt = 11.0;
     const Session paper = open_session(on_paper);
     fs::path folder = request.folder.lexically_normal();
     if (folder.filename().empty()) folder = folder.parent_path();
@@ -193,18 +193,26 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
     // The stills are frames of the film.
     StillWriter writer;
     const auto draw = [&](const Session& of, const PrintChoices& print, std::size_t i,
-                          std::string_view suffix) {
+                          std::string_view suffix, const Task& told) {
         stop_if_interrupted();
         StillRequest still;
         still.output = aside.file(slide_file(i, suffix)).string();
         still.frame = slides[i].last_frame;
         still.names_fade = !is_vector_name(still.output);
         still.print = print;
-        draw_still(prepare_still(Session(of), std::move(still)), renderer, writer, {});
+        draw_still(prepare_still(Session(of), std::move(still)), renderer, writer, told);
     };
     for (std::size_t i = 0; i < slides.size(); ++i) {
-        draw(session, request.scene.print, i, ".png");
-        draw(paper, on_paper.print, i, ".pdf");
+        draw(session, request.scene.print, i, ".png", {});
+        // Which names have no room on paper.
+        Task told;
+        told.say = [&, i](const std::string& line) {
+            constexpr std::string_view note = "note: ";
+            if (line.starts_with(note))
+                task.say(
+                    fmt::format("{}{}: {}", note, slide_file(i, ".pdf"), line.substr(note.size())));
+        };
+        draw(paper, on_paper.print, i, ".pdf", told);
     }
     writer.finish();
     write_whole(aside.file(slide_index_name), slide_index(session, film, slides));

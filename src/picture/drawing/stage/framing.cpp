@@ -163,8 +163,7 @@ void aim_around(Panel& panel, std::vector<Eigen::Vector3d> points, double margin
 void aim_around(Panel& panel, std::vector<Eigen::Vector3d> points, const Margins& margins) {
     const auto camera_at = [&panel, points = std::move(points), margins](double film_s) {
         const CameraPose pose = timeline_of(panel).camera_at(film_s);
-        return framed(panel, direction_of(pose.azimuth_deg, pose.elevation_deg),
-                      up_of(pose.azimuth_deg, pose.elevation_deg),
+        return framed(panel, direction_of(pose.azimuth_deg, pose.elevation_deg), up_of(pose),
                       pose.field_deg * std::numbers::pi / 180.0, points, margins);
     };
     aim(panel, camera_at(0.0));
@@ -217,10 +216,15 @@ Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg) {
             std::sin(elevation)};
 }
 
-Eigen::Vector3d up_of(double azimuth_deg, double elevation_deg) {
+Eigen::Vector3d up_of(const CameraPose& pose) {
+    const Eigen::Vector3d up = direction_of(pose.azimuth_deg, pose.elevation_deg + 90.0);
+    if (pose.roll_deg != 0.0) {
+        const double roll = pose.roll_deg * std::numbers::pi / 180.0;
+        const Eigen::Vector3d right = up.cross(direction_of(pose.azimuth_deg, pose.elevation_deg));
+        return std::cos(roll) * up + std::sin(roll) * right;
+    }
     // Both give the same camera; near the vertical z would lose digits.
-    if (std::abs(elevation_deg) < 89.0) return Eigen::Vector3d::UnitZ();
-    return direction_of(azimuth_deg, elevation_deg + 90.0);
+    return std::abs(pose.elevation_deg) < 89.0 ? Eigen::Vector3d(Eigen::Vector3d::UnitZ()) : up;
 }
 
 }  // namespace poinsot

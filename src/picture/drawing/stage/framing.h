@@ -55,8 +55,8 @@ std::vector<Eigen::Vector3d> outermost(std::span<const Eigen::Vector3d> points);
 // plane, degrees.
 Eigen::Vector3d direction_of(double azimuth_deg, double elevation_deg);
 
-// The up direction of a camera in this direction: z, or, if the camera looks along z, the limit of
-// z's projection.
-Eigen::Vector3d up_of(double azimuth_deg, double elevation_deg);
+// The up direction of a camera of this pose: z, or, if the camera looks along z, the limit of z's
+// projection, turned by the pose's roll.
+Eigen::Vector3d up_of(const CameraPose& pose);
 
 }  // namespace poinsot

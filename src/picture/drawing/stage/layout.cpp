@@ -273,6 +273,7 @@ CameraSpec panel_camera(const Panel& panel, const PanelKind& kind) {
         constexpr double deg = 180.0 / std::numbers::pi;
         camera.azimuth_deg = deg * std::atan2(from.y(), from.x());
         camera.elevation_deg = deg * std::atan2(from.z(), from.head<2>().norm());
+        camera.roll_deg = 0.0;
     }
     if (!own.view.empty()) {
         const CameraView& view = camera_view_named(own.view);

@@ -22,6 +22,7 @@ Timeline::Timeline(const Scene& scene, const CameraSpec& camera, std::optional<i
       log_distance_(std::log(camera.distance)),
       field_deg_(camera.field_deg),
       framing_(!camera.target && camera.look_at == "middle" ? 1.0 : 0.0),
+      roll_deg_(camera.roll_deg),
       distance_(camera.distance) {
     const Eigen::Vector3d start = camera.target.value_or(aim_point(camera.look_at, foot));
     for (int i = 0; i < 3; ++i) target_[static_cast<std::size_t>(i)] = Track(start[i]);
@@ -61,6 +62,7 @@ CameraPose Timeline::camera_at(double film_s) const {
     pose.elevation_deg = elevation_deg_.at(film_s);
     pose.distance = log_distance_.moves() ? std::exp(log_distance_.at(film_s)) : distance_;
     pose.field_deg = field_deg_.at(film_s);
+    pose.roll_deg = roll_deg_;
     pose.framing = framing_.at(film_s);
     for (int i = 0; i < 3; ++i) {
         pose.target[i] = target_[static_cast<std::size_t>(i)].at(film_s);

@@ -18,6 +18,7 @@ struct CameraPose {
     double azimuth_deg = 0.0, elevation_deg = 0.0;
     double distance = 1.0;
     double field_deg = 28.0;
+    double roll_deg = 0.0;                             // turns the picture counterclockwise
     Eigen::Vector3d target = Eigen::Vector3d::Zero();  // picture axes
     // 1: aimed at the whole figure and moved back if needed, as without an explicit target; 0:
     // exactly at `target` and `distance`; between: interpolated.
@@ -50,6 +51,7 @@ class Timeline {
     Track azimuth_deg_, elevation_deg_, log_distance_, field_deg_, framing_;
     std::array<Track, 3> target_;
     double last_key_s_ = 0.0;
+    double roll_deg_ = 0.0;
     double distance_ = 1.0;  // of a camera that does not move, exactly as given
     std::map<std::string, Track, std::less<>> opacities_;
 };

@@ -48,10 +48,13 @@ void request_label_beside_line(const Panel& panel, const LabelledLine& line, con
     builder.requests.push_back(request);
 }
 
-// The camera's right, projected onto the plane.
+// The camera's right, projected onto the plane; of a camera that lies on its side, the direction in
+// the plane across the line of sight.
 Eigen::Vector3d right_of(const ViewBuilder& builder) {
-    Eigen::Vector3d right = camera_axes(builder.view.camera).col(0);
+    const Eigen::Matrix3d axes = camera_axes(builder.view.camera);
+    Eigen::Vector3d right = axes.col(0);
     right.z() = 0.0;
+    if (right.norm() < 0.5) right = Eigen::Vector3d::UnitZ().cross(Eigen::Vector3d(axes.col(2)));
     return right.normalized();
 }
 
@@ -275,7 +278,8 @@ Drawer make_gradient(const Panel& panel, StageStore& store) {
 // The projection of ρ on L: from the tip of ρ perpendicularly to L, and along L to the centre.
 Drawer make_projection(const Panel& panel, StageStore& store) {
     const TextBlock type = set_label(panel, store, "\\boldsymbol{\\rho}\\cdot\\mathbf{L}/L", 0.85);
-    return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
+    const bool has_plane = is_shown(*panel.stage, "plane");
+    return [&panel, type, has_plane](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = picture_of(panel);
         const LineStyle& colour = panel.stage->theme.rho;
         const Eigen::Vector3d rho = picture.contact(instant);
@@ -286,6 +290,11 @@ Drawer make_projection(const Panel& panel, StageStore& store) {
         Curve across = line_between(panel, rho, foot, colour, 2.4);
         across.hidden_opacity = seen_through;
         for (const Curve& line : {along, across}) builder.view.curves.push_back(line);
+        // The right angle on L, unless the plane has its own there.
+        const double plane =
+            has_plane ? panel.stage->timeline.opacity_of("plane", instant.film_s) : 0.0;
+        add_right_angle(panel, {foot, (rho - foot).stableNormalized(), -picture.normal}, colour,
+                        1.0 - plane, builder);
         // On the side of L away from ρ.
         request_label_beside_line(panel, {.to = foot, .share = 0.55}, type, panel.stage->theme.text,
                                   builder);

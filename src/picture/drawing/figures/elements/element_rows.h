@@ -108,8 +108,7 @@ inline constexpr Element element_rows[] = {
     {"velocity", "the velocity ω × r of points on the ellipsoid, zero at the contact point",
      never_shown, attitude_too, make_velocity},
     {"precession",
-     "the angular velocities of precession: Ω about the symmetry axis, L/I1 about L (symmetric "
-     "bodies)",
+     "the two rates of a symmetric body: L/I1 about L, and ψ̇ = −Ω of the spin about its axis",
      never_shown, attitude_too, make_precession},
     {"contact", "the contact point", always_shown, attitude_too, make_contact},
     {.name = "ghost",

@@ -174,8 +174,9 @@ Drawer make_half_axes(const Panel& panel, StageStore& store) {
     };
 }
 
-// Ω about the axis of symmetry, the rate of ω's precession in the body, and L/I₁ about L, the rate
-// of that axis's precession in space. Throws InputError for a body without two equal moments.
+// The two rates whose sum is ω: L/I₁ about L, at which the axis of symmetry goes round L, and ψ̇ =
+// −Ω about that axis, at which the body turns meanwhile. Throws InputError for a body without two
+// equal moments.
 Drawer make_precession(const Panel& panel, StageStore& store) {
     if (!picture_of(panel).cones) {
         throw InputError(
@@ -183,9 +184,9 @@ Drawer make_precession(const Panel& panel, StageStore& store) {
     }
     const RollingCones cones = *picture_of(panel).cones;
     const int across = cones.symmetry_axis == 0 ? 2 : 1;
-    const TextBlock in_body = set_label(panel, store, "\\Omega", 0.9);
+    const TextBlock of_spin = set_label(panel, store, "\\dot\\psi", 0.9);
     const TextBlock in_space = set_label(panel, store, fmt::format("L/I_{}", across), 0.85);
-    return [&panel, cones, in_body, in_space](const FrameInput& instant, ViewBuilder& builder) {
+    return [&panel, cones, of_spin, in_space](const FrameInput& instant, ViewBuilder& builder) {
         const ConstructionPicture& picture = picture_of(panel);
         const Theme& theme = panel.stage->theme;
         // Each ring is about a line along its axis: at the tips of the axis and of L, or, if the
@@ -198,8 +199,8 @@ Drawer make_precession(const Panel& panel, StageStore& store) {
         builder.view.curves.push_back(line_between(panel, Eigen::Vector3d::Zero(),
                                                    (beyond + 0.5 * axis_overhang) * end,
                                                    theme.axes[cones.symmetry_axis], 3.0));
-        add_turn(panel, {beyond * end, axis, 0.2, std::copysign(5.0, cones.body_precession_rad_s)},
-                 theme.body_cone, in_body, builder);
+        add_turn(panel, {beyond * end, axis, 0.2, -std::copysign(5.0, cones.body_precession_rad_s)},
+                 theme.body_cone, of_spin, builder);
         // Beyond the name of L.
         const double about_momentum = side > 0.0 ? momentum_tip(picture).norm() + 0.24 : 1.22;
         builder.view.curves.push_back(line_between(panel, Eigen::Vector3d::Zero(),

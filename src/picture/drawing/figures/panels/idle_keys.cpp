@@ -84,7 +84,8 @@ class UnusedKeys {
                     "panel, or leave it out");
         };
         if (!any_view) add_leaves({"field_deg", "projection"});
-        if (use < CameraUse::direction) add_leaves({"azimuth_deg", "elevation_deg", "view"});
+        if (use < CameraUse::direction)
+            add_leaves({"azimuth_deg", "elevation_deg", "roll_deg", "view"});
         if (use < CameraUse::all) add_leaves({"distance", "target", "look_at"});
     }
 

@@ -90,8 +90,7 @@ Camera framing_camera(const Panel& panel, const CameraPose& pose) {
         if (bands.title_right_px > 0.38 * picture.width_px) margins.top_px += bands.top_px;
     }
     margins.bottom_px = std::min(margins.bottom_px, 0.4 * panel.box.height_px);
-    Camera camera = framed(panel, towards_eye, up_of(pose.azimuth_deg, pose.elevation_deg),
-                           field_rad, points, margins);
+    Camera camera = framed(panel, towards_eye, up_of(pose), field_rad, points, margins);
     const double distance = (camera.eye - camera.target).norm();
     camera.eye += std::max(0.0, pose.distance - distance) * towards_eye;
     return camera;
@@ -102,7 +101,7 @@ Camera camera_of(const Panel& panel, const CameraPose& pose) {
     const Eigen::Vector3d towards_eye = direction_of(pose.azimuth_deg, pose.elevation_deg);
     Camera told;
     told.vertical_field_rad = pose.field_deg * std::numbers::pi / 180.0;
-    told.up = up_of(pose.azimuth_deg, pose.elevation_deg);
+    told.up = up_of(pose);
     told.target = pose.target;
     told.eye = told.target + pose.distance * towards_eye;
     if (!(pose.framing > 0.0)) return told;
