@@ -278,8 +278,7 @@ int fit_one(const FitChoices& choices, const FitTable& table, const FitKnown& kn
                           .last_time_s = flight.measured.rows.back().time_s,
                           .attitude = {}};
         if (table.is_recording) scene.from += fmt::format(", flight {}", flight.number);
-        if (flight.measured.has_attitude)
-            scene.attitude = flight.measured.rows.front().space_from_body;
+        scene.attitude = attitude_of(flight);
         const double zero_s = zero_of(scene);
         is_written = table.is_recording || zero_s != 0.0;
         shown = table_of_scene(table, choices.output, is_written);

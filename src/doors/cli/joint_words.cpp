@@ -56,10 +56,12 @@ std::vector<std::string> summary_of(const FlightPredictions& predictions) {
 
 std::string words_of(const Prediction& prediction) {
     std::string text = fmt::format(
-        "{} rows predict the other {} to {:.2g} rad/s (root mean square of |Δω|; largest {:.2g} "
-        "rad/s, at {:.6g} s)",
-        prediction.n_fitted, prediction.n_rest, prediction.rms_rad_s, prediction.largest_rad_s,
-        prediction.largest_at_s);
+        "{} rows predict the other {} to {:.2g} {} (root mean square of {}; largest {:.2g} {}, at "
+        "{:.6g} s)",
+        prediction.n_fitted, prediction.n_rest, prediction.rms,
+        prediction.has_attitude ? "rad" : "rad/s",
+        prediction.has_attitude ? "the angle between the attitudes" : "|Δω|", prediction.largest,
+        prediction.has_attitude ? "rad" : "rad/s", prediction.largest_at_s);
     if (prediction.period_s) {
         text += fmt::format("; period {} s",
                             with_sd(prediction.period_s->value, prediction.period_s->sd));
@@ -78,11 +80,12 @@ std::string words_of(const Prediction& prediction) {
 
 std::string json_of(const Prediction& prediction) {
     JsonObject made;
+    const bool is_rad = prediction.has_attitude;
     made.add("rows", prediction.n_fitted)
         .add("rows_predicted", prediction.n_rest)
-        .add("residual_rad_s", prediction.residual_rad_s)
-        .add("rms_rad_s", prediction.rms_rad_s)
-        .add("largest_rad_s", prediction.largest_rad_s)
+        .add(is_rad ? "residual_rad" : "residual_rad_s", prediction.residual)
+        .add(is_rad ? "rms_rad" : "rms_rad_s", prediction.rms)
+        .add(is_rad ? "largest_rad" : "largest_rad_s", prediction.largest)
         .add("largest_at_s", prediction.largest_at_s);
     if (prediction.period_s)
         made.add("period_s", prediction.period_s->value)
@@ -104,8 +107,9 @@ std::vector<std::string> words_of(const JointFit& joint,
         joint.n_used, joint.flights.size() - joint.n_used));
     for (std::size_t i = 0; i < flights.size(); ++i) {
         const JointFlight& flight = joint.flights[i];
-        std::string line = fmt::format("{}: |ω| = {:.1f} rad/s, residual {:.3g} rad/s",
-                                       flights[i]->name, flight.rate_rad_s, flight.residual_rad_s);
+        std::string line =
+            fmt::format("{}: |ω| = {:.1f} rad/s, residual {:.3g} {}", flights[i]->name,
+                        flight.rate_rad_s, flight.residual, flight.attitude ? "rad" : "rad/s");
         if (flight.own && !flight.own->I1_kg_m2)
             line += fmt::format(", I2/I1 = {}, I3/I1 = {}",
                                 with_sd(flight.own->moments[1], flight.own->moments_sd[1]),
@@ -133,13 +137,18 @@ std::vector<std::string> words_of(const JointFit& joint,
     } else if (joint.drag != DragModel::none) {
         lines.push_back(fmt::format("drag {}, each flight its own", name_of(joint.drag)));
     }
-    lines.push_back(fmt::format("{} rows, residual {:.3g} rad/s a component", joint.n_rows,
-                                joint.residual_rad_s));
+    std::string residuals;
+    if (joint.residual_rad_s) residuals += fmt::format("{:.3g} rad/s", *joint.residual_rad_s);
+    if (joint.residual_rad)
+        residuals += fmt::format("{}{:.3g} rad", residuals.empty() ? "" : " and, of attitudes, ",
+                                 *joint.residual_rad);
+    lines.push_back(fmt::format("{} rows, residual {} a component", joint.n_rows, residuals));
     lines.push_back(fmt::format(
         "rule: a flight is left out if a ratio or an axis of its own fit lies more than {:g} "
         "deviations from the median (its standard deviation and 1.4826 times the median distance, "
         "added as squares) and the body of the most typical flight leaves more than {:g} times "
-        "its residual, or if no motion of this body comes within 5 % of |ω|",
+        "its residual, or if no motion of this body comes within 5 % of |ω|, or "
+        "within 0.1 rad of its attitudes",
         outlier_deviations, outlier_residuals));
     for (const std::string& line : summary_of(predictions)) lines.push_back(line);
     return lines;
@@ -156,7 +165,7 @@ std::string json_of(const JointFit& joint, const std::vector<const TableFlight*>
             .add("begin_s", flights[i]->measured.rows.front().time_s)
             .add("end_s", flights[i]->measured.rows.back().time_s)
             .add("rate_rad_s", flight.rate_rad_s)
-            .add("residual_rad_s", flight.residual_rad_s)
+            .add(flight.attitude ? "residual_rad" : "residual_rad_s", flight.residual)
             .json("omega_rad_s", json_triple(flight.omega_rad_s))
             .json("drag_rates", json_triple(flight.drag_rates));
         if (flight.own)
@@ -182,7 +191,8 @@ std::string json_of(const JointFit& joint, const std::vector<const TableFlight*>
     if (joint.shares_drag)
         answer.json("drag_rates", json_triple(joint.drag_rates))
             .json("drag_rates_sd", json_triple(joint.drag_rates_sd));
-    answer.add("residual_rad_s", joint.residual_rad_s);
+    if (joint.residual_rad_s) answer.add("residual_rad_s", *joint.residual_rad_s);
+    if (joint.residual_rad) answer.add("residual_rad", *joint.residual_rad);
     return answer.lines();
 }
 

@@ -67,7 +67,15 @@ Rows rows_of(const Doubles& times, const Maybe& omega, const Maybe& attitude) {
     return rows;
 }
 
-Rows rows_of(const Doubles& times, const Doubles& omega) { return rows_of(times, omega, {}); }
+// ω of attitudes alone follows from their differences.
+MeasuredMotion measured_of(const Doubles& times, const Maybe& omega, const Maybe& attitude) {
+    MeasuredMotion measured{rows_of(times, omega, attitude), omega.has_value(),
+                            attitude.has_value()};
+    if (!omega && measured.rows.size() < 2)
+        throw InputError("attitude: no ω follows from one attitude; give two or more rows");
+    add_omega_by_differences(measured);
+    return measured;
+}
 
 py::array triples(const std::vector<Eigen::Vector3d>& vectors) {
     std::vector<double> values;
@@ -77,9 +85,12 @@ py::array triples(const std::vector<Eigen::Vector3d>& vectors) {
     return array_of(std::move(values), {static_cast<py::ssize_t>(vectors.size()), 3});
 }
 
-// "times", "omega" and "attitude"; None for what there is not.
-py::dict columns_of(const Rows& rows, bool has_omega, bool has_attitude) {
+// "times", "omega", "attitude" and which of them was measured; None for attitudes if there are
+// none.
+py::dict columns_of(const MeasuredMotion& measured) {
     using namespace py::literals;
+    const Rows& rows = measured.rows;
+    const bool has_attitude = measured.has_attitude;
     const auto n = static_cast<py::ssize_t>(rows.size());
     std::vector<double> times, attitudes;
     std::vector<Eigen::Vector3d> omegas;
@@ -91,24 +102,17 @@ py::dict columns_of(const Rows& rows, bool has_omega, bool has_attitude) {
     }
     py::object attitude = py::none();
     if (has_attitude) attitude = array_of(std::move(attitudes), {n, 4});
-    return py::dict("times"_a = array_of(std::move(times), {n}),
-                    "omega"_a = has_omega ? py::object(triples(omegas)) : py::none(),
-                    "attitude"_a = attitude);
+    return py::dict("times"_a = array_of(std::move(times), {n}), "omega"_a = triples(omegas),
+                    "attitude"_a = attitude,
+                    "measured"_a = measured.has_omega ? "omega" : "attitude");
 }
 
-py::dict table(const std::string& text, const std::string& name) {
+py::tuple table(const std::string& text, const std::string& name) {
     const MeasuredMotion measured = read_measured(text, name);
-    return columns_of(measured.rows, measured.has_omega, measured.has_attitude);
-}
-
-py::array omega_by_differences(const Doubles& times, const Doubles& attitude) {
-    MeasuredMotion measured{rows_of(times, {}, attitude), false, true};
-    if (measured.rows.size() < 2)
-        throw InputError("attitude: no ω follows from one attitude; give two or more rows");
-    add_omega_by_differences(measured);
-    std::vector<Eigen::Vector3d> omegas;
-    for (const MeasuredRow& row : measured.rows) omegas.push_back(row.omega_body);
-    return triples(omegas);
+    const py::dict held = columns_of(measured);
+    return py::make_tuple(held["times"],
+                          measured.has_omega ? py::object(held["omega"]) : py::none(),
+                          held["attitude"]);
 }
 
 std::optional<Eigen::Vector3d> known_moments(const Maybe& moments) {
@@ -137,6 +141,12 @@ std::optional<DragModel> known_drag(const std::optional<std::string>& name) {
                      ", or leave it out");
 }
 
+// (w, x, y, z).
+py::object numbers_of(const std::optional<Eigen::Quaterniond>& q) {
+    if (!q) return py::none();
+    return py::cast(Eigen::Vector4d(q->w(), q->x(), q->y(), q->z()));
+}
+
 // All of a fit, from which fit_of makes the same again.
 py::dict dict_of(const FittedMotion& fit) {
     using namespace py::literals;
@@ -147,8 +157,9 @@ py::dict dict_of(const FittedMotion& fit) {
         "axes"_a = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(fit.instrument_from_principal),
         "axes_sd"_a = fit.axes_sd_rad, "drag"_a = std::string(name_of(fit.drag)),
         "drag_rates"_a = fit.drag_rates, "drag_rates_sd"_a = fit.drag_rates_sd,
-        "residual"_a = fit.residual_rad_s, "noise"_a = fit.noise_rad_s,
-        "correlation"_a = fit.correlation, "n_rows"_a = fit.n_rows, "excess"_a = excess_of(fit));
+        "attitude"_a = numbers_of(fit.attitude), "unit"_a = std::string(fit.unit()),
+        "residual"_a = fit.residual, "noise"_a = fit.noise, "correlation"_a = fit.correlation,
+        "n_rows"_a = fit.n_rows, "excess"_a = excess_of(fit));
 }
 
 // What ω(t) and scenes need.
@@ -165,6 +176,8 @@ FittedMotion fit_of(const py::dict& found) {
     fit.instrument_from_principal = Eigen::Map<const Rows3>(found["axes"].cast<Doubles>().data());
     fit.drag = *known_drag(found["drag"].cast<std::string>());
     fit.drag_rates = vector("drag_rates");
+    if (!found["attitude"].is_none())
+        fit.attitude = rotation_of(found["attitude"].cast<Doubles>().data(), 0);
     return fit;
 }
 
@@ -176,8 +189,8 @@ py::object dict_of(const std::optional<Prediction>& made) {
         return py::make_tuple(number->value, number->sd);
     };
     return py::dict("n_fitted"_a = made->n_fitted, "n_predicted"_a = made->n_rest,
-                    "residual"_a = made->residual_rad_s, "rms"_a = made->rms_rad_s,
-                    "largest"_a = py::make_tuple(made->largest_rad_s, made->largest_at_s),
+                    "residual"_a = made->residual, "rms"_a = made->rms,
+                    "largest"_a = py::make_tuple(made->largest, made->largest_at_s),
                     "period_s"_a = pair(made->period_s),
                     "measured_period_s"_a = made->measured_period_s,
                     "flip_s"_a = pair(made->flip_s), "measured_flip_s"_a = made->measured_flip_s);
@@ -219,22 +232,24 @@ py::dict fit(const Doubles& times, const Maybe& omega, const Maybe& attitude, bo
     });
     py::dict made = dict_of(*best->fit);
     made["notes"] = notes_of(table, *best);
-    made["rows"] = columns_of(best->measured.rows, true, best->measured.has_attitude);
+    made["rows"] = columns_of(best->measured);
     made["prediction"] = dict_of(prediction);
     return made;
 }
 
-py::dict fit_together(const std::vector<std::pair<Doubles, Doubles>>& flights, const Maybe& moments,
-                      const std::optional<std::string>& drag, bool share_drag,
+py::dict fit_together(const std::vector<std::tuple<Doubles, Maybe, Maybe>>& flights,
+                      const Maybe& moments, const std::optional<std::string>& drag, bool share_drag,
                       std::optional<int> predict) {
     using namespace py::literals;
-    std::vector<Rows> rows;
+    std::vector<MeasuredMotion> held;
+    std::vector<std::span<const MeasuredRow>> spans;
     for (std::size_t i = 0; i < flights.size(); ++i) try {
-            rows.push_back(rows_of(flights[i].first, flights[i].second));
+            const auto& [times, omega, attitude] = flights[i];
+            held.push_back(measured_of(times, omega, attitude));
+            spans.emplace_back(held.back().rows);
         } catch (const InputError& error) {
             throw InputError("flight " + std::to_string(i) + ": " + error.what());
         }
-    const std::vector<std::span<const MeasuredRow>> spans(rows.begin(), rows.end());
     const auto known = known_moments(moments);
     const auto model = known_drag(drag);
     if (const auto repeated = repeated_flight(spans))
@@ -260,6 +275,7 @@ py::dict fit_together(const std::vector<std::pair<Doubles, Doubles>>& flights, c
         one["left_out"] = flight.left_out;
         one["own"] = flight.own ? py::object(dict_of(*flight.own)) : py::none();
         one["prediction"] = dict_of(predictions[i]);
+        one["rows"] = columns_of(held[i]);
         list.append(one);
     }
     py::object rates = py::none(), rates_sd = py::none();
@@ -272,17 +288,20 @@ py::dict fit_together(const std::vector<std::pair<Doubles, Doubles>>& flights, c
         "I1_kg_m2"_a = joint.I1_kg_m2,
         "axes"_a = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>(joint.instrument_from_principal),
         "axes_sd"_a = joint.axes_sd_rad, "drag"_a = std::string(name_of(joint.drag)),
-        "drag_rates"_a = rates, "drag_rates_sd"_a = rates_sd, "residual"_a = joint.residual_rad_s,
-        "n_rows"_a = joint.n_rows, "n_used"_a = joint.n_used);
+        "drag_rates"_a = rates, "drag_rates_sd"_a = rates_sd,
+        "residual"_a =
+            joint.residual_rad_s ? *joint.residual_rad_s : joint.residual_rad.value_or(0),
+        "unit"_a = joint.residual_rad_s ? "rad/s" : "rad", "n_rows"_a = joint.n_rows,
+        "n_used"_a = joint.n_used);
 }
 
-py::list flights(const Doubles& times, const Doubles& omega, const Maybe& attitude) {
-    const Rows rows = rows_of(times, omega, attitude);
+py::list flights(const Doubles& times, const Maybe& omega, const Maybe& attitude) {
+    const MeasuredMotion measured = measured_of(times, omega, attitude);
     std::vector<FreeFlight> found;
-    run_interruptibly([&] { found = flights_of(rows); });
+    run_interruptibly([&] { found = flights_of(measured.rows); });
     py::list list;
     for (const FreeFlight& flight : found) {
-        py::dict one = columns_of(flight.rows, true, attitude.has_value());
+        py::dict one = columns_of({flight.rows, measured.has_omega, measured.has_attitude});
         one["rate"] = flight.rate_rad_s;
         one["turn_rad"] = flight.turn_rad;
         one["residual"] = flight.residual_rad_s;
@@ -302,6 +321,18 @@ py::array fitted_omega(const py::dict& fit, const Doubles& times) {
     return triples(omegas);
 }
 
+py::array fitted_residuals(const py::dict& fit, const Doubles& times, const Doubles& omega,
+                           const Maybe& attitude) {
+    const FittedMotion motion = fit_of(fit);
+    const Rows rows = rows_of(times, omega, attitude);
+    std::vector<Eigen::Vector3d> residuals;
+    {
+        const WithoutLock without_lock;
+        residuals = residuals_of(motion, rows);
+    }
+    return triples(residuals);
+}
+
 // The text of the scene, and the instant of the rows at which its times begin.
 std::pair<std::string, double> fitted_scene(const py::dict& fit,
                                             const std::vector<std::string>& words,
@@ -319,7 +350,8 @@ std::pair<std::string, double> fitted_scene(const py::dict& fit,
     return {text_of(scene), zero_of(scene)};
 }
 
-// `flights`: the fit, times, omega, whether it is left out and, in `own`, its fit alone or None.
+// `flights`: the fit, times, omega, attitude, whether it is left out and, in `own`, its fit alone
+// or None.
 py::bytes fit_chart(const std::string& title, const py::list& flights, const py::object& together,
                     const std::string& format) {
     const auto ratios_of = [](const py::dict& fit, const char* name) -> Eigen::Vector2d {
@@ -332,9 +364,9 @@ py::bytes fit_chart(const std::string& title, const py::list& flights, const py:
         chart.ratios_sd = ratios_of(together, "moments_sd");
     }
     for (const py::handle& given : flights) {
-        const auto [fit, times, omega, is_left_out, own] =
-            given.cast<std::tuple<py::dict, Doubles, Doubles, bool, py::object>>();
-        ChartedFlight flight = charted(fit_of(fit), rows_of(times, omega));
+        const auto [fit, times, omega, attitude, is_left_out, own] =
+            given.cast<std::tuple<py::dict, Doubles, Doubles, Maybe, bool, py::object>>();
+        ChartedFlight flight = charted(fit_of(fit), rows_of(times, omega, attitude));
         flight.is_left_out = is_left_out;
         if (flights.size() > 1) flight.name = std::to_string(chart.flights.size() + 1);
         if (flight.is_left_out) flight.name += ", left out";
@@ -366,7 +398,7 @@ void add_fit(py::module_& module) {
                "predict"_a);
     module.def("flights", flights, "times"_a, "omega"_a, "attitude"_a);
     module.def("table", table, "text"_a, "name"_a);
-    module.def("omega_by_differences", omega_by_differences, "times"_a, "attitude"_a);
+    module.def("fitted_residuals", fitted_residuals, "fit"_a, "times"_a, "omega"_a, "attitude"_a);
     module.def("fitted_omega", fitted_omega, "fit"_a, "times"_a);
     module.def("fitted_scene", fitted_scene, "fit"_a, "words"_a, "last_time_s"_a, "attitude"_a,
                "table"_a, "table_sha256"_a);

@@ -22,11 +22,14 @@ constexpr std::size_t most_rows = 20'000;
 constexpr double most_turn_rad = 0.5;         // from row to row
 constexpr double least_whole_turn_rad = 0.1;  // from the first row to the last
 
-[[noreturn]] void throw_no_motion(double off_rad_s, double rate_rad_s) {
+[[noreturn]] void throw_no_motion(const std::string& off) {
     throw InputError(fmt::format(
-        "no free motion of a rigid body comes near these rows: the best is off by {:.3g} rad/s of "
-        "{:.3g}; cut the table to the time in which the body is free, and check units and axes",
-        off_rad_s, rate_rad_s));
+        "no free motion of a rigid body comes near these rows: the best is off by {}; cut the "
+        "table to the time in which the body is free, and check units and axes",
+        off));
+}
+[[noreturn]] void throw_no_motion(double off_rad_s, double rate_rad_s) {
+    throw_no_motion(fmt::format("{:.3g} rad/s of {:.3g}", off_rad_s, rate_rad_s));
 }
 [[noreturn]] void throw_undetermined() {
     throw InputError(
@@ -43,8 +46,7 @@ constexpr double least_whole_turn_rad = 0.1;  // from the first row to the last
         "body",
         excess, sd));
 }
-constexpr double most_noise_share = 0.3;      // of the rate
-constexpr double most_residual_share = 0.05;  // of the rate, where the rows scatter less
+constexpr double most_noise_share = 0.3;  // of the rate
 
 // Refuses rows that are noise, and a turn about one axis, which says nothing about the moments:
 // whatever ω is besides is noise.
@@ -128,25 +130,64 @@ void check(std::span<const MeasuredRow> rows) {
 // The residual of a flight, with as many degrees of freedom as its fitted numbers leave.
 double residual_left_by(const FoundFlight& found, const std::vector<MeasuredRow>& rows,
                         const std::optional<Eigen::Vector3d>& moments) {
-    return residual_of(found, rows.size(), count(fitted_changes(moments, found.flight.drag)));
+    return residual_of(
+        found, rows.size(),
+        count(fitted_changes(moments, found.flight.drag, found.flight.attitude.has_value())));
 }
 
-// A richer drag where linear drag does not describe the rows to their noise.
-FoundFlight with_chosen_drag(const FoundFlight& linear, const std::vector<MeasuredRow>& rows,
-                             const std::optional<Eigen::Vector3d>& moments, double noise,
-                             bool goes_on) {
+// The flight with the drag that describes the rows best, and all that were tried, if linear drag
+// does not describe the rows to their noise.
+struct ChosenDrag {
+    FoundFlight best;
+    std::vector<FoundFlight> tried{};
+};
+ChosenDrag with_chosen_drag(const FoundFlight& linear, const std::vector<MeasuredRow>& rows,
+                            const std::optional<Eigen::Vector3d>& moments, double noise,
+                            bool goes_on) {
     constexpr double like_noise = 1.2, rounding_of_rows = 1e-6;
     const auto left_by = [&](const FoundFlight& found) {
         return residual_left_by(found, rows, moments);
     };
-    FoundFlight best = linear;
-    if (!(left_by(linear) > std::max(like_noise * noise, rounding_of_rows))) return best;
+    ChosenDrag chosen{linear};
+    if (!(left_by(linear) > std::max(like_noise * noise, rounding_of_rows))) return chosen;
     for (const DragModel drag : {DragModel::axes, DragModel::quadratic, DragModel::growing}) {
         if (goes_on && drag == DragModel::growing) continue;
         const FoundFlight richer = with_drag(rows, linear, drag, moments);
-        if (left_by(richer) < left_by(best)) best = richer;
+        if (left_by(richer) < left_by(chosen.best)) chosen.best = richer;
+        chosen.tried.push_back(richer);
     }
-    return best;
+    return chosen;
+}
+
+// How far another flight lies from this one: as a change of its body and start.
+FlightChange change_to(const Flight& from, const Flight& to) {
+    FlightChange change = FlightChange::Zero();
+    for (int k = 0; k < 2; ++k) change[k] = std::log(to.moments[k + 1] / from.moments[k + 1]);
+    Eigen::Matrix3d axes = to.axes;
+    for (int k = 0; k < 3; ++k)
+        if (axes.col(k).dot(from.axes.col(k)) < 0.0) axes.col(k) *= -1.0;
+    const Eigen::Matrix3d turn = from.axes.transpose() * axes;
+    change.segment<3>(2) = 0.5 * Eigen::Vector3d(turn(2, 1) - turn(1, 2), turn(0, 2) - turn(2, 0),
+                                                 turn(1, 0) - turn(0, 1));
+    change.segment<3>(first_of_omega) = to.omega - from.omega;
+    if (from.attitude && to.attitude)
+        change.tail<3>() = *from.attitude * turn_between(*from.attitude, *to.attitude);
+    return change;
+}
+
+// Drags that leave nearly as little say other numbers. No torque of the air is one of them exactly:
+// the standard deviations grow by their scatter about the chosen one, to which a drag adds the less
+// the more it leaves.
+void add_scatter_of_drags(const ChosenDrag& chosen, const Flight& flight, FlightChange& sd) {
+    FlightChange squares = FlightChange::Zero();
+    double n = 0.0;
+    for (const FoundFlight& other : chosen.tried) {
+        const double share = chosen.best.squares / other.squares;
+        if (!(share > 0.0)) continue;
+        squares += share * share * change_to(flight, in_order(other.flight)).cwiseAbs2();
+        n += share * share;
+    }
+    if (n > 0.0) sd = (sd.cwiseAbs2() + squares / n).cwiseSqrt().eval();
 }
 
 // Standard deviations of a flight's numbers, and the correlation of its residuals.
@@ -155,11 +196,13 @@ struct FlightErrors {
     double correlation = 0.0;
 };
 
-// `residual`: of the flight. Throws InputError if the rows do not determine the flight.
-FlightErrors errors_of(const Flight& flight, const std::vector<MeasuredRow>& rows,
-                       const std::optional<Eigen::Vector3d>& moments, double residual) {
+// Throws InputError if the rows do not determine the flight.
+FlightErrors errors_of(const FoundFlight& found, const std::vector<MeasuredRow>& rows,
+                       const std::optional<Eigen::Vector3d>& moments) {
     FlightErrors errors;
-    const std::vector<int> places = places_of(fitted_changes(moments, flight.drag));
+    const Flight& flight = found.flight;
+    const std::vector<int> places =
+        places_of(fitted_changes(moments, flight.drag, flight.attitude.has_value()));
     std::vector<Eigen::Vector3d> residuals;
     const Eigen::MatrixXd normal = chosen(flight_sums(flight, rows, &residuals).normal, places);
     // Scaled, so that units do not matter.
@@ -175,12 +218,28 @@ FlightErrors errors_of(const Flight& flight, const std::vector<MeasuredRow>& row
     const Eigen::MatrixXd inverse =
         eigen.vectors * eigen.values.cwiseInverse().asDiagonal() * eigen.vectors.transpose();
     const Eigen::MatrixXd scaled_spread = scale.asDiagonal() * spread * scale.asDiagonal();
-    const Eigen::MatrixXd covariance = inverse * scaled_spread * inverse;
+    const Eigen::MatrixXd taken = inverse * scaled_spread;
+    const Eigen::MatrixXd covariance = taken * inverse;
+    const double residual = std::sqrt(variance_of(found.squares, rows.size(), taken.trace()));
     for (std::size_t k = 0; k < places.size(); ++k) {
         const auto i = static_cast<Eigen::Index>(k);
         errors.sd[places[k]] = residual * std::sqrt(std::max(covariance(i, i), 0.0)) * scale[i];
     }
     return errors;
+}
+
+// With linear drag, to ω or to attitudes. `noise`: of what is fitted.
+FoundFlight linear_fit(const std::vector<MeasuredRow>& rows, double rate, double noise,
+                       const std::optional<Eigen::Vector3d>& moments) {
+    const double omega_noise = noise_of(rows);
+    FoundFlight linear = best_fit(rows, omega_noise, moments);
+    if (!has_fitted_attitude(rows)) return linear;
+    // Differences are wrong by some percent.
+    constexpr double most_start_share = 0.2;
+    const double left = residual_left_by(linear, rows, moments);
+    if (!(left < std::max(most_start_share, 1.5 * omega_noise))) throw_no_motion(left * rate, rate);
+    return with_attitude(rows, linear.flight, noise,
+                         fitted_changes(moments, DragModel::linear, true));
 }
 
 }  // namespace
@@ -211,20 +270,28 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
     check(unscaled);
     check_wandering(unscaled);
     const double rate = rate_of(unscaled);
-    const double noise = noise_of(unscaled) / rate;
+    const double noise = fitted_noise_of(unscaled, rate);
     const std::vector<MeasuredRow> rows = scaled_by(unscaled, rate);
 
-    const FoundFlight linear = best_fit(rows, noise, moments);
-    FoundFlight best = wanted ? with_drag(rows, linear, *wanted, moments)
-                              : with_chosen_drag(linear, rows, moments, noise, goes_on);
+    const FoundFlight linear = linear_fit(rows, rate, noise, moments);
+    const ChosenDrag chosen_drag = wanted ? ChosenDrag{with_drag(rows, linear, *wanted, moments)}
+                                          : with_chosen_drag(linear, rows, moments, noise, goes_on);
+    FoundFlight best = chosen_drag.best;
     best.flight = in_order(best.flight);
     if (moments) best.flight.moments = *moments / (*moments)[0];
     const Flight& flight = best.flight;
     const double residual = residual_left_by(best, rows, moments);
-    if (!(residual < std::max(most_residual_share, 1.5 * noise)))
+    const bool has_attitude = flight.attitude.has_value();
+    const double most_residual = has_attitude ? most_residual_rad : most_residual_share;
+    if (!(residual < std::max(most_residual, 1.5 * noise))) {
+        if (has_attitude) throw_no_motion(fmt::format("{:.3g} rad in the attitude", residual));
         throw_no_motion(residual * rate, rate);
+    }
+    const double unit = has_attitude ? 1.0 : rate;  // of residuals
 
-    const auto [sd, correlation] = errors_of(flight, rows, moments, residual);
+    auto [sd, correlation] = errors_of(best, rows, moments);
+    add_scatter_of_drags(chosen_drag, flight, sd);
+    if (moments) sd.head<2>().setZero();
 
     FittedMotion fit;
     fit.first_time_s = unscaled.front().time_s;
@@ -238,17 +305,19 @@ FittedMotion fit_motion(std::span<const MeasuredRow> all,
     fit.drag = flight.drag;
     const double drag_unit = flight.drag == DragModel::quadratic ? 1.0 : rate;
     fit.drag_rates = drag_unit * flight.drag_rates;
-    fit.drag_rates_sd = drag_unit * sd.tail<3>();
+    fit.drag_rates_sd = drag_unit * sd.segment<3>(first_of_drag);
     if (flight.drag == DragModel::none) fit.drag_rates.setZero();
     if (flight.drag == DragModel::linear) {
         fit.drag_rates.setConstant(fit.drag_rates[0]);
         fit.drag_rates_sd.setConstant(fit.drag_rates_sd[0]);
     }
-    fit.residual_rad_s = rate * residual;
-    fit.linear_residual_rad_s = rate * residual_left_by(linear, rows, moments);
+    fit.attitude = flight.attitude;
+    fit.attitude_sd_rad = sd.segment<3>(first_of_attitude);
+    fit.residual = unit * root_mean_square_of(best.squares, rows.size());
+    fit.linear_residual = unit * root_mean_square_of(linear.squares, rows.size());
     fit.correlation = correlation;
     fit.n_rows = rows.size();
-    fit.noise_rad_s = rate * noise;
+    fit.noise = unit * noise;
     if (constexpr double most = 0.25; !(fit.moments_sd.maxCoeff() < most)) throw_undetermined();
     constexpr double least_sds = 3.0;
     const double excess_sd = std::hypot(fit.moments_sd[1], fit.moments_sd[2]);

@@ -1,12 +1,14 @@
-// The body behind a measured ω(t): the ratios of its moments, its principal axes in the
+// The body behind a measured ω(t) or attitude: the ratios of its moments, its principal axes in the
 // instrument's axes, the start and the damping, by least squares on the exact motion.
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <cstddef>
 #include <optional>
 #include <span>
 #include <string_view>
+#include <vector>
 
 #include "measured/measured_motion.h"
 
@@ -21,7 +23,8 @@ constexpr DragModel drag_models[] = {DragModel::none, DragModel::linear, DragMod
 std::string_view name_of(DragModel drag);
 
 // A motion that is free but for the air. Uncertainties are standard deviations that the residuals
-// imply, as large and as alike from row to row as they are.
+// imply, as large and as alike from row to row as they are; where the drag is chosen, they include
+// the scatter of what the other drags say, weighted by how little they leave.
 struct FittedMotion {
     double first_time_s = 0.0;    // of the first row
     Eigen::Vector3d omega_rad_s;  // then, instrument axes
@@ -35,12 +38,18 @@ struct FittedMotion {
     // γ_i in 1/s, for the quadratic drag in 1/rad; three times the same for the linear one; γ, κ
     // and 0 for the growing one.
     Eigen::Vector3d drag_rates, drag_rates_sd;
-    double linear_residual_rad_s = 0.0;  // what linear drag leaves
-    double correlation = 0.0;            // of the residuals from one row to the next
-    double residual_rad_s = 0.0;         // root mean square of a component of ω
-    std::size_t n_rows = 0;              // that were used
+    // Where attitudes were fitted: that at the first row, space from instrument, and the standard
+    // deviations of its turns about the axes of space.
+    std::optional<Eigen::Quaterniond> attitude;
+    Eigen::Vector3d attitude_sd_rad = Eigen::Vector3d::Zero();
 
-    double noise_rad_s = 0.0;  // of a component, as the rows scatter from one to the next
+    // Residuals are in rad/s, of ω, or in rad, of the turn between measured and fitted attitude.
+    std::string_view unit() const { return attitude ? "rad" : "rad/s"; }
+    double residual = 0.0;         // root mean square of a component
+    double linear_residual = 0.0;  // what linear drag leaves
+    double noise = 0.0;            // of a component, as the rows scatter from one to the next
+    double correlation = 0.0;      // of the residuals from one row to the next
+    std::size_t n_rows = 0;        // that were used
 
     // The tensor in instrument axes, in kg m² if the moments were given, else in units of I1.
     Eigen::Matrix3d tensor() const {
@@ -51,7 +60,8 @@ struct FittedMotion {
     }
 };
 
-// Fits rows with ω, in order of time. Of more than 20,000 rows it takes every second, third or so
+// Fits rows with ω, in order of time; where this is derived from attitudes, the attitudes
+// themselves. Of more than 20,000 rows it takes every second, third or so
 // on; only the beginning, if the body would turn too far between these. Throws
 // InputError for fewer than 30 rows, a body at rest, samples too far apart to follow the turning, a
 // turn about one axis, which says nothing about the other moments, motions that no rigid body

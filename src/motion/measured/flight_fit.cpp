@@ -59,6 +59,10 @@ FoundFlight valley_of(std::span<const MeasuredRow> rows, double noise,
     return best;
 }
 
+void add_attitude(bool has_attitude, IsFitted& is_fitted) {
+    if (has_attitude) std::fill(is_fitted.begin() + first_of_attitude, is_fitted.end(), true);
+}
+
 }  // namespace
 
 double rate_of(std::span<const MeasuredRow> rows) {
@@ -87,6 +91,10 @@ double noise_of(std::span<const MeasuredRow> rows) {
     return std::sqrt(sum / 924.0 / static_cast<double>(3 * n));
 }
 
+double fitted_noise_of(std::span<const MeasuredRow> rows, double rate) {
+    return has_fitted_attitude(rows) ? attitude_noise_of(rows) : noise_of(rows) / rate;
+}
+
 std::vector<MeasuredRow> scaled_by(std::span<const MeasuredRow> rows, double rate) {
     std::vector<MeasuredRow> scaled(rows.begin(), rows.end());
     for (MeasuredRow& row : scaled) {
@@ -96,9 +104,11 @@ std::vector<MeasuredRow> scaled_by(std::span<const MeasuredRow> rows, double rat
     return scaled;
 }
 
-IsFitted fitted_changes(const std::optional<Eigen::Vector3d>& moments, DragModel drag) {
+IsFitted fitted_changes(const std::optional<Eigen::Vector3d>& moments, DragModel drag,
+                        bool has_attitude) {
     IsFitted is_fitted{};
     for (int k = 0; k < n_changes(drag); ++k) is_fitted[static_cast<std::size_t>(k)] = true;
+    add_attitude(has_attitude, is_fitted);
     if (!moments) return is_fitted;
     is_fitted[0] = is_fitted[1] = false;
     // A turn about the axis of two equal moments changes nothing.
@@ -132,10 +142,11 @@ Eigen::MatrixXd chosen(const FlightSquare& square, const std::vector<int>& place
     return normal;
 }
 
-IsFitted fitted_start(DragModel drag, bool with_drag) {
+IsFitted fitted_start(DragModel drag, bool has_attitude, bool with_drag) {
     IsFitted is_fitted{};
     const int end = with_drag ? n_changes(drag) : first_of_drag;
     for (int k = first_of_omega; k < end; ++k) is_fitted[static_cast<std::size_t>(k)] = true;
+    add_attitude(has_attitude, is_fitted);
     return is_fitted;
 }
 
@@ -196,6 +207,10 @@ double residual_of(const FoundFlight& found, std::size_t n_rows, int n_fitted) {
     return std::sqrt(found.squares / (static_cast<double>(3 * n_rows) - n_fitted));
 }
 
+double root_mean_square_of(double squares, std::size_t n_rows) {
+    return std::sqrt(squares / static_cast<double>(3 * n_rows));
+}
+
 FoundFlight best_fit(std::span<const MeasuredRow> rows, double noise,
                      const std::optional<Eigen::Vector3d>& moments) {
     const IsFitted is_fitted = fitted_changes(moments, DragModel::linear);
@@ -228,7 +243,21 @@ FoundFlight with_drag(std::span<const MeasuredRow> rows, const FoundFlight& line
     Flight start = linear.flight;
     start.drag = drag;
     start.drag_rates = first_rates(drag, linear.flight.drag_rates[0]);
-    return minimised(rows, start, fitted_changes(moments, drag));
+    return minimised(rows, start, fitted_changes(moments, drag, start.attitude.has_value()));
+}
+
+// Differences make ω too small, so that the flight may lose count of the turns: then from the first
+// rows on.
+FoundFlight with_attitude(std::span<const MeasuredRow> rows, const Flight& of_omega, double noise,
+                          const IsFitted& is_fitted) {
+    Flight start = of_omega;
+    start.attitude = rows.front().space_from_body;
+    FoundFlight best = minimised(rows, start, is_fitted);
+    constexpr double like_noise = 1.2, first_span_rad = 12.0;
+    const double n_values = static_cast<double>(3 * rows.size()) - count(is_fitted);
+    if (best.squares < std::pow(like_noise * noise, 2) * n_values) return best;
+    const FoundFlight other = grown(rows, start, is_fitted, first_span_rad);
+    return other.squares < best.squares ? minimised(rows, other.flight, is_fitted) : best;
 }
 
 Flight in_order(const Flight& flight) {
@@ -245,6 +274,12 @@ Flight in_order(const Flight& flight) {
     }
     point_axes(made.axes);
     return made;
+}
+
+double variance_of(double squares, std::size_t n_rows, double n_taken) {
+    const auto n_values = static_cast<double>(3 * n_rows);
+    constexpr double least_share = 0.1;
+    return squares / std::max(n_values - n_taken, least_share * n_values);
 }
 
 double correlation_of(const std::vector<Eigen::Vector3d>& residuals) {

@@ -1,8 +1,10 @@
-// ω(t) of a rigid body in free flight through air, with its derivatives with respect to moments,
-// axes, start and drag, evaluated together.
+// ω(t) or the attitude of a rigid body in free flight through air, with its derivatives with
+// respect to moments, axes, start and drag, evaluated together.
 #pragma once
 
 #include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,19 +20,25 @@ struct Flight {
     Eigen::Vector3d omega = Eigen::Vector3d::Zero();     // at the first row, instrument axes
     DragModel drag = DragModel::linear;
     Eigen::Vector3d drag_rates = Eigen::Vector3d::Zero();  // γ_i, or γ and κ: see DragModel
+    // Space from instrument at the first row. A flight that has it is compared with the attitudes
+    // of rows, one that does not with their ω.
+    std::optional<Eigen::Quaterniond> attitude{};
 };
 
 // Small changes of a flight, in this order: ln I2 and ln I3, turns about e1, e2, e3, the three
-// components of ω at the first row, and the rates of the drag (one for `linear`, two
-// for `growing`).
-constexpr int n_of_body = 5, first_of_omega = 5, first_of_drag = 8, most_flight_changes = 11;
+// components of ω at the first row, the rates of the drag (one for `linear`, two for `growing`),
+// and turns of the attitude at the first row about the axes of space.
+constexpr int n_of_body = 5, first_of_omega = 5, first_of_drag = 8, first_of_attitude = 11;
+constexpr int most_flight_changes = 14;
+// But for the attitude.
 int n_changes(DragModel drag);
 using FlightChange = Eigen::Matrix<double, most_flight_changes, 1>;
 using FlightDerivative = Eigen::Matrix<double, 3, most_flight_changes>;
 Flight changed(const Flight& flight, const FlightChange& by);
 
-// Sums over the rows of squares and products of the residuals r (model less measurement) and of
-// their derivatives J.
+// Sums over the rows of squares and products of the residuals r and of their derivatives J. r is
+// the model's ω less the measured one; of attitudes the small turn from the measured one to the
+// model's, log(q_measured⁻¹ q) in rad and instrument axes.
 using FlightSquare = Eigen::Matrix<double, most_flight_changes, most_flight_changes>;
 struct FlightSums {
     double squares = 0.0;                          // rᵀr

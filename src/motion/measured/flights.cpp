@@ -59,8 +59,9 @@ struct Window {
 struct Stretch {
     std::size_t begin = 0, end = 0;
     double rate = 0.0;
-    Flight flight;                                           // scaled by the rate
-    double share = std::numeric_limits<double>::infinity();  // residual over rate
+    Flight flight;                                                 // scaled by the rate
+    double share = std::numeric_limits<double>::infinity();        // residual over rate
+    double least_share = std::numeric_limits<double>::infinity();  // of all that it grew from
 };
 
 double middle_of(std::vector<double> values) {
@@ -235,12 +236,19 @@ std::optional<Stretch> FlightFinder::grown_from(const Window& window) const {
     return stretch;
 }
 
+// A stretch that stops at one end for a poor fit may go on there when rows at the other end have
+// mended it: else a long flight is found in many pieces, each of which grows over the others.
 void FlightFinder::grow(Stretch& stretch) const {
-    bool grows_forward = true, grows_backward = true;
-    while (grows_forward || grows_backward) {
-        if (grows_forward) grows_forward = grow(stretch, true);
-        if (grows_backward) grows_backward = grow(stretch, false);
-    }
+    constexpr double least_growth = 1.05;
+    double n_before = 0.0;
+    do {
+        n_before = static_cast<double>(stretch.end - stretch.begin);
+        bool grows_forward = true, grows_backward = true;
+        while (grows_forward || grows_backward) {
+            if (grows_forward) grows_forward = grow(stretch, true);
+            if (grows_backward) grows_backward = grow(stretch, false);
+        }
+    } while (static_cast<double>(stretch.end - stretch.begin) > least_growth * n_before);
 }
 
 // Takes rows from the ends at which the residuals change far faster than elsewhere, by a torque
@@ -298,12 +306,14 @@ bool FlightFinder::refit(Stretch& stretch, std::size_t begin, std::size_t end) c
     // Few rows leave a curved valley, in which the fit goes on while it gains.
     constexpr double most_worse = 1.2, least_gain = 0.01;
     constexpr int most_times = 4;
-    for (int n = 0; n < most_times && made && made->share > most_worse * stretch.share; ++n) {
+    const double least_share = std::min(stretch.share, stretch.least_share);
+    for (int n = 0; n < most_times && made && made->share > most_worse * least_share; ++n) {
         const Stretch before = *made;
         made = fitted(begin, end, &before.flight);
         if (made && made->share > (1.0 - least_gain) * before.share) break;
     }
     if (!made || !(made->share < most())) return false;
+    made->least_share = std::min(made->share, least_share);
     stretch = *made;
     return true;
 }

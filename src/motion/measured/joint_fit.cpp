@@ -37,11 +37,15 @@ FoundFlight fitted_start_of(const JointPart& part, const Flight& body, DragModel
     start.drag = DragModel::linear;
     start.drag_rates.setZero();
     FoundFlight found = minimised(part.rows, start, fitted_start(DragModel::linear));
+    const bool has_attitude = has_fitted_attitude(part.rows);
+    if (has_attitude)
+        found = with_attitude(part.rows, found.flight, part.noise,
+                              fitted_start(DragModel::linear, true));
     if (drag == DragModel::linear) return found;
     start = found.flight;
     start.drag = drag;
     start.drag_rates = first_rates(drag, found.flight.drag_rates[0]);
-    return minimised(part.rows, start, fitted_start(drag));
+    return minimised(part.rows, start, fitted_start(drag, has_attitude));
 }
 
 // The parts that count, fitted with one body and this drag.
@@ -88,20 +92,22 @@ std::vector<JointFlight> fitted_alone(Flights all, const std::optional<Eigen::Ve
 std::vector<JointPart> parts_of(Flights all, const Flight& body,
                                 std::vector<JointFlight>& flights) {
     std::vector<JointPart> parts(all.size());
-    constexpr double most_share = 0.05;
     for (std::size_t i = 0; i < all.size(); ++i) {
         JointPart& part = parts[i];
         JointFlight& flight = flights[i];
         part.rate = rate_of(all[i]);
-        part.noise = noise_of(all[i]) / part.rate;
+        part.noise = fitted_noise_of(all[i], part.rate);
         part.rows = scaled_by(all[i], part.rate);
         const FoundFlight found = fitted_start_of(part, body, DragModel::axes);
         part.flight = found.flight;
-        const double share = residual_of(found, part.rows.size(), 6);
-        const double residual = flight.own ? flight.own->residual_rad_s / part.rate : share;
+        const bool has_attitude = part.flight.attitude.has_value();
+        const double left = residual_of(found, part.rows.size(), has_attitude ? 9 : 6);
+        const double unit = has_attitude ? 1.0 : part.rate;
+        const double residual = flight.own ? flight.own->residual / unit : left;
+        const double most = has_attitude ? most_residual_rad : most_residual_share;
         // A flight that this body describes as well counts, whatever body it has alone.
-        if (share < outlier_residuals * residual) flight.left_out.clear();
-        if (flight.left_out.empty() && !(share < most_share))
+        if (left < outlier_residuals * residual) flight.left_out.clear();
+        if (flight.left_out.empty() && !(left < most))
             flight.left_out = "no motion of the body of the others comes near it";
         constexpr double rounding = 1e-9;
         part.weight = 1.0 / std::pow(std::max(residual, rounding), 2);
@@ -161,25 +167,25 @@ struct SharedErrors {
 SharedErrors errors_of(const std::vector<JointPart>& parts, const JointPlaces& places,
                        bool shares_drag) {
     const auto n = static_cast<Eigen::Index>(places.shared.size());
-    const int n_own = static_cast<int>(places.own.size());
     SharedErrors errors;
     Eigen::MatrixXd normal = Eigen::MatrixXd::Zero(n, n), within = normal, between = normal;
     std::vector<Reduced> pieces;
     for (const JointPart& part : parts) {
         std::vector<Eigen::Vector3d> residuals;
         flight_sums(part.flight, part.rows, &residuals);
-        const double residual = residual_in(part, n_own);
+        const JointPlaces its = places.of(part.flight);
+        const double residual = residual_in(part, static_cast<int>(its.own.size()));
         const FlightSums sums =
             weighted_sums(part, part.flight, shares_drag, nullptr, correlation_of(residuals));
-        const Reduced piece = reduced(sums, places, 0.0);
+        const Reduced piece = reduced(sums, its, 0.0);
         normal += piece.normal;
         // The scores of the shared numbers, free of those of the flight: P s with P = (1, −BC⁻¹).
         Eigen::MatrixXd free = Eigen::MatrixXd::Zero(n, most_flight_changes);
         const Eigen::MatrixXd taken = solved(piece.own_normal, piece.mixed.transpose()).transpose();
         for (Eigen::Index i = 0; i < n; ++i) {
-            free(i, places.shared[static_cast<std::size_t>(i)]) = 1.0;
+            free(i, its.shared[static_cast<std::size_t>(i)]) = 1.0;
             for (Eigen::Index k = 0; k < taken.cols(); ++k)
-                free(i, places.own[static_cast<std::size_t>(k)]) = -taken(i, k);
+                free(i, its.own[static_cast<std::size_t>(k)]) = -taken(i, k);
         }
         within += free * sums.spread * free.transpose() * (part.weight * residual * residual);
         pieces.push_back(piece);
@@ -237,7 +243,7 @@ void set_body(const FittedBody& fitted, const SharedErrors& errors, const JointP
     joint.drag = fitted.drag;
     const JointPart& first = fitted.parts.front();
     joint.drag_rates = first.flight.drag_rates / drag_unit(first, fitted.drag);
-    joint.drag_rates_sd = shared_sd.tail<3>();
+    joint.drag_rates_sd = shared_sd.segment<3>(first_of_drag);
 }
 
 // Models of one rate repeat it for each axis.
@@ -247,12 +253,15 @@ void repeat_rate(DragModel drag, Eigen::Vector3d& rates) {
 }
 
 // Sets the numbers of a flight.
-void set_flight(const JointPart& part, DragModel drag, int n_own, JointFlight& flight) {
+void set_flight(const JointPart& part, DragModel drag, JointFlight& flight) {
     flight.omega_rad_s = part.rate * part.flight.omega;
     flight.drag_rates = part.flight.drag_rates / drag_unit(part, drag);
     repeat_rate(drag, flight.drag_rates);
     flight.rate_rad_s = part.rate;
-    flight.residual_rad_s = part.rate * residual_in(part, n_own);
+    flight.attitude = part.flight.attitude;
+    flight.residual =
+        (flight.attitude ? 1.0 : part.rate) *
+        root_mean_square_of(flight_sums(part.flight, part.rows).squares, part.rows.size());
     flight.n_rows = part.rows.size();
 }
 
@@ -321,19 +330,25 @@ JointFit fit_together(std::span<const std::span<const MeasuredRow>> all,
     repeat_rate(fitted.drag, joint.drag_rates);
     repeat_rate(fitted.drag, joint.drag_rates_sd);
     joint.n_used = used.size();
-    const int n_own = static_cast<int>(places.own.size());
-    double squares = 0.0;
+    // Of ω and of attitudes: squares and rows.
+    double squares = 0.0, squares_rad = 0.0;
+    std::size_t n_rows_rad = 0;
     for (std::size_t i = 0, f = 0; i < all.size(); ++i) {
         JointFlight& flight = joint.flights[i];
         const bool counts = flight.left_out.empty();
         if (!counts) parts[i].flight = fitted_start_of(parts[i], fitted.body, fitted.drag).flight;
         flight.first_time_s = all[i].front().time_s;
-        set_flight(counts ? fitted.parts[f++] : parts[i], fitted.drag, n_own, flight);
+        set_flight(counts ? fitted.parts[f++] : parts[i], fitted.drag, flight);
         if (!counts) continue;
-        squares += std::pow(flight.residual_rad_s, 2) * static_cast<double>(flight.n_rows);
+        (flight.attitude ? squares_rad : squares) +=
+            std::pow(flight.residual, 2) * static_cast<double>(flight.n_rows);
         joint.n_rows += flight.n_rows;
+        if (flight.attitude) n_rows_rad += flight.n_rows;
     }
-    joint.residual_rad_s = std::sqrt(squares / static_cast<double>(joint.n_rows));
+    if (const std::size_t n = joint.n_rows - n_rows_rad; n > 0)
+        joint.residual_rad_s = std::sqrt(squares / static_cast<double>(n));
+    if (n_rows_rad > 0)
+        joint.residual_rad = std::sqrt(squares_rad / static_cast<double>(n_rows_rad));
     return joint;
 }
 
@@ -348,7 +363,8 @@ FittedMotion motion_of(const JointFit& joint, const JointFlight& flight) {
     motion.axes_sd_rad = joint.axes_sd_rad;
     motion.drag = joint.drag;
     motion.drag_rates = flight.drag_rates;
-    motion.residual_rad_s = flight.residual_rad_s;
+    motion.residual = flight.residual;
+    motion.attitude = flight.attitude;
     motion.n_rows = flight.n_rows;
     return motion;
 }

@@ -23,7 +23,9 @@ struct JointFlight {
     Eigen::Vector3d omega_rad_s = Eigen::Vector3d::Zero();  // at the first row, instrument axes
     Eigen::Vector3d drag_rates = Eigen::Vector3d::Zero();   // as in FittedMotion
     double rate_rad_s = 0.0;                                // root mean square of |ω|
-    double residual_rad_s = 0.0;                            // of a component, with this body
+    // With this body, the root mean square of a component: of ω in rad/s, or of attitudes in rad.
+    double residual = 0.0;
+    std::optional<Eigen::Quaterniond> attitude;  // as in FittedMotion
     std::size_t n_rows = 0;
     // The body without this flight: a step of least squares from the joint one, for changes as in
     // JointFit::covariance.
@@ -40,7 +42,8 @@ struct JointFit {
     DragModel drag = DragModel::linear;
     bool shares_drag = false;
     Eigen::Vector3d drag_rates, drag_rates_sd;  // if the flights share them
-    double residual_rad_s = 0.0;                // root mean square of the flights that count
+    // Root mean square of the flights that count, of ω and of attitudes, if some are of these.
+    std::optional<double> residual_rad_s, residual_rad;
     std::size_t n_used = 0, n_rows = 0;
     std::vector<JointFlight> flights;
 };

@@ -18,11 +18,18 @@ JointPlaces joint_places(const std::optional<Eigen::Vector3d>& moments, DragMode
     return places;
 }
 
+JointPlaces JointPlaces::of(const Flight& flight) const {
+    JointPlaces made = *this;
+    if (flight.attitude)
+        for (int k = first_of_attitude; k < most_flight_changes; ++k) made.own.push_back(k);
+    return made;
+}
+
 FlightSums weighted_sums(const JointPart& part, const Flight& flight, bool shares_drag,
                          std::vector<Eigen::Vector3d>* residuals, double correlation) {
     FlightSums sums = flight_sums(flight, part.rows, residuals, correlation);
     FlightChange units = FlightChange::Ones();
-    if (shares_drag) units.tail<3>().setConstant(drag_unit(part, flight.drag));
+    if (shares_drag) units.segment<3>(first_of_drag).setConstant(drag_unit(part, flight.drag));
     sums.squares *= part.weight;
     sums.gradient = (part.weight * units.cwiseProduct(sums.gradient)).eval();
     sums.normal = (part.weight * units.asDiagonal() * sums.normal * units.asDiagonal()).eval();
@@ -75,7 +82,8 @@ JointMinimum minimised_together(std::vector<JointPart> parts, const JointPlaces&
         Eigen::VectorXd gradient = Eigen::VectorXd::Zero(n);
         double squares = 0.0;
         for (const JointPart& part : parts) {
-            all.push_back(reduced(weighted_sums(part, part.flight, shares_drag), places, trust));
+            all.push_back(reduced(weighted_sums(part, part.flight, shares_drag),
+                                  places.of(part.flight), trust));
             normal += all.back().normal;
             gradient += all.back().gradient;
             squares += all.back().squares;
@@ -91,9 +99,11 @@ JointMinimum minimised_together(std::vector<JointPart> parts, const JointPlaces&
             FlightChange by = FlightChange::Zero();
             for (std::size_t k = 0; k < places.shared.size(); ++k)
                 by[places.shared[k]] = step[static_cast<Eigen::Index>(k)];
-            if (shares_drag) by.tail<3>() *= drag_unit(parts[f], parts[f].flight.drag);
-            for (std::size_t k = 0; k < places.own.size(); ++k)
-                by[places.own[k]] = own[static_cast<Eigen::Index>(k)];
+            if (shares_drag)
+                by.segment<3>(first_of_drag) *= drag_unit(parts[f], parts[f].flight.drag);
+            const JointPlaces its = places.of(parts[f].flight);
+            for (std::size_t k = 0; k < its.own.size(); ++k)
+                by[its.own[k]] = own[static_cast<Eigen::Index>(k)];
             next[f].flight = changed(parts[f].flight, by);
             there += flight_sums(next[f].flight, next[f].rows).squares * next[f].weight;
         }

@@ -21,9 +21,12 @@ struct JointPart {
     double squares = 0.0;
 };
 
-// Numbers that all flights share, at most the body's five and three of the drag, and those of one.
+// Numbers that all flights share, at most the body's five and three of the drag, and those of one
+// that is fitted to ω.
 struct JointPlaces {
     std::vector<int> shared, own;
+    // Also for a flight that is fitted to attitudes.
+    JointPlaces of(const Flight& flight) const;
 };
 
 // The places of the fitted numbers in a FlightChange.

@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <span>
 #include <utility>
@@ -301,25 +303,66 @@ MeasuredMotion read_measured(std::string_view text, const std::string& name) {
     return motion;
 }
 
+Eigen::Vector3d turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to) {
+    Eigen::Quaterniond turn = from.conjugate() * to;
+    if (turn.w() < 0.0) turn.coeffs() *= -1.0;
+    const double sine = turn.vec().norm();
+    return turn.vec() * (sine > 0.0 ? 2.0 * std::atan2(sine, turn.w()) / sine : 2.0);
+}
+
+// From sixth differences, to which a smooth motion adds little: the squares of their coefficients,
+// 1, 6, 15, 20 and so on, sum up to 924.
+double attitude_noise_of(std::span<const MeasuredRow> rows) {
+    constexpr double infinity = std::numeric_limits<double>::infinity();
+    constexpr std::array<double, 3> coefficients{15.0, -6.0, 1.0};
+    double sum = 0.0;
+    std::size_t n = 0;
+    const auto add = [&](std::span<const MeasuredRow> stretch) {
+        for (std::size_t i = 3; i + 3 < stretch.size(); ++i, ++n) {
+            Eigen::Vector3d sixth = Eigen::Vector3d::Zero();
+            for (std::size_t k = 0; k < 3; ++k)
+                for (const std::size_t at : {i - k - 1, i + k + 1})
+                    sixth += coefficients[k] *
+                             turn_between(stretch[i].space_from_body, stretch[at].space_from_body);
+            sum += sixth.squaredNorm();
+        }
+    };
+    for (const auto& stretch : stretches_of(rows, -infinity, infinity)) add(stretch);
+    if (n == 0) add(rows);
+    return n == 0 ? 0.0 : std::sqrt(sum / 924.0 / static_cast<double>(3 * n));
+}
+
 void add_omega_by_differences(MeasuredMotion& motion) {
     std::vector<MeasuredRow>& rows = motion.rows;
     if (motion.has_omega || rows.size() < 2) return;
     std::vector<bool> has_gap_before(rows.size() + 1, false);  // or the table's end
     has_gap_before.front() = has_gap_before.back() = true;
     for (const MeasuredGap& gap : gaps_of(rows)) has_gap_before[gap.before + 1] = true;
+    const auto turn = [&rows](std::size_t before, std::size_t after) {
+        return turn_between(rows[before].space_from_body, rows[after].space_from_body);
+    };
+    // The noise of a turn between two rows, 2 % of it.
+    constexpr double widest_rad = 0.4, most_noise = 0.02;
+    const double wanted_rad =
+        std::min(widest_rad, std::sqrt(2.0) * attitude_noise_of(rows) / most_noise);
     for (std::size_t i = 0; i < rows.size(); ++i) {
         // Not across a gap, in which ω changes; but from a single row there is no other way.
         const bool is_alone = has_gap_before[i] && has_gap_before[i + 1];
         const bool takes_before = is_alone ? i > 0 : !has_gap_before[i];
         const bool takes_after = is_alone ? i + 1 < rows.size() : !has_gap_before[i + 1];
-        const MeasuredRow& before = rows[takes_before ? i - 1 : i];
-        const MeasuredRow& after = rows[takes_after ? i + 1 : i];
-        Eigen::Quaterniond turn = before.space_from_body.conjugate() * after.space_from_body;
-        if (turn.w() < 0.0) turn.coeffs() *= -1.0;  // the shorter way
-        // The logarithm: axis times angle.
-        const double sine = turn.vec().norm();
-        const double angle_per_sine = sine > 0.0 ? 2.0 * std::atan2(sine, turn.w()) / sine : 2.0;
-        rows[i].omega_body = turn.vec() * (angle_per_sine / (after.time_s - before.time_s));
+        std::size_t before = takes_before ? i - 1 : i, after = takes_after ? i + 1 : i;
+        // As far on either side, so that the difference stays one of second order.
+        while (!is_alone && turn(before, after).norm() < wanted_rad) {
+            const bool may_before = !has_gap_before[before], may_after = !has_gap_before[after + 1];
+            if ((takes_before && !may_before) || (takes_after && !may_after)) break;
+            const std::size_t from = takes_before ? before - 1 : before;
+            const std::size_t to = takes_after ? after + 1 : after;
+            if (turn(from, to).norm() > widest_rad) break;
+            before = from;
+            after = to;
+        }
+        rows[i].omega_body = turn(before, after) / (rows[after].time_s - rows[before].time_s);
+        rows[i].is_omega_derived = true;
     }
 }
 

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstddef>
 #include <functional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -18,6 +19,8 @@ struct MeasuredRow {
     double time_s = 0.0;
     Eigen::Vector3d omega_body = Eigen::Vector3d::Zero();  // rad/s, body (or instrument) axes
     Eigen::Quaterniond space_from_body = Eigen::Quaterniond::Identity();  // unit
+    // ω is a difference of attitudes: a fit compares the attitudes instead.
+    bool is_omega_derived = false;
 };
 
 // Reads a table piece by piece, so that a table of any length takes no more memory than a line.
@@ -85,9 +88,19 @@ struct MeasuredMotion {
 // Reads a whole table. Throws as MeasuredReader does.
 MeasuredMotion read_measured(std::string_view text, const std::string& name);
 
+// The turn that takes one attitude to another, the shorter way: axis times angle, in rad and body
+// axes; log(from⁻¹ to).
+Eigen::Vector3d turn_between(const Eigen::Quaterniond& from, const Eigen::Quaterniond& to);
+
+// The noise of attitudes, rad about an axis, as the rows scatter from one to the next. Between
+// uneven instants it is too large; 0 for fewer than seven rows.
+double attitude_noise_of(std::span<const MeasuredRow> rows);
+
 // Fills ω of rows that have only attitudes: between its neighbours each row turns by ω times the
 // time between them, beside a gap from its one neighbour. Exact for constant ω, else wrong by terms
-// of second order in the step, beside a gap of first order. A single row keeps ω = 0.
+// of second order in the step, beside a gap of first order. Where the noise of the attitudes would
+// be more than 2 % of ω, the difference is that of rows farther apart, but not of more than 0.4
+// rad. A single row keeps ω = 0.
 void add_omega_by_differences(MeasuredMotion& motion);
 
 }  // namespace poinsot

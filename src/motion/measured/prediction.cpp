@@ -32,12 +32,12 @@ FlightSquare covariance_of(const Flight& flight, std::span<const MeasuredRow> ro
     const FlightSums sums = flight_sums(flight, rows, &residuals);
     const FlightSums spread = flight_sums(flight, rows, nullptr, correlation_of(residuals));
     const std::vector<int> places = places_of(is_fitted);
-    const double residual = residual_of({flight, sums.squares}, rows.size(), count(is_fitted));
     const Eigen::MatrixXd normal = chosen(sums.normal, places);
     const auto n = normal.rows();
     const Eigen::MatrixXd inverse = solved(normal, Eigen::MatrixXd::Identity(n, n));
     const Eigen::MatrixXd seen = chosen(spread.spread, places) * inverse;
-    const Eigen::MatrixXd small = residual * residual * (inverse * seen);
+    const Eigen::MatrixXd small =
+        variance_of(sums.squares, rows.size(), seen.trace()) * (inverse * seen);
     FlightSquare covariance = FlightSquare::Zero();
     for (Eigen::Index i = 0; i < n; ++i)
         for (Eigen::Index k = 0; k < n; ++k)
@@ -98,24 +98,24 @@ Prediction compared(std::span<const MeasuredRow> rows, std::size_t n_fitted,
     made.n_fitted = n_fitted;
     made.n_rest = rows.size() - n_fitted;
     const double first_s = rows.front().time_s;
-    std::vector<double> times;
-    times.reserve(rows.size());
-    for (const MeasuredRow& row : rows) times.push_back((row.time_s - first_s) * from.rate);
-    const std::vector<Eigen::Vector3d> omegas = flight_omega(from.flight, times);
+    made.has_attitude = from.flight.attitude.has_value();
+    const double unit = made.has_attitude ? 1.0 : from.rate;
+    std::vector<Eigen::Vector3d> residuals;
+    flight_sums(from.flight, scaled_by(rows, from.rate), &residuals);
     double fitted = 0.0, rest = 0.0;
-    for (std::size_t i = 0; i < omegas.size(); ++i) {
-        const double off = (from.rate * omegas[i] - rows[i].omega_body).norm();
+    for (std::size_t i = 0; i < residuals.size(); ++i) {
+        const double off = unit * residuals[i].norm();
         (i < n_fitted ? fitted : rest) += off * off;
-        if (i < n_fitted || off < made.largest_rad_s) continue;
-        made.largest_rad_s = off;
+        if (i < n_fitted || off < made.largest) continue;
+        made.largest = off;
         made.largest_at_s = rows[i].time_s;
     }
-    made.residual_rad_s = std::sqrt(fitted / static_cast<double>(3 * n_fitted));
-    made.rms_rad_s = std::sqrt(rest / static_cast<double>(made.n_rest));
+    made.residual = std::sqrt(fitted / static_cast<double>(3 * n_fitted));
+    made.rms = std::sqrt(rest / static_cast<double>(made.n_rest));
     made.period_s = with_deviation(from, 1.0 / from.rate, period_of);
-    const double from_rad = times[n_fitted - 1];
+    const double from_rad = (rows[n_fitted - 1].time_s - first_s) * from.rate;
     // A predicted flip may come after the last row.
-    const double last_rad = 2.0 * times.back();
+    const double last_rad = 2.0 * (rows.back().time_s - first_s) * from.rate;
     if (const auto flip = flip_of(from.flight, from_rad, last_rad)) {
         made.flip_s = with_deviation(from, 1.0 / from.rate, [&](const Flight& flight) {
             return flip_of(flight, from_rad, last_rad, flip);
@@ -147,6 +147,7 @@ Flight flight_of(const FittedMotion& fit, double rate) {
     flight.omega = fit.omega_rad_s / rate;
     flight.drag = fit.drag;
     flight.drag_rates = fit.drag_rates / (fit.drag == DragModel::quadratic ? 1.0 : rate);
+    flight.attitude = fit.attitude;
     return flight;
 }
 
@@ -164,7 +165,8 @@ Prediction predicted_alone(std::span<const MeasuredRow> rows, std::size_t n_fitt
     std::optional<Eigen::Vector3d> known;
     if (moments_kg_m2) known = fit.moments;
     from.covariance =
-        covariance_of(from.flight, scaled_by(first, from.rate), fitted_changes(known, fit.drag));
+        covariance_of(from.flight, scaled_by(first, from.rate),
+                      fitted_changes(known, fit.drag, from.flight.attitude.has_value()));
     Prediction made = compared(rows, n_fitted, from);
     const FittedMotion whole = fit_motion(rows, moments_kg_m2, drag);
     made.measured_period_s = period_of(flight_of(whole, 1.0));
@@ -210,21 +212,26 @@ Prediction predicted_by_others(std::span<const MeasuredRow> rows, std::size_t n_
     flight.drag_rates = unit * rates;
     flight.omega = first.front().omega_body / from.rate;
     const std::vector<MeasuredRow> scaled = scaled_by(first, from.rate);
-    const IsFitted is_start = fitted_start(joint.drag, false);
-    flight = minimised(scaled, flight, is_start).flight;
+    const bool has_attitude = has_fitted_attitude(rows);
+    flight = minimised(scaled, flight, fitted_start(joint.drag, false, false)).flight;
+    const IsFitted is_start = fitted_start(joint.drag, has_attitude, false);
+    if (has_attitude)
+        flight = with_attitude(scaled, flight, attitude_noise_of(scaled), is_start).flight;
 
     // The start follows the body and the drag that it is fitted with.
     const FlightSquare normal = flight_sums(flight, scaled).normal;
-    const Eigen::Matrix<double, 3, most_flight_changes> start_by = -solved(
-        normal.block<3, 3>(first_of_omega, first_of_omega), normal.middleRows<3>(first_of_omega));
+    const std::vector<int> start_places = places_of(is_start);
+    const Eigen::MatrixXd start_by =
+        -solved(chosen(normal, start_places), normal(start_places, Eigen::all));
     FlightSquare known = FlightSquare::Zero();
     known.topLeftCorner<n_of_body, n_of_body>() = joint.covariance;
     const int n_drag = n_changes(joint.drag) - first_of_drag;
     for (int k = 0; k < n_drag; ++k)
         known(first_of_drag + k, first_of_drag + k) = std::pow(unit * scatter[k], 2);
     FlightSquare follows = FlightSquare::Identity();
-    follows.middleRows<3>(first_of_omega) = start_by;
-    follows.middleCols<3>(first_of_omega).setZero();
+    for (std::size_t i = 0; i < start_places.size(); ++i)
+        follows.row(start_places[i]) = start_by.row(static_cast<Eigen::Index>(i));
+    for (const int k : start_places) follows.col(k).setZero();
     from.covariance =
         follows * known * follows.transpose() + covariance_of(flight, scaled, is_start);
     Prediction made = compared(rows, n_fitted, from);
@@ -233,9 +240,30 @@ Prediction predicted_by_others(std::span<const MeasuredRow> rows, std::size_t n_
     Flight whole = flight;
     whole.omega = flight.omega * from.rate / rate;
     whole.drag_rates = rates * (joint.drag == DragModel::quadratic ? 1.0 : 1.0 / rate);
-    whole = minimised(scaled_by(rows, rate), whole, fitted_start(joint.drag)).flight;
+    whole = minimised(scaled_by(rows, rate), whole, fitted_start(joint.drag, has_attitude)).flight;
     if (const auto period = period_of(whole)) made.measured_period_s = *period / rate;
     return made;
+}
+
+std::vector<Eigen::Vector3d> residuals_of(const FittedMotion& fit,
+                                          std::span<const MeasuredRow> rows) {
+    std::vector<Eigen::Vector3d> residuals;
+    if (!fit.attitude) {
+        std::vector<double> times_s;
+        for (const MeasuredRow& row : rows) times_s.push_back(row.time_s);
+        residuals = omega_of(fit, times_s);
+        for (std::size_t i = 0; i < rows.size(); ++i)
+            residuals[i] = rows[i].omega_body - residuals[i];
+        return residuals;
+    }
+    const double rate = fit.omega_rad_s.norm();
+    flight_sums(flight_of(fit, rate), scaled_by(rows, rate), &residuals);
+    if (residuals.size() < rows.size())
+        throw InputError(
+            fmt::format("times: at {:g} s the fitted ω is too large for a number; give fewer rows",
+                        rows[residuals.size()].time_s));
+    for (Eigen::Vector3d& residual : residuals) residual *= -1.0;
+    return residuals;
 }
 
 std::vector<Eigen::Vector3d> omega_of(const FittedMotion& fit, std::span<const double> times_s) {

@@ -18,6 +18,12 @@ namespace poinsot {
 // on. Throws InputError for other instants, and for those that are not finite.
 std::vector<Eigen::Vector3d> omega_of(const FittedMotion& fit, std::span<const double> times_s);
 
+// Measured less fitted, in instrument axes: ω in rad/s or, where attitudes were fitted, the turn
+// from the fitted attitude to the measured one in rad. The first row is that of the fit. Throws as
+// omega_of does.
+std::vector<Eigen::Vector3d> residuals_of(const FittedMotion& fit,
+                                          std::span<const MeasuredRow> rows);
+
 // A number with its standard deviation.
 struct Predicted {
     double value = 0.0, sd = 0.0;
@@ -25,9 +31,11 @@ struct Predicted {
 
 struct Prediction {
     std::size_t n_fitted = 0, n_rest = 0;  // rows
-    double residual_rad_s = 0.0;           // of a component, in the fitted rows
-    double rms_rad_s = 0.0;                // root mean square of |ω − predicted| in the others
-    double largest_rad_s = 0.0;            // the largest, and its instant
+    // Of ω in rad/s or, where attitudes are fitted, of the turn to the predicted attitude in rad.
+    bool has_attitude = false;
+    double residual = 0.0;  // of a component, in the fitted rows
+    double rms = 0.0;       // root mean square of |ω − predicted| in the others
+    double largest = 0.0;   // the largest, and its instant
     double largest_at_s = 0.0;
     // The time in which ω returns in body axes, if there were no drag from the first row on; none
     // on the separatrix. Measured: by a fit of all rows.

@@ -127,7 +127,7 @@ void expect_covered(int n_bodies, unsigned seed) {
             count(static_cast<std::size_t>(5 + k), fit.omega_rad_s[k] - truth.omega[k],
                   fit.omega_sd_rad_s[k]);
         count(8, fit.drag_rates[0] - truth.damping_1_s, fit.drag_rates_sd[0]);
-        EXPECT_NEAR(fit.residual_rad_s, noise, 0.15 * noise) << i;
+        EXPECT_NEAR(fit.residual, noise, 0.15 * noise) << i;
     }
     // Four standard deviations of the count.
     const double slack = 4.0 * std::sqrt(0.95 * 0.05 / n_bodies);
@@ -454,7 +454,7 @@ TEST(Fit, StartsAgainFromABodyWhereNoiseLeadsToNone) {
             continue;
         }
         ++n_answers;
-        EXPECT_LT(fit->residual_rad_s, 0.005) << i;
+        EXPECT_LT(fit->residual, 0.005) << i;
         EXPECT_NEAR(fit->moments[1], 225.64 / 276.84, 4.0 * fit->moments_sd[1]) << i;
         EXPECT_NEAR(fit->moments[2], 52.48 / 276.84, 4.0 * fit->moments_sd[2]) << i;
     }

@@ -7,13 +7,17 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <random>
 #include <string>
 #include <vector>
 
+#include "measured/fit.h"
 #include "measured/made_recording.h"
+#include "mechanics/free/free_rotation.h"
 #include "places.h"
 
 namespace poinsot {
@@ -181,6 +185,30 @@ TEST(Flights, ReachAcrossSaturationAndGaps) {
         for (const MeasuredRow& row : flight.rows)
             n_at_limit += row.omega_body.cwiseAbs().maxCoeff() >= 33.0;
     EXPECT_LE(n_at_limit, 4U);
+}
+
+// A long flight costs little more to find than to fit: no part of it is grown again and again.
+TEST(Flights, OfAMotionThatNeverEndsCostSomeFits) {
+    const FreeRotation free(
+        InertiaTensor::from_matrix(Eigen::Vector3d(3.0, 2.0, 1.0).asDiagonal().toDenseMatrix()),
+        RotationState{0.0, Eigen::Quaterniond::Identity(), {0.3, 6.0, 0.2}});
+    std::mt19937 random(5);
+    std::normal_distribution<double> noise(0.0, 0.02);
+    std::vector<MeasuredRow> rows(10'000);
+    for (std::size_t i = 0; i < rows.size(); ++i) {
+        rows[i].time_s = 0.01 * static_cast<double>(i);
+        rows[i].omega_body = free.at(rows[i].time_s).omega_body +
+                             Eigen::Vector3d(noise(random), noise(random), noise(random));
+    }
+    // Of the processor, so that other work does not matter.
+    const std::clock_t start = std::clock();
+    fit_motion(rows);
+    const std::clock_t fitted = std::clock();
+    const auto found = flights_of(rows);
+    const std::clock_t end = std::clock();
+    ASSERT_EQ(found.size(), 1U);
+    EXPECT_EQ(found.front().rows.size(), rows.size());
+    EXPECT_LT(static_cast<double>(end - fitted), 5.0 * static_cast<double>(fitted - start));
 }
 
 TEST(Flights, AreNoneWhereNothingFlies) {

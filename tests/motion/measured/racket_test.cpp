@@ -38,7 +38,7 @@ std::vector<FittedMotion> fitted_throws(const std::optional<DragModel>& drag = {
 // Pendulums gave I3/I1 = 0.067 ± 0.013 for this racket and I2/I1 = 0.91 within their much larger
 // uncertainty; the phone's z axis is normal to the strings, its y axis along the handle. The
 // scatter is 1.4826 times the median of the distances from the median, a standard deviation for
-// normal errors; an honest deviation is about as large.
+// normal errors; an honest deviation is about as large, and larger where a few throws lie far off.
 TEST(Racket, SingleThrowsAgreeWithinTheirStatedDeviations) {
     const std::vector<FittedMotion> fits = fitted_throws();
     ASSERT_EQ(fits.size(), 57U);
@@ -51,7 +51,7 @@ TEST(Racket, SingleThrowsAgreeWithinTheirStatedDeviations) {
             distances.push_back(1.4826 * std::abs(fit.moments[k] - middle));
         }
         const double share = median_of(distances) / median_of(stated);
-        EXPECT_GT(share, 0.7) << k;
+        EXPECT_GT(share, 0.5) << k;
         EXPECT_LT(share, 1.5) << k;
         EXPECT_NEAR(middle, k == 1 ? 0.91 : 0.067, k == 1 ? 0.05 : 0.013);
     }
@@ -61,10 +61,36 @@ TEST(Racket, SingleThrowsAgreeWithinTheirStatedDeviations) {
     }
 }
 
+// Slow throws turn once, so that drags which leave as little say other moments. All throws together
+// give 0.933 and 0.070; the deviations of each speed are those from there.
+TEST(Racket, ThrowsOfEachSpeedAgreeWithinTheirStatedDeviations) {
+    struct Speed {
+        double least_rad_s, most_rad_s;
+        double squares = 0.0;
+        int n = 0;
+    };
+    Speed speeds[] = {{0.0, 9.0}, {9.0, 10.5}, {10.5, 13.0}, {13.0, 40.0}};
+    for (const FittedMotion& fit : fitted_throws())
+        for (Speed& speed : speeds) {
+            const double rate = fit.omega_rad_s.norm();
+            if (rate < speed.least_rad_s || rate >= speed.most_rad_s) continue;
+            speed.squares += std::pow((fit.moments[1] - 0.933) / fit.moments_sd[1], 2) +
+                             std::pow((fit.moments[2] - 0.070) / fit.moments_sd[2], 2);
+            speed.n += 2;
+        }
+    for (const Speed& speed : speeds) {
+        ASSERT_GE(speed.n, 12) << speed.least_rad_s;
+        const double rms = std::sqrt(speed.squares / speed.n);
+        RecordProperty("from_" + std::to_string(speed.least_rad_s), std::to_string(rms));
+        EXPECT_GT(rms, 0.6) << speed.least_rad_s;
+        EXPECT_LT(rms, 1.35) << speed.least_rad_s;
+    }
+}
+
 // What the fit leaves is the air and the instrument: the noise of the rows is 0.0026 rad/s.
 TEST(Racket, MedianResidualIsBelow35Millirad) {
     std::vector<double> residuals;
-    for (const FittedMotion& fit : fitted_throws()) residuals.push_back(fit.residual_rad_s);
+    for (const FittedMotion& fit : fitted_throws()) residuals.push_back(fit.residual);
     EXPECT_LT(median_of(residuals), 0.035);
 }
 

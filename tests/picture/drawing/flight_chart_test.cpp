@@ -16,11 +16,11 @@ ChartedFlight flight_of(std::size_t n_rows, double residual) {
     for (std::size_t i = 0; i < n_rows; ++i) {
         const double t = 0.1 * static_cast<double>(i);
         flight.times_s.push_back(3.0 + t);
-        flight.fitted.push_back(omega(t));
+        flight.curve.push_back(omega(t));
         flight.measured.emplace_back(omega(t) + Eigen::Vector3d(0.0, 0.0, residual));
+        flight.residuals.emplace_back(0.0, 0.0, residual);
     }
     flight.curve_times_s = flight.times_s;
-    flight.curve = flight.fitted;
     return flight;
 }
 

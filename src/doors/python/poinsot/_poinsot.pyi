@@ -123,17 +123,24 @@ def fit(
     predict: Optional[int],
 ) -> Dict[str, Any]: ...
 def fit_together(
-    flights: Sequence[Tuple[NDArray[np.float64], NDArray[np.float64]]],
+    flights: Sequence[Tuple[NDArray[np.float64], Optional[NDArray[np.float64]], Optional[NDArray[np.float64]]]],
     moments: Optional[NDArray[np.float64]],
     drag: Optional[str],
     share_drag: bool,
     predict: Optional[int],
 ) -> Dict[str, Any]: ...
 def flights(
-    times: NDArray[np.float64], omega: NDArray[np.float64], attitude: Optional[NDArray[np.float64]]
+    times: NDArray[np.float64], omega: Optional[NDArray[np.float64]], attitude: Optional[NDArray[np.float64]]
 ) -> List[Dict[str, Any]]: ...
-def table(text: str, name: str) -> Dict[str, Any]: ...
-def omega_by_differences(times: NDArray[np.float64], attitude: NDArray[np.float64]) -> NDArray[np.float64]: ...
+def table(
+    text: str, name: str
+) -> Tuple[NDArray[np.float64], Optional[NDArray[np.float64]], Optional[NDArray[np.float64]]]: ...
+def fitted_residuals(
+    fit: Dict[str, Any],
+    times: NDArray[np.float64],
+    omega: NDArray[np.float64],
+    attitude: Optional[NDArray[np.float64]],
+) -> NDArray[np.float64]: ...
 def fitted_omega(fit: Dict[str, Any], times: NDArray[np.float64]) -> NDArray[np.float64]: ...
 def fitted_scene(
     fit: Dict[str, Any],
@@ -146,7 +153,7 @@ def fitted_scene(
 def check_rows_place(table: str, scene: str, rows: bytes) -> None: ...
 def fit_chart(
     title: str,
-    flights: List[Tuple[Dict[str, Any], NDArray[np.float64], NDArray[np.float64], bool, Optional[Dict[str, Any]]]],
+    flights: List[Any],
     together: Optional[Dict[str, Any]],
     format: str,
 ) -> bytes: ...

@@ -14,7 +14,7 @@ from .arrays import Numbers, numbers, seconds, whole
 from .errors import InputError, shown
 from .paths import Path, path_text
 from .pictures import Figure, write_file
-from .recordings import Flight, is_table, rows_of, with_omega
+from .recordings import Flight, is_table, rows_of
 from .scene import Scene
 from .toml import unicode_text
 
@@ -54,9 +54,10 @@ class Prediction(NamedTuple):
 
     Attributes:
         n_fitted, n_predicted: the number of rows that were fitted, and of the others.
-        residual: in the fitted rows, the root mean square of a component, rad/s.
-        rms: in the other rows, the root mean square of |ω − predicted|, rad/s.
-        largest: the largest |ω − predicted| of these in rad/s, and its instant in s.
+        residual: in the fitted rows, the root mean square of a component, rad/s; where attitudes are fitted, rad.
+        rms: in the other rows, the root mean square of |ω − predicted|, rad/s, or of the angle to the predicted
+            attitude, rad.
+        largest: the largest of these, and its instant in s.
         period_s: the time in which ω returns in body axes, and its standard deviation, s; None on the separatrix.
         measured_period_s: the same by a fit of all rows.
         flip_s: the first instant after the fitted rows at which ω along e2 changes its sign, and its standard
@@ -135,7 +136,7 @@ class _Body:
 
     @property
     def residual(self) -> float:
-        """The root mean square of a component of the residuals, rad/s."""
+        """The root mean square of a component of the residuals: rad/s of ω, or rad where attitudes were fitted."""
         return float(self._found["residual"])
 
     @property
@@ -180,6 +181,7 @@ class Fit(_Body):
     Attributes:
         times, omega, attitude: the fitted rows: s, shape (n,); rad/s, axes of the instrument, shape (n, 3); unit
             quaternions, shape (n, 4), or None.
+        measured: what was fitted of them: "omega", or "attitude" where ω follows from the differences of the attitudes.
         prediction: with predict=N, what the first N rows predict for the others; else None.
         left_out: of a flight of a joint fit: why it does not count; "" if it counts.
         own: of a flight of a joint fit: its fit alone; None if its rows alone do not tell the body.
@@ -188,8 +190,16 @@ class Fit(_Body):
             fit: empty; those of its fit alone are in `own`.
     """
 
-    def __init__(self, found: Dict[str, Any], times: Numbers, omega: Numbers, attitude: Optional[Numbers]) -> None:
+    def __init__(
+        self,
+        found: Dict[str, Any],
+        times: Numbers,
+        omega: Numbers,
+        attitude: Optional[Numbers],
+        measured: str = "omega",
+    ) -> None:
         super().__init__(found)
+        self.measured = measured
         self.times = times
         self.omega = omega
         self.attitude = attitude
@@ -197,7 +207,7 @@ class Fit(_Body):
         self.left_out = str(found.get("left_out", ""))
         self.notes: List[str] = list(found.get("notes", []))
         own = found.get("own")
-        self.own: Optional[Fit] = None if own is None else Fit(own, times, omega, attitude)
+        self.own: Optional[Fit] = None if own is None else Fit(own, times, omega, attitude, measured)
 
     @property
     def start(self) -> Start:
@@ -207,7 +217,7 @@ class Fit(_Body):
 
     @property
     def noise(self) -> Optional[float]:
-        """How far a component scatters from row to row, rad/s; a larger `residual` says that the body was not free.
+        """How far a component scatters from row to row, in the unit of `residual`; a larger `residual` says that the body was not free.
 
         None for a flight of a joint fit.
         """
@@ -216,8 +226,11 @@ class Fit(_Body):
 
     @property
     def residuals(self) -> Numbers:
-        """Measured less fitted ω at all rows, rad/s, in the axes of the instrument, shape (n, 3)."""
-        return np.asarray(self.omega - self.predict(self.times))
+        """Measured less fitted at all rows, in the axes of the instrument, shape (n, 3).
+
+        ω in rad/s or, where attitudes were fitted, the turn from the fitted attitude to the measured one in rad.
+        """
+        return np.asarray(_poinsot.fitted_residuals(self._found, self.times, self.omega, self.attitude))
 
     def predict(self, times: Any) -> Numbers:
         """ω of the fitted motion at these instants: rad/s, in the axes of the instrument, shape S + (3,).
@@ -253,16 +266,21 @@ class Fit(_Body):
         return Scene(name if os.path.dirname(name) else os.path.join(os.curdir, name))
 
     def _charted(self) -> Tuple[str, List[Any], Optional[Dict[str, Any]]]:
-        return self._title(), [(self._found, self.times, self.omega, False, None)], None
+        return self._title(), [(self._found, self.times, self.omega, self.attitude, False, None)], None
 
     def _scene_text(self, table: str, table_sha256: str = "") -> Tuple[str, float]:
-        attitude = None if self.attitude is None else self.attitude[0]
+        attitude = self._found["attitude"]
+        if attitude is None and self.attitude is not None:
+            attitude = self.attitude[0]
         words = [f"{self._body_words()}, drag: {self._found['drag']}", self._row_words()]
         return _poinsot.fitted_scene(self._found, words, float(self.times[-1]), attitude, table, table_sha256)
 
     def _table_bytes(self, zero_s: float) -> bytes:
-        head = "time_s,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s"
-        columns = [self.times[:, np.newaxis] - zero_s, self.omega]
+        head = "time_s"
+        columns = [self.times[:, np.newaxis] - zero_s]
+        if self.measured == "omega":
+            head += ",omega_x_rad_s,omega_y_rad_s,omega_z_rad_s"
+            columns.append(self.omega)
         if self.attitude is not None:
             head += ",q_w,q_x,q_y,q_z"
             columns.append(self.attitude)
@@ -271,7 +289,7 @@ class Fit(_Body):
 
     def _row_words(self) -> str:
         span = f"{len(self.times)} rows from {self.start.time_s:.6g} to {self.times[-1]:.6g} s"
-        return f"{span}, residual {self.residual:.3g} rad/s a component"
+        return f"{span}, residual {self.residual:.3g} {self._found['unit']} a component"
 
     def __repr__(self) -> str:
         return f"<poinsot.Fit: {self._body_words()}, drag: {self._found['drag']}\n {self._row_words()}>"
@@ -288,9 +306,9 @@ class JointFit(_Body):
             `left_out` says why a flight does not count, and `own` is its fit alone.
     """
 
-    def __init__(self, found: Dict[str, Any], rows: List[Tuple[Numbers, Numbers, Optional[Numbers]]]) -> None:
+    def __init__(self, found: Dict[str, Any]) -> None:
         super().__init__(found)
-        self.flights = [Fit(one, *held) for one, held in zip(found["flights"], rows)]
+        self.flights = [Fit(one, **one.pop("rows")) for one in found["flights"]]
 
     @property
     def n_used(self) -> int:
@@ -302,14 +320,14 @@ class JointFit(_Body):
         held = []
         for one in self.flights:
             own = None if is_known or one.own is None else one.own._found
-            held.append((one._found, one.times, one.omega, bool(one.left_out), own))
+            held.append((one._found, one.times, one.omega, one.attitude, bool(one.left_out), own))
         return self._title(), held, None if is_known else self._found
 
     def __repr__(self) -> str:
         left_out = len(self.flights) - self.n_used
         return (
             f"<poinsot.JointFit: {self._body_words()}, drag: {self._found['drag']}\n"
-            f" {self.n_used} flights of one body, {left_out} left out, residual {self.residual:.3g} rad/s>"
+            f" {self.n_used} flights of one body, {left_out} left out, residual {self.residual:.3g} {self._found['unit']}>"
         )
 
 
@@ -326,7 +344,7 @@ def fit(
     """The body behind a measured ω(t), by least squares on the exact motion; as `poinsot fit`.
 
     times: s, shape (n,), increasing; omega: rad/s, in the axes of the instrument, shape (n, 3); attitude: space from
-    body as unit quaternions (w, x, y, z), shape (n, 4), from whose differences ω follows where it is missing. In
+    body as unit quaternions (w, x, y, z), shape (n, 4), which are fitted where ω is missing. In
     place of these, `times` may be a table with named columns, such as time, omega_x, omega_y, omega_z (a DataFrame of
     pandas or polars, a dict, a record array, or the path of a CSV file), or a flight that `flights` found. Times may
     also be differences of dates (Timedelta). Returns a `Fit`.
@@ -366,11 +384,10 @@ def fit(
         rows = rows_of(times, omega, attitude)
         found = _poinsot.fit(*rows, isinstance(times, (Flight, Fit)), known, model, n_first)
         return Fit(found, **found.pop("rows"))
-    held = [with_omega(_rows_in_list(place, one)) for place, one in enumerate(times)]
+    held = [_rows_in_list(place, one) for place, one in enumerate(times)]
     if len(held) < 2:
         raise InputError(f"times: a list of {len(held)} flights; give two or more, or times and omega of one flight")
-    pairs = [(one[0], one[1]) for one in held]
-    return JointFit(_poinsot.fit_together(pairs, known, model, bool(share_drag), n_first), held)
+    return JointFit(_poinsot.fit_together(held, known, model, bool(share_drag), n_first))
 
 
 def _rows_in_list(place: int, given: Any) -> Any:

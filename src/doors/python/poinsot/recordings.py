@@ -21,6 +21,8 @@ class Flight:
         times: the instants in s, shape (n,).
         omega: the angular velocity in rad/s, in the axes of the instrument, shape (n, 3).
         attitude: space from body as unit quaternions (w, x, y, z), shape (n, 4); None without attitudes.
+        measured: "omega", or "attitude" where ω follows from the differences of the attitudes; `fit` fits what was
+            measured.
         rate: the root mean square of |ω|, rad/s.
         turn_rad: the angle ∫|ω| dt through which the body turned, rad.
         residual: how far ω is from a free motion, the root mean square of a component, rad/s.
@@ -36,6 +38,7 @@ class Flight:
         turn_rad: float,
         residual: float,
         noise: float,
+        measured: str = "omega",
     ) -> None:
         self.times = times
         self.omega = omega
@@ -44,6 +47,7 @@ class Flight:
         self.turn_rad = turn_rad
         self.residual = residual
         self.noise = noise
+        self.measured = measured
 
     def __len__(self) -> int:
         return len(self.times)
@@ -69,8 +73,7 @@ def flights(times: Any, omega: Any = None, *, attitude: Any = None) -> List[Flig
     >>> len(flight) == len(t)
     True
     """
-    rows = with_omega(rows_of(times, omega, attitude))
-    return [Flight(**found) for found in _poinsot.flights(*rows)]
+    return [Flight(**found) for found in _poinsot.flights(*rows_of(times, omega, attitude))]
 
 
 #: times, omega and attitude; what the caller does not have is None.
@@ -83,15 +86,6 @@ def rows_of(times: Any, omega: Any = None, attitude: Any = None) -> Rows:
         return _rows_of_table(times)
     measured = None if omega is None else numbers("omega", omega)
     return seconds("times", times), measured, None if attitude is None else numbers("attitude", w_first(attitude))
-
-
-def with_omega(rows: Rows) -> Tuple[Numbers, Numbers, Optional[Numbers]]:
-    """The rows; those with attitudes alone get ω from the differences of these."""
-    times, omega, attitude = rows
-    if omega is None:
-        assert attitude is not None
-        omega = _poinsot.omega_by_differences(times, attitude)
-    return times, omega, attitude
 
 
 def is_table(given: Any) -> bool:
@@ -122,7 +116,8 @@ def _rows_of_table(given: Any) -> Rows:
     if _is_held(given):
         if given.omega is None and getattr(given, "attitude", None) is None:
             raise InputError(f"{shown(given)} has neither omega nor attitude")
-        return rows_of(given.times, given.omega, getattr(given, "attitude", None))
+        omega = None if getattr(given, "measured", "omega") == "attitude" else given.omega
+        return rows_of(given.times, omega, getattr(given, "attitude", None))
     if isinstance(given, (str, os.PathLike)):
         name = path_text(given)
         try:
@@ -176,5 +171,4 @@ def _column(name: str, values: Any) -> Optional[Tuple[str, List[str]]]:
 
 
 def _rows_of_text(text: str, name: str) -> Rows:
-    found = _poinsot.table(text, name)
-    return found["times"], found["omega"], found["attitude"]
+    return _poinsot.table(text, name)

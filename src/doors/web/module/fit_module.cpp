@@ -82,7 +82,7 @@ int flight(double number, const char* scene_table, std::uint32_t scene_table_siz
                           .last_time_s = measured.rows.back().time_s,
                           .attitude = {},
                           .table = std::string(text_at(scene_table, scene_table_size))};
-        if (measured.has_attitude) scene.attitude = measured.rows.front().space_from_body;
+        scene.attitude = attitude_of(chosen);
         std::vector<std::string> words;
         for (const std::string& line : scene.words) words.push_back(json_string(line));
         JsonObject said;

@@ -15,7 +15,7 @@ import {base64_of_bytes, files_of_zip, in_archive, table_among} from './zip_read
 /** @import {Words} from './words.js' */
 
 /**
- * @typedef {{number: number, begin_s: number, end_s: number, rate_rad_s: number, residual_rad_s?: number, refusal?: string}} TableFlight
+ * @typedef {{number: number, begin_s: number, end_s: number, rate_rad_s: number, residual_rad_s?: number, residual_rad?: number, refusal?: string}} TableFlight
  * @typedef {{is_recording: boolean, flights: TableFlight[], best?: number, refusal?: string, rows: ArrayLike<number>}} MeasuredTable
  * @typedef {{fit: Record<string, any>, words: string[], scene: string, table?: string}} FittedFlight
  *   `fit`: as `poinsot fit --json` prints it; `table`: the rows of the scene, if they are others than those of the table.
@@ -431,7 +431,8 @@ export class Measure {
     const text = document.createElement('span');
     text.textContent = `${flight.begin_s.toFixed(2)}–${flight.end_s.toFixed(2)} s`;
     const size = document.createElement('small');
-    size.textContent = `|ω| ${flight.rate_rad_s.toFixed(1)} rad/s${flight.residual_rad_s === undefined ? '' : `, ${this.words.of('measure_residual')} ${flight.residual_rad_s.toPrecision(2)}`}`;
+    const [left, unit] = flight.residual_rad === undefined ? [flight.residual_rad_s, 'rad/s'] : [flight.residual_rad, 'rad'];
+    size.textContent = `|ω| ${flight.rate_rad_s.toFixed(1)} rad/s${left === undefined ? '' : `, ${this.words.of('measure_residual')} ${left.toPrecision(2)} ${unit}`}`;
     row.append(button, name, text, size);
     return row;
   }

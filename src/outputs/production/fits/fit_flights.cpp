@@ -72,11 +72,14 @@ FitTable fitted_table(MeasuredMotion measured, const std::filesystem::path& file
     TableFlight whole = all_of(std::move(measured), file);
     const MeasuredMotion& all = whole.measured;
     // Where Euler's equations explain nothing, a fit would only take time.
-    constexpr double most_unexplained = 0.5, most_share = 0.01, most_of_flight = 2.0;
+    constexpr double most_unexplained = 0.5, most_share = 0.01, most_rad = 0.02;
+    constexpr double most_of_flight = 2.0;
     bool is_whole = false;
     if (unexplained_share(all.rows) < most_unexplained) {
         fit_into(whole, known);
-        is_whole = whole.fit && whole.fit->residual_rad_s < most_share * whole.rate_rad_s;
+        is_whole =
+            whole.fit &&
+            whole.fit->residual < (whole.fit->attitude ? most_rad : most_share * whole.rate_rad_s);
     }
     if (!is_whole)
         for (const FreeFlight& found : flights_of(all.rows)) {
@@ -98,14 +101,14 @@ FitTable fitted_table(MeasuredMotion measured, const std::filesystem::path& file
     if (may_be_one && !whole.fit && whole.refusal.empty()) fit_into(whole, known);
     if (may_be_one && !table.flights.empty() && whole.fit) {
         const auto& part = table.flights.front().fit;
-        is_whole = !part || whole.fit->residual_rad_s < most_of_flight * part->residual_rad_s;
+        is_whole = !part || whole.fit->residual < most_of_flight * part->residual;
     }
     table.is_recording = !is_whole && !table.flights.empty();
     if (!table.is_recording)
         table.flights = {std::move(whole)};
     else if (whole.fit)
-        table.why_parts =
-            fmt::format("all rows together leave {:.2g} rad/s", whole.fit->residual_rad_s);
+        table.why_parts = fmt::format("all rows together leave {:.2g} {}", whole.fit->residual,
+                                      whole.fit->unit());
     else
         table.why_parts = "in the others, ω is not that of a free body";
     return table;
@@ -146,6 +149,12 @@ const TableFlight& best_flight(const FitTable& table) {
     return best;
 }
 
+std::optional<Eigen::Quaterniond> attitude_of(const TableFlight& flight) {
+    if (flight.fit && flight.fit->attitude) return flight.fit->attitude;
+    if (!flight.measured.has_attitude) return std::nullopt;
+    return flight.measured.rows.front().space_from_body;
+}
+
 std::vector<std::string> flight_lines(const FitTable& table) {
     std::vector<std::string> lines;
     for (const TableFlight& flight : table.flights) {
@@ -154,7 +163,7 @@ std::vector<std::string> flight_lines(const FitTable& table) {
             fmt::format("{:3}  {:.2f} to {:.2f} s, |ω| = {:.1f} rad/s", flight.number,
                         rows.front().time_s, rows.back().time_s, flight.rate_rad_s);
         if (flight.fit) {
-            line += fmt::format(", residual {:.3g} rad/s", flight.fit->residual_rad_s);
+            line += fmt::format(", residual {:.3g} {}", flight.fit->residual, flight.fit->unit());
             if (!flight.fit->I1_kg_m2)
                 line += fmt::format(", I2/I1 = {}, I3/I1 = {}",
                                     with_sd(flight.fit->moments[1], flight.fit->moments_sd[1]),
@@ -180,8 +189,8 @@ std::string json_of_flights(const FitTable& table) {
             .add("rate_rad_s", flight.rate_rad_s);
         if (flight.fit) {
             const FittedMotion& fit = *flight.fit;
-            one.add("residual_rad_s", fit.residual_rad_s)
-                .json("moments", json_numbers(fit.moments[0], fit.moments[1], fit.moments[2]))
+            add_residual(one, fit);
+            one.json("moments", json_numbers(fit.moments[0], fit.moments[1], fit.moments[2]))
                 .json("moments_sd",
                       json_numbers(fit.moments_sd[0], fit.moments_sd[1], fit.moments_sd[2]));
         } else {
@@ -193,11 +202,13 @@ std::string json_of_flights(const FitTable& table) {
 }
 
 std::string table_text(const MeasuredMotion& measured) {
-    std::string text = "time_s,omega_x_rad_s,omega_y_rad_s,omega_z_rad_s";
+    std::string text = "time_s";
+    if (measured.has_omega) text += ",omega_x_rad_s,omega_y_rad_s,omega_z_rad_s";
     text += measured.has_attitude ? ",q_w,q_x,q_y,q_z\n" : "\n";
     for (const MeasuredRow& row : measured.rows) {
         const Eigen::Vector3d& w = row.omega_body;
-        text += fmt::format("{},{},{},{}", row.time_s, w[0], w[1], w[2]);
+        text += fmt::format("{}", row.time_s);
+        if (measured.has_omega) text += fmt::format(",{},{},{}", w[0], w[1], w[2]);
         const Eigen::Quaterniond& q = row.space_from_body;
         text += measured.has_attitude ? fmt::format(",{},{},{},{}\n", q.w(), q.x(), q.y(), q.z())
                                       : "\n";

@@ -37,9 +37,9 @@ struct FitKnown {
 };
 
 // Finds the flights of a table and fits each. A table is one flight as a whole where this leaves a
-// residual of its kind, less than 1 % of |ω| or than twice that of the one flight in it, and where
-// no flight is found. Rows without ω get it from the differences of their attitudes. `file`: for
-// names and messages; it is not opened.
+// residual of its kind, less than 1 % of |ω|, than 0.02 rad of attitudes or than twice that of the
+// one flight in it, and where no flight is found. Of rows without ω, the attitudes are fitted.
+// `file`: for names and messages; it is not opened.
 FitTable fitted_table(MeasuredMotion measured, const std::filesystem::path& file,
                       const FitKnown& known);
 
@@ -57,12 +57,15 @@ const TableFlight& best_flight(const FitTable& table);
 std::vector<std::string> notes_of(const FitTable& table, const TableFlight& flight);
 std::vector<std::string> words_of(const FitTable& table, const TableFlight& flight);
 
+// Space from body at the first row: as fitted, else as measured, if the table has attitudes.
+std::optional<Eigen::Quaterniond> attitude_of(const TableFlight& flight);
+
 // The list of flights, a line each.
 std::vector<std::string> flight_lines(const FitTable& table);
 // [{"number": 1, …}, …]
 std::string json_of_flights(const FitTable& table);
 
-// Rows as a table that `fit` and scenes read.
+// Rows as a table that `fit` and scenes read; without ω where it is derived from the attitudes.
 std::string table_text(const MeasuredMotion& measured);
 
 }  // namespace poinsot

@@ -32,8 +32,8 @@ void add_drag(const FittedMotion& fit, std::vector<std::string>& lines) {
                         fit.drag == DragModel::axes ? "ω_i" : "|ω_i| ω_i", with_sd(rates[0], sd[0]),
                         with_sd(rates[1], sd[1]), with_sd(rates[2], sd[2]),
                         fit.drag == DragModel::axes ? "1/s" : "1/rad"));
-    lines.push_back(fmt::format("linear drag, −γL, would leave a residual of {:.3g} rad/s",
-                                fit.linear_residual_rad_s));
+    lines.push_back(fmt::format("linear drag, −γL, would leave a residual of {:.3g} {}",
+                                fit.linear_residual, fit.unit()));
 }
 
 }  // namespace
@@ -59,8 +59,18 @@ void add_fit(JsonObject& answer, const FittedMotion& fit) {
     answer.json("drag_rates", list(fit.drag_rates)).json("drag_rates_sd", list(fit.drag_rates_sd));
     if (fit.drag == DragModel::linear)
         answer.add("damping_1_s", fit.drag_rates[0]).add("damping_sd_1_s", fit.drag_rates_sd[0]);
-    answer.add("residual_rad_s", fit.residual_rad_s).add("noise_rad_s", fit.noise_rad_s);
+    if (fit.attitude) {
+        const Eigen::Quaterniond& q = *fit.attitude;
+        answer.json("attitude", json_numbers(q.w(), q.x(), q.y(), q.z()))
+            .json("attitude_sd_rad", list(fit.attitude_sd_rad));
+    }
+    add_residual(answer, fit);
+    answer.add(fit.attitude ? "noise_rad" : "noise_rad_s", fit.noise);
     answer.add("residual_correlation", fit.correlation);
+}
+
+void add_residual(JsonObject& answer, const FittedMotion& fit) {
+    answer.add(fit.attitude ? "residual_rad" : "residual_rad_s", fit.residual);
 }
 
 template <typename Fit>
@@ -103,18 +113,13 @@ std::vector<std::string> notes_of(const FittedMotion& fit, const MeasuredMotion&
         notes.emplace_back("I1 = I2 within the uncertainty, so that e1 and e2 are arbitrary");
     if (m[1] - m[2] <= least_sds * std::hypot(fit.moments_sd[1], fit.moments_sd[2]))
         notes.emplace_back("I2 = I3 within the uncertainty, so that e2 and e3 are arbitrary");
-    if (fit.residual_rad_s > least_sds * fit.noise_rad_s)
+    if (fit.residual > least_sds * fit.noise)
         notes.push_back(fmt::format(
-            "the residual is larger than the noise of the rows, {:.2g} rad/s: {}; residuals are "
-            "alike from row to row (correlation {:.2f}), which the standard deviations allow for",
-            fit.noise_rad_s,
-            measured.has_omega ? "the body was not quite free"
-                               : "the body was not quite free, or the attitudes are too far apart "
-                                 "for differences",
-            fit.correlation));
-    if (!measured.has_omega)
-        notes.emplace_back(
-            "the table has no ω; it was computed from the differences of its attitudes");
+            "the residual is larger than the noise of the rows, {:.2g} {}: the body was not quite "
+            "free; residuals are alike from row to row (correlation {:.2f}), which the standard "
+            "deviations allow for",
+            fit.noise, fit.unit(), fit.correlation));
+    if (fit.attitude) notes.emplace_back("the table has no ω, so that its attitudes are fitted");
     if (std::string gaps = in_words(gaps_of(measured.rows)); !gaps.empty())
         notes.push_back(std::move(gaps));
     for (const Saturation& saturation : saturations_of(measured.rows))
@@ -131,8 +136,8 @@ std::vector<std::string> result_lines(const FittedMotion& fit) {
                                 with_sd(fit.omega_rad_s[1], fit.omega_sd_rad_s[1]),
                                 with_sd(fit.omega_rad_s[2], fit.omega_sd_rad_s[2])));
     add_drag(fit, lines);
-    lines.push_back(
-        fmt::format("{} rows, residual {:.3g} rad/s a component", fit.n_rows, fit.residual_rad_s));
+    lines.push_back(fmt::format("{} rows, residual {:.3g} {} a component", fit.n_rows, fit.residual,
+                                fit.unit()));
     return lines;
 }
 

@@ -16,6 +16,8 @@ namespace poinsot {
 std::string with_sd(double value, double sd);
 
 void add_fit(JsonObject& answer, const FittedMotion& fit);
+// The residual, under a name that has its unit.
+void add_residual(JsonObject& answer, const FittedMotion& fit);
 
 // The body of a FittedMotion or a JointFit, a line each: its moments or their ratios, after
 // `before`, and its axes.

@@ -14,7 +14,8 @@ ChartedFlight charted(const FittedMotion& fit, std::span<const MeasuredRow> rows
         made.times_s.push_back(row.time_s);
         made.measured.push_back(row.omega_body);
     }
-    made.fitted = omega_of(fit, made.times_s);
+    made.residuals = residuals_of(fit, rows);
+    made.residual_unit = fit.unit();
     constexpr int n_curve = 600;
     const double first_s = made.times_s.front(), span_s = made.times_s.back() - first_s;
     for (int i = 0; i <= n_curve; ++i) made.curve_times_s.push_back(first_s + span_s * i / n_curve);

@@ -111,7 +111,7 @@ double residual_range(const FlightChart& chart) {
     std::vector<double> sizes;
     for (const ChartedFlight& flight : chart.flights)
         for (std::size_t i = 0; i < flight.times_s.size(); ++i)
-            sizes.push_back((flight.measured[i] - flight.fitted[i]).cwiseAbs().maxCoeff());
+            sizes.push_back(flight.residuals[i].cwiseAbs().maxCoeff());
     const auto at = sizes.begin() + static_cast<std::ptrdiff_t>(0.99 * double(sizes.size() - 1));
     std::nth_element(sizes.begin(), at, sizes.end());
     return std::max(1.15 * *at, 1e-12);
@@ -194,7 +194,7 @@ void draw_flight(ChartCanvas& canvas, const ChartedFlight& flight, const SharedA
             const double t = flight.times_s[i] - origin_s;
             const Eigen::Vector3d at = above.at(t, flight.measured[i][k]);
             canvas.add_dot(at.x(), at.y(), dot_px, colour, theme.halo, rim_px);
-            const double off = flight.measured[i][k] - flight.fitted[i][k];
+            const double off = flight.residuals[i][k];
             if (off < shared.residual.first || off > shared.residual.last) continue;
             const Eigen::Vector3d residual = below.at(t, off);
             canvas.add_dot(residual.x(), residual.y(), dot_px, colour, theme.halo, rim_px);
@@ -242,6 +242,7 @@ FlightSheet::FlightSheet(const FlightChart& chart, const Theme& theme, FontSourc
     }
     shared.omega = range.axis(shared.is_single ? 7 : 4, 0.04);
     const double off = residual_range(chart);
+    const std::string& residual_unit = chart.flights.front().residual_unit;
     shared.residual = linear_axis(-off, off, shared.is_single ? 5 : 3);
 
     const auto n_columns = static_cast<std::size_t>(n_columns_of(n));
@@ -262,15 +263,15 @@ FlightSheet::FlightSheet(const FlightChart& chart, const Theme& theme, FontSourc
         bottom = std::max(bottom, cell.bottom);
         if (!shared.is_single && row > 0) continue;
         if (column == 0 && shared.is_single)
-            canvas_.add_type(axis_title("measured $-$ fitted", "rad/s", shared.residual.exponent),
-                             name_size,
-                             {side_px, cell.top + 0.68 * (cell.bottom - cell.top) + 32.0},
-                             {0.0, 0.6}, theme.text);
+            canvas_.add_type(
+                axis_title("measured $-$ fitted", residual_unit, shared.residual.exponent),
+                name_size, {side_px, cell.top + 0.68 * (cell.bottom - cell.top) + 32.0}, {0.0, 0.6},
+                theme.text);
     }
     canvas_.add_type(shared.is_single
                          ? "$t$ / s"
                          : axis_title("time since the first row / s; below: measured $-$ fitted",
-                                      "rad/s", shared.residual.exponent),
+                                      residual_unit, shared.residual.exponent),
                      name_size, {sheet_px - side_px, bottom + 48.0}, {1.0, 0.0}, theme.text);
 }
 

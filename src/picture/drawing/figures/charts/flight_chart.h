@@ -15,7 +15,9 @@ namespace poinsot {
 struct ChartedFlight {
     std::string name;  // a caption above its charts; may be empty
     std::vector<double> times_s;
-    std::vector<Eigen::Vector3d> measured, fitted;  // at these times
+    std::vector<Eigen::Vector3d> measured;   // ω at these times
+    std::vector<Eigen::Vector3d> residuals;  // measured less fitted: ω or turns of the attitude
+    std::string residual_unit = "rad/s";
     std::vector<double> curve_times_s;
     std::vector<Eigen::Vector3d> curve;  // the fitted motion at those
     // I2/I1 and I3/I1 of this flight alone, with their standard deviations.
