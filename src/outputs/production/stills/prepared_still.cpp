@@ -53,8 +53,8 @@ StillRequest accepted(StillRequest request, const Scene& scene) {
             fmt::format("--depth {}: vectors have no pixels; leave it out, or name the output .png",
                         request.bit_depth));
     if (request.bit_depth != 8 && request.bit_depth != 16)
-        throw InputError(
-            fmt::format("--depth {}: a component has 8 or 16 bits; give one of them", request.bit_depth));
+        throw InputError(fmt::format("--depth {}: a component has 8 or 16 bits; give one of them",
+                                     request.bit_depth));
     return request;
 }
 
