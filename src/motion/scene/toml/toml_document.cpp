@@ -89,14 +89,16 @@ TomlValue plain(const toml::node& node, const std::string& file_name) {
     return value;
 }
 
+using LineAndColumn = std::pair<int, int>;
+
 // Where the innermost array begins that is open at a place; nothing if none is. Leaves out strings
 // and comments; source: TOML 1.0.
-std::optional<SourceLocation> open_array_at(std::string_view text, const SourceLocation& place) {
-    std::vector<SourceLocation> open;
-    SourceLocation at{place.file, 1, 1};
+std::optional<LineAndColumn> open_array_at(std::string_view text, LineAndColumn place) {
+    std::vector<LineAndColumn> open;
+    LineAndColumn at{1, 1};
     std::string_view quotes;  // of the string that is open
     for (std::size_t i = 0; i < text.size();) {
-        if (std::pair(at.line, at.column) >= std::pair(place.line, place.column)) break;
+        if (at >= place) break;
         std::size_t n = 1;
         const std::string_view rest = text.substr(i);
         if (!quotes.empty()) {
@@ -119,12 +121,10 @@ std::optional<SourceLocation> open_array_at(std::string_view text, const SourceL
         }
         for (const char c : rest.substr(0, n)) {
             constexpr unsigned continuation_mask = 0xC0u, continuation = 0x80u;
-            if (c == '\n') {
-                ++at.line;
-                at.column = 1;
-            } else if ((static_cast<unsigned char>(c) & continuation_mask) != continuation) {
-                ++at.column;
-            }
+            if (c == '\n')
+                at = {at.first + 1, 1};
+            else if ((static_cast<unsigned char>(c) & continuation_mask) != continuation)
+                ++at.second;
         }
         i += n;
     }
@@ -178,8 +178,10 @@ TomlValue parse_toml(std::string_view text, const std::string& file_name) {
         const SourceLocation where = location(error.source(), file_name);
         // The next line begins something else.
         if (what.find("closing ']'") != std::string_view::npos)
-            if (const auto open = open_array_at(text, where); open && open->line < where.line)
-                throw SceneError(*open, "not valid TOML: this array has no closing ']'; write it");
+            if (const auto open = open_array_at(text, {where.line, where.column});
+                open && open->first < where.line)
+                throw SceneError({file_name, open->first, open->second},
+                                 "not valid TOML: this array has no closing ']'; write it");
         throw SceneError(
             where,
             fmt::format("not valid TOML: {}; {}", printable(what),
