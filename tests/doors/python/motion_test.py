@@ -2,6 +2,7 @@
 import copy
 import json
 import math
+import pathlib
 import pickle
 import pydoc
 import re
@@ -126,6 +127,53 @@ def test_principal_axes_are_columns_wherever_they_are_a_matrix(program, tmp_path
     ):
         axes = np.array(axes)
         np.testing.assert_allclose(axes @ np.diag(moments) @ axes.T, tensor, rtol=0, atol=1e-6)
+
+
+def conventions():
+    """The rows of the table of docs/python.md: value, shape, unit, axes."""
+    page = (pathlib.Path(__file__).resolve().parents[3] / "docs" / "python.md").read_text(encoding="utf-8")
+    table = page.partition("| value | shape | unit | axes |")[2].split("\n\n")[0].splitlines()[2:]
+    return [tuple(cell.replace("`", "").strip() for cell in row.strip("|").split("|")) for row in table]
+
+
+def test_the_page_says_axes_units_and_order():
+    rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    rows = conventions()
+    assert len(rows) > 15
+    start = rotation.from_euler("xyz", [0.3, -0.2, 0.9])
+
+    def values(turn, mass, speed):
+        """Of the same motion, seen in turned body axes, of a heavier body and faster."""
+        times = np.arange(0.0, 4.0, 0.02) / speed
+        tensor = mass * turn.as_matrix() @ np.diag([3.0, 2.0, 1.0]) @ turn.as_matrix().T
+        motion = poinsot.Motion(tensor, speed * turn.apply([1.0, 6.0, 2.0]), attitude=start * turn.inv())
+        found = poinsot.fit(times, motion.at(times).omega_body)
+        known = {"motion": motion, "found": found, "times": times}
+        return {row[0]: np.asarray(eval(row[0], known)) for row in rows}
+
+    turn, mass, speed = rotation.from_rotvec([0.06, 0.12, 0.13]), 4.0, 2.0
+    first, second = values(rotation.identity(), 1.0, 1.0), values(turn, mass, speed)
+    units = {"": 1.0, "kg m²": mass, "1/√(kg m²)": mass**-0.5, "rad/s": speed, "1/s, or 1/rad": speed, "rad/s, or rad": speed,
+             "I1, or kg m²": 1.0, "as moments": 1.0}
+    matrix = turn.as_matrix()
+    for name, shape, unit, axes in rows:
+        wide = shape.replace("S + ", "200, ").replace("(3", "3").replace("(4", "4") if "S" in shape else shape.strip("()")
+        assert first[name].shape == tuple(int(n) for n in wide.strip("()").split(",") if n.strip()), name
+        one, other = units[unit] * first[name], second[name]
+        if axes in ("body", "instrument"):
+            one = matrix @ one @ matrix.T if shape == "(3, 3)" else one @ matrix.T
+        elif axes.startswith("columns e1, e2, e3 in "):
+            one = matrix @ one
+        elif axes == "space from body":
+            one = (rotation.from_quat(np.roll(one, -1, axis=-1)) * turn.inv()).as_matrix()
+            other = rotation.from_quat(np.roll(other, -1, axis=-1)).as_matrix()
+        else:
+            assert axes in ("e1, e2, e3", "space"), axes
+        np.testing.assert_allclose(other, one, rtol=0, atol=1e-5, err_msg=name)
+    # The columns belong to the moments of their order.
+    for axes, moments in (("motion.principal_axes", "motion.moments"), ("found.axes", "found.moments")):
+        turned = second[axes] @ np.diag(second[moments] / second[moments].max()) @ second[axes].T
+        np.testing.assert_allclose(turned, matrix @ np.diag([1.0, 2.0 / 3.0, 1.0 / 3.0]) @ matrix.T, rtol=0, atol=1e-5)
 
 
 def test_a_motion_says_its_start():
