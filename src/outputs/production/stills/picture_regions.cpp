@@ -56,11 +56,8 @@ struct PictureRegions::Impl {
         if (record.time_s)
             moment = record.frame ? film.moment_of(*record.frame)
                                   : still_moment(session, record.time_s, StillTime::of_scene);
-        if (record.time_s && !record.film_frames) {
-            span.first_time_s = std::min(film.start_s, *record.time_s);
-            span.last_time_s = *record.time_s;
-            span.first_shown_s = record.time_s;
-        }
+        if (record.time_s && !record.film_frames)
+            span = span_of_instant(session, film, *record.time_s);
         span.is_still = record.time_s && record.names != fading_names;
         const PrintChoices print = print_of(record);
         if (record.page.empty())
