@@ -23,7 +23,7 @@ GALLERY = ROOT / "tests" / "golden" / "gallery"
 README_PICTURES = ROOT / "tests" / "golden" / "readme"
 PAGE = ROOT / "docs" / "gallery.md"
 SIZE = "480x270"
-MOST_BYTES_OF_SVGS = 6_000_000  # in total, before git compresses them to a third
+MOST_BYTES_OF_SVGS = 6_300_000  # in total, before git compresses them to a third
 COLOURS = "128"
 MOST_BYTES = 40_000
 # In the order of a lecture.
