@@ -395,6 +395,8 @@ double share_that_melts(const Image& image, const View& view, const Ellipsoid& b
                                   std::clamp(static_cast<int>(px.y()), 0, image.height() - 1));
         return luminance({p.r / 255.0, p.g / 255.0, p.b / 255.0});
     };
+    // A contour that lies on two pixels has half of its strength in each.
+    constexpr double least_contrast = 1.3;
     int n_melting = 0, n_free = 0;
     for (std::size_t k = 0; k < limb.size(); ++k) {
         if (std::any_of(view.ellipsoids.begin(), view.ellipsoids.end(), [&](const Ellipsoid& one) {
@@ -409,7 +411,7 @@ double share_that_melts(const Image& image, const View& view, const Ellipsoid& b
         double most = 1.0;
         for (double step_px = -3.0; step_px <= 1.0; step_px += 0.5)
             most = std::max(most, contrast_of(at(limb[k] + step_px * out), ground));
-        n_melting += most < 1.5 ? 1 : 0;
+        n_melting += most < least_contrast ? 1 : 0;
     }
     return n_melting / std::max(1.0, static_cast<double>(n_free));
 }
