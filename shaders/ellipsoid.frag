@@ -15,8 +15,9 @@
 //   9, 10: towards the key light and the sky, mapped into the sphere's axes; w: meridians, parallels
 //   11: 1/squares of the half axes; presence. These three in the scale of d.
 //   12: colour, linear; opacity   13: colour of the lines, linear; width px of the principal sections
+//   14: colour of the contour, linear; its width px
 const int first_member = 3;
-const int member_size = 14;
+const int member_size = 15;
 noperspective in vec3 sight;
 #if !RIM
 noperspective in vec3 direction;
@@ -43,6 +44,15 @@ float arcsine(float x) {
 }
 
 #if RIM
+// Coverage by the contour, whose outer edge is the outline. A body that is narrower than some
+// pixels has none.
+float contour_coverage(int at, Sight s) {
+    vec2 normal;
+    float width_px = constant(at + 14).w;
+    float covered = line_coverage(outline_distance(at, s, normal) - 0.5 * width_px, width_px);
+    return constant(at + 5).w < 0.0 ? 0.0 : covered;
+}
+
 // Distances of the pixel from the three principal sections, px: from their outer halves (x) and
 // inner halves (y). In the picture, the section u_k = 0 is the conic |m|² - m_k² - d_k² = 0. It is
 // smooth at the limb, where the derivatives of u diverge. Along its gradient it is a parabola,
@@ -171,6 +181,12 @@ Layer surface(int at, Sight s, vec3 slide, float side, Gaze gaze) {
                        ellipsoid_white(key_strength, sky_strength, gloss, lines, limb, up);
         alpha = ellipsoid_outer_opacity(opacity, limb);
         alpha = mix(alpha, max(alpha, ellipsoid_outer_lines()), lines);
+#if RIM
+        float contour = contour_coverage(at, s);
+        layer.colour *= alpha * (1.0 - contour);
+        alpha = mix(alpha, 1.0, contour);
+        layer.colour = (layer.colour + contour * constant(at + 14).rgb) / max(alpha, 1e-6);
+#endif
     } else {
         layer.colour = mix(constant(at + 12).rgb, constant(at + 13).rgb, lines) * ellipsoid_inner_lit(lit);
         alpha = ellipsoid_inner_opacity(opacity, limb);

@@ -38,6 +38,21 @@ Sight sight_of(int at, vec2 pixel) {
                        constant(at + 3).xyz + p.x * constant(at + 4).xyz + p.y * constant(at + 5).xyz);
 }
 
+// Distance of the pixel from the outline, px, positive inside; normal: of the outline, unit.
+float outline_distance(int at, Sight s, out vec2 normal) {
+    // |d| - |m| is nearly linear across the outline, and exactly so for a sphere.
+    float per_d = inversesqrt(s.square);
+    float m_square = max(dot(s.m, s.m), 1e-30);
+    float per_m = inversesqrt(m_square);
+    vec3 d = per_d * s.d;
+    vec3 m = per_m * s.m;
+    vec2 gradient = vec2(dot(d, constant(at + 1).xyz) - dot(m, constant(at + 4).xyz),
+                         dot(d, constant(at + 2).xyz) - dot(m, constant(at + 5).xyz));
+    float steepness = inversesqrt(max(dot(gradient, gradient), 1e-36));
+    normal = gradient * steepness;
+    return s.discriminant / (s.square * per_d + m_square * per_m) * steepness;
+}
+
 // Share of the pixel inside the outline.
 float outline_coverage(int at, Sight s) {
     float bend = constant(at + 5).w;
@@ -56,17 +71,9 @@ float outline_coverage(int at, Sight s) {
         float end = clamp(0.5 + ridge / max(abs(along), 1e-30), 0.0, 1.0);
         return inside > 0.0 ? max(covered, 0.0) * end : 0.0;
     }
-    // |d| - |m| is nearly linear across the outline, and exactly so for a sphere.
-    float per_d = inversesqrt(s.square);
-    float m_square = max(dot(s.m, s.m), 1e-30);
-    float per_m = inversesqrt(m_square);
-    vec3 d = per_d * s.d;
-    vec3 m = per_m * s.m;
-    vec2 gradient = vec2(dot(d, constant(at + 1).xyz) - dot(m, constant(at + 4).xyz),
-                         dot(d, constant(at + 2).xyz) - dot(m, constant(at + 5).xyz));
-    float steepness = inversesqrt(max(dot(gradient, gradient), 1e-36));
-    float inside = s.discriminant / (s.square * per_d + m_square * per_m);
-    return edge_coverage(clamp(inside * steepness, -2.0, 2.0), gradient * steepness);
+    vec2 normal;
+    float distance_px = outline_distance(at, s, normal);
+    return edge_coverage(clamp(distance_px, -2.0, 2.0), normal);
 }
 
 // The point where the line enters (side -1) or leaves (side +1) the unit sphere.

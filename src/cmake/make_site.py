@@ -215,7 +215,7 @@ class Site:
         allowed = "'sha256-" + base64.b64encode(hashlib.sha256(script.encode()).digest()).decode() + "'"
         policy = re.search(r'<meta http-equiv="Content-Security-Policy" content="([^"]*)">', text)
         if policy:
-            wider = policy[0].replace("script-src ", f"script-src {allowed} ").replace('">', "; manifest-src 'self'; worker-src 'self'\">")
+            wider = policy[0].replace("script-src ", f"script-src {allowed} ").replace("img-src ", "img-src 'self' ").replace('">', "; manifest-src 'self'; worker-src 'self'\">")
             text = text.replace(policy[0], wider, 1)
             head = text.index("<title>")
             text = text[:head] + f"<script>{script}</script>\n" + text[head:]

@@ -27,7 +27,8 @@ SIZE = "480x270"
 COLOURS = "128"
 MOST_BYTES = 40_000
 # In the order of a lecture.
-ORDER = ["tensor", "four_views", "momentum_sphere", "montgomery", "torque_axis", "torque_symmetric", "euler_drift", "inertia_ellipsoid",
+ORDER = ["five_seconds", "cover",
+         "tensor", "four_views", "momentum_sphere", "montgomery", "torque_axis", "torque_symmetric", "euler_drift", "inertia_ellipsoid",
          "gradient", "invariable_plane", "rolling", "contact_matter", "generic", "lecture_construction", "lecture", "sphere", "stable_largest",
          "stable_smallest", "tennis_racket", "inertial_forces", "separatrix", "stability_map", "energy_sweep", "symmetric_oblate", "symmetric_prolate",
          "point_masses", "euler_angles", "heavy_top_conserved", "heavy_top_wavy", "heavy_top_cusp", "heavy_top_looping", "heavy_top_steady",

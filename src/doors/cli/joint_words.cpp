@@ -176,16 +176,13 @@ std::string json_of(const JointFit& joint, const std::vector<const TableFlight*>
             one.json("prediction", json_of(*predictions[i]));
         list.push_back(one.line());
     }
-    const auto axis = [&joint](int k) {
-        return json_triple(joint.instrument_from_principal.col(k));
-    };
     JsonObject answer;
     answer.json("flights", json_lines(list, 2)).add("flights_used", joint.n_used);
     answer.add("rows", joint.n_rows);
     answer.json("moments", json_triple(joint.moments))
         .json("moments_sd", json_triple(joint.moments_sd));
     if (joint.I1_kg_m2) answer.add("I1_kg_m2", *joint.I1_kg_m2);
-    answer.json("axes", json_list(std::vector<std::string>{axis(0), axis(1), axis(2)}));
+    answer.json("axes", json_of(joint.instrument_from_principal));
     answer.json("axes_sd_rad", json_triple(joint.axes_sd_rad));
     answer.add("drag", std::string(name_of(joint.drag))).add("shares_drag", joint.shares_drag);
     if (joint.shares_drag)

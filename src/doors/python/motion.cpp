@@ -307,6 +307,17 @@ py::list certificate(const Motion& motion, const Doubles& times, double attitude
     return claims;
 }
 
+// space_from_body as SciPy's Rotation, whose quaternions are (x, y, z, w).
+py::object scipy_rotation_of(const py::object& states) {
+    using namespace py::literals;
+    const py::object from_quat =
+        py::module_::import("scipy.spatial.transform").attr("Rotation").attr("from_quat");
+    const py::object wxyz = states.attr("space_from_body");
+    const py::object xyzw = py::module_::import("numpy").attr("roll")(wxyz, -1, "axis"_a = -1);
+    if (xyzw.attr("ndim").cast<int>() <= 2) return from_quat(xyzw);
+    return from_quat(xyzw.attr("reshape")(-1, 4));
+}
+
 }  // namespace
 
 void add_motion(py::module_& module) {
@@ -320,7 +331,9 @@ void add_motion(py::module_& module) {
         .def_property_readonly("time_s", quantity(0, 0))
         .def_property_readonly("omega_body", quantity(1, 3))
         .def_property_readonly("space_from_body", quantity(4, 4))
-        .def_property_readonly("herpolhode", quantity(8, 3));
+        .def_property_readonly("herpolhode", quantity(8, 3))
+        .def_property_readonly("rotation",
+                               [](const py::object& self) { return scipy_rotation_of(self); });
     const auto without_lock = py::call_guard<WithoutLock>();
     py::class_<Motion>(module, "Motion", without_new())
         .def_static("of_body", motion_of, "moments"_a, "omega"_a, "attitude"_a, "method"_a,
@@ -333,12 +346,12 @@ void add_motion(py::module_& module) {
             "regime",
             [](const Motion& motion) { return std::string(library::name_of(motion.regime())); })
         .def_property_readonly("description", &Motion::regime_sentence)
-        .def_property_readonly(
-            "principal_axes",
-            [](const Motion& motion) {
-                using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
-                return Rows(motion.body_from_principal().transpose().array() + 0.0);
-            })
+        .def_property_readonly("principal_axes",
+                               [](const Motion& motion) {
+                                   using Rows = Eigen::Matrix<double, 3, 3, Eigen::RowMajor>;
+                                   return Rows(motion.body_from_principal().array() + 0.0);
+                               })
+        .def_property_readonly("moments", &Motion::moments_kg_m2)
         .def("constants", constants)
         .def("top_constants", top_constants)
         .def("cones", cones)

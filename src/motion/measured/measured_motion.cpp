@@ -143,24 +143,23 @@ void MeasuredReader::take_header(std::string_view line) {
     split(line, separator_, cells_);
     n_columns_ = cells_.size();
     factors_.assign(n_columns_, 1.0);
-    std::vector<TableHeading> headings;
-    for (const std::string_view cell : cells_) headings.push_back(table_heading_of(cell));
-    const auto is_attitude = [](const TableHeading& heading) {
-        return heading.kind == ColumnKind::quaternion || heading.kind == ColumnKind::matrix;
-    };
+    // By kind: the highest rank, of which the columns are taken.
+    std::array<int, n_column_kinds> ranks{};
+    ranks.fill(-1);
+    for (const std::string_view cell : cells_) {
+        const TableHeading heading = table_heading_of(cell);
+        int& rank = ranks[static_cast<std::size_t>(heading.kind)];
+        rank = std::max(rank, heading.rank);
+    }
     // Beside attitudes, x, y and z alone are a place.
-    if (std::any_of(headings.begin(), headings.end(), is_attitude))
-        for (TableHeading& heading : headings)
-            if (heading.kind == ColumnKind::omega && heading.rank < sure_rank)
-                heading.kind = ColumnKind::other;
-    const auto is_outranked = [&headings](const TableHeading& heading) {
-        return std::any_of(headings.begin(), headings.end(), [&heading](const TableHeading& other) {
-            return other.kind == heading.kind && other.rank > heading.rank;
-        });
-    };
+    const bool has_attitudes = ranks[static_cast<std::size_t>(ColumnKind::quaternion)] >= 0 ||
+                               ranks[static_cast<std::size_t>(ColumnKind::matrix)] >= 0;
     for (std::size_t i = 0; i < n_columns_; ++i) {
-        const TableHeading& heading = headings[i];
-        if (heading.kind == ColumnKind::other || is_outranked(heading)) continue;
+        const TableHeading heading = table_heading_of(cells_[i]);
+        const bool is_short = heading.kind == ColumnKind::omega && heading.rank < sure_rank;
+        if (heading.kind == ColumnKind::other || (is_short && has_attitudes) ||
+            heading.rank < ranks[static_cast<std::size_t>(heading.kind)])
+            continue;
         const auto component = static_cast<std::size_t>(heading.component);
         int& column = heading.kind == ColumnKind::time         ? column_of_time_
                       : heading.kind == ColumnKind::omega      ? column_of_omega_[component]
@@ -179,8 +178,7 @@ void MeasuredReader::take_header(std::string_view line) {
                                   printable(heading.name), is_time ? "s" : "rad/s"));
         }
         factors_[i] = heading.si_in_unit;
-        if (heading.kind == ColumnKind::omega && heading.rank < sure_rank &&
-            is_of_another_sensor(name_))
+        if (is_short && is_of_another_sensor(name_))
             refuse(i, "by the table's name this is no column of ω; give the gyroscope's table");
     }
     check_columns();

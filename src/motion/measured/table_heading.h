@@ -1,13 +1,14 @@
 // The first line of a table of measurements: what each column is, from its heading.
 #pragma once
 
-#include <optional>
+#include <cstddef>
 #include <string>
 #include <string_view>
 
 namespace poinsot {
 
 enum class ColumnKind { other, time, omega, quaternion, matrix };
+inline constexpr std::size_t n_column_kinds = 5;
 
 // The least rank of a name that is ω's alone: "gyroscope_x", not "x".
 inline constexpr int sure_rank = 2;

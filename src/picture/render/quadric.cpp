@@ -90,8 +90,11 @@ Quadric::Quadric(const Ellipsoid& ellipsoid, const Projection& projection)
     // px. The inset is three line widths, since the core computes a line's distance from the
     // derivatives of u.
     constexpr double least_inset_px = 3.0, narrowest_px = 24.0, longest = 40.0;
-    const double inset_px =
-        std::min(std::max(least_inset_px, 3.0 * ellipsoid.section_px), 0.5 * half_px[0]);
+    // The contour lies outside of the core.
+    const double per_inset = 2.0 * std::sqrt(half_px[0] * half_px[1]) / half_px.sum();
+    const double contour_inset_px = (ellipsoid.contour_px + 0.9) / per_inset;
+    const double inset_px = std::min(
+        std::max({least_inset_px, 3.0 * ellipsoid.section_px, contour_inset_px}), 0.5 * half_px[0]);
     if (half_px[0] > narrowest_px && half_px[1] < longest * half_px[0])
         core = polygon_in(anchor_px + middle, (half_px[0] - inset_px) * narrow,
                           (half_px[1] - inset_px) * wide);

@@ -95,8 +95,10 @@ Outline outline_of(const View& view, const Curve& curve, int most) {
         return curve.placement *
                (from + (index - whole) * (points[(i + 1) % points.size()] - from));
     };
-    // Whole steps of the geometry, and both ends of the range; a short range has shorter steps.
-    const double step = std::max(1.0, std::min(std::ceil(n / most), (last - first) / 8.0));
+    // Whole steps of the geometry, and both ends of the range; a short range has shorter steps, and
+    // a straight line inner points.
+    const double shortest = n > 2.0 ? 1.0 : (last - first) / 32.0;
+    const double step = std::max(shortest, std::min(std::ceil(n / most), (last - first) / 8.0));
     Outline outline;
     Eigen::Vector2d before_px = Eigen::Vector2d::Zero();
     bool is_joined = false;  // to the point before

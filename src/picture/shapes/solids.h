@@ -28,7 +28,11 @@ struct Ellipsoid {
     double ruling_px = 0.8;   // meridians and parallels (0: none)
     double ruling_opacity = 0.35;
     int n_meridians = 12;
-    int n_parallels = 5;       // between the poles
+    int n_parallels = 5;  // between the poles
+    // A line along the inner side of the limb, which keeps the outline visible before a ground of
+    // the same tone (0: none).
+    double contour_px = 0.0;
+    Colour contour_colour{0.35, 0.22, 0.08};
     bool casts_shadow = true;  // contact shadow on the planes below it
     ShapeName name{};
 };

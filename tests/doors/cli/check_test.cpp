@@ -88,8 +88,8 @@ duration_s = 2.0
                                      moments.begin());
         double along = 0.0, length = 0.0;
         for (std::size_t i = 0; i < 3; ++i) {
-            along += axes[same][i] * expected[k][i];
-            length += axes[same][i] * axes[same][i];
+            along += axes[i][same] * expected[k][i];
+            length += axes[i][same] * axes[i][same];
         }
         EXPECT_NEAR(std::abs(along), 1.0, 1e-15);
         EXPECT_NEAR(length, 1.0, 1e-15);

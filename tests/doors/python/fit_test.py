@@ -264,7 +264,7 @@ def test_the_program_finds_the_same(program):
     assert found.notes == notes_in(program("fit", RACKET)) and "larger than the noise" in found.notes[0]
     np.testing.assert_allclose(found.moments, said["moments"], rtol=1e-14)
     np.testing.assert_allclose(found.moments_sd, said["moments_sd"], rtol=1e-14)
-    np.testing.assert_allclose(found.axes.T, said["axes"], atol=1e-14)
+    np.testing.assert_allclose(found.axes, said["axes"], atol=1e-14)
     assert found.drag.model == said["drag"] and found.residual == pytest.approx(said["residual_rad_s"], rel=1e-14)
 
 

@@ -1,6 +1,8 @@
 """Motions without a scene: each number is a closed form's or has the digits of a scene's."""
 import copy
+import json
 import math
+import pathlib
 import pickle
 import pydoc
 import re
@@ -100,8 +102,92 @@ def test_a_tensor_is_its_moments_in_turned_axes():
     np.testing.assert_allclose(motion.at(TIMES).omega_body, in_principal @ turn.T, rtol=0, atol=1e-11)
     # Up to their signs and their order.
     axes = motion.principal_axes
-    np.testing.assert_allclose(axes @ tensor @ axes.T, np.diag(1 / motion.constants.half_axes**2), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(axes.T @ tensor @ axes, np.diag(motion.moments), rtol=0, atol=1e-14)
+    np.testing.assert_allclose(motion.moments, 1 / motion.constants.half_axes**2, rtol=1e-14)
     assert (poinsot.Motion(TRIAXIAL, OMEGA).principal_axes == np.eye(3)).all()
+
+
+def test_principal_axes_are_columns_wherever_they_are_a_matrix(program, tmp_path):
+    # A slab that is turned by its own axes only: e1, e2, e3 of all are those of the tensor.
+    turn = np.array([[0.8, -0.6, 0.0], [0.6, 0.8, 0.0], [0.0, 0.0, 1.0]])
+    tensor = turn @ np.diag([3.0, 2.0, 1.0]) @ turn.T
+    motion = poinsot.Motion(tensor, [1.0, 6.0, 2.0])
+    times = np.arange(0.0, 8.0, 0.02)
+    found = poinsot.fit(times, motion.at(times).omega_body)
+    scene = tmp_path / "turned.toml"
+    scene.write_text(f"[body]\ntensor_kg_m2 = {tensor.tolist()}\n[start]\nomega_rad_s = [1.0, 6.0, 2.0]\n")
+    table = tmp_path / "turned.csv"
+    table.write_text("t,w_x,w_y,w_z\n" + "\n".join(f"{t},{w[0]},{w[1]},{w[2]}" for t, w in zip(times.tolist(), motion.at(times).omega_body.tolist())))
+    said = json.loads(program("check", scene, "--json"))
+    for axes, moments in (
+        (motion.principal_axes, motion.moments),
+        (found.axes, 3.0 * found.moments),
+        (said["principal_axes"], said["moments_kg_m2"]),
+        (json.loads(program("fit", table, "--json"))["axes"], 3.0 * found.moments),
+    ):
+        axes = np.array(axes)
+        np.testing.assert_allclose(axes @ np.diag(moments) @ axes.T, tensor, rtol=0, atol=1e-6)
+
+
+def conventions():
+    """The rows of the table of docs/python.md: value, shape, unit, axes."""
+    page = (pathlib.Path(__file__).resolve().parents[3] / "docs" / "python.md").read_text(encoding="utf-8")
+    table = page.partition("| value | shape | unit | axes |")[2].split("\n\n")[0].splitlines()[2:]
+    return [tuple(cell.replace("`", "").strip() for cell in row.strip("|").split("|")) for row in table]
+
+
+def test_the_page_says_axes_units_and_order():
+    rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    rows = conventions()
+    assert len(rows) > 15
+    start = rotation.from_euler("xyz", [0.3, -0.2, 0.9])
+
+    def values(turn, mass, speed):
+        """Of the same motion, seen in turned body axes, of a heavier body and faster."""
+        times = np.arange(0.0, 4.0, 0.02) / speed
+        tensor = mass * turn.as_matrix() @ np.diag([3.0, 2.0, 1.0]) @ turn.as_matrix().T
+        motion = poinsot.Motion(tensor, speed * turn.apply([1.0, 6.0, 2.0]), attitude=start * turn.inv())
+        found = poinsot.fit(times, motion.at(times).omega_body)
+        known = {"motion": motion, "found": found, "times": times}
+        return {row[0]: np.asarray(eval(row[0], known)) for row in rows}
+
+    turn, mass, speed = rotation.from_rotvec([0.06, 0.12, 0.13]), 4.0, 2.0
+    first, second = values(rotation.identity(), 1.0, 1.0), values(turn, mass, speed)
+    units = {"": 1.0, "kg m²": mass, "1/√(kg m²)": mass**-0.5, "rad/s": speed, "1/s, or 1/rad": speed, "rad/s, or rad": speed,
+             "I1, or kg m²": 1.0, "as moments": 1.0}
+    matrix = turn.as_matrix()
+    for name, shape, unit, axes in rows:
+        wide = shape.replace("S + ", "200, ").replace("(3", "3").replace("(4", "4") if "S" in shape else shape.strip("()")
+        assert first[name].shape == tuple(int(n) for n in wide.strip("()").split(",") if n.strip()), name
+        one, other = units[unit] * first[name], second[name]
+        if axes in ("body", "instrument"):
+            one = matrix @ one @ matrix.T if shape == "(3, 3)" else one @ matrix.T
+        elif axes.startswith("columns e1, e2, e3 in "):
+            one = matrix @ one
+        elif axes == "space from body":
+            one = (rotation.from_quat(np.roll(one, -1, axis=-1)) * turn.inv()).as_matrix()
+            other = rotation.from_quat(np.roll(other, -1, axis=-1)).as_matrix()
+        else:
+            assert axes in ("e1, e2, e3", "space"), axes
+        np.testing.assert_allclose(other, one, rtol=0, atol=1e-5, err_msg=name)
+    # The columns belong to the moments of their order.
+    for axes, moments in (("motion.principal_axes", "motion.moments"), ("found.axes", "found.moments")):
+        turned = second[axes] @ np.diag(second[moments] / second[moments].max()) @ second[axes].T
+        np.testing.assert_allclose(turned, matrix @ np.diag([1.0, 2.0 / 3.0, 1.0 / 3.0]) @ matrix.T, rtol=0, atol=1e-5)
+
+
+def test_a_motion_says_its_start():
+    rotation = pytest.importorskip("scipy.spatial.transform").Rotation
+    start = rotation.from_euler("xyz", [0.3, -0.2, 0.9])
+    motion = poinsot.Motion(TRIAXIAL, OMEGA, attitude=start)
+    np.testing.assert_array_equal(motion.omega, OMEGA)
+    np.testing.assert_array_equal(motion.moments, TRIAXIAL)
+    assert (motion.at(0.0).rotation * start.inv()).magnitude() < 1e-15
+    np.testing.assert_allclose(motion.attitude, np.roll(start.as_quat(), 1), rtol=0, atol=1e-15)
+    states = motion.at(np.arange(6.0).reshape(2, 3))
+    # e3 of the body in space, by the matrix and by the quaternion's own formula.
+    w, x, y, z = states.space_from_body.reshape(-1, 4).T
+    np.testing.assert_allclose(states.rotation.apply([0, 0, 1]), np.stack([2 * (x * z + w * y), 2 * (y * z - w * x), 1 - 2 * (x * x + y * y)], axis=1), atol=1e-14)
 
 
 def test_the_attitude_at_the_start_is_the_one_given():

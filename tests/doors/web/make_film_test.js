@@ -44,7 +44,7 @@ function assert_record(file, frames) {
   assert.match(poinsot('explain', file), /moments_kg_m2/);
   // The workbench, too, reads its scene.
   const in_page = `import(${JSON.stringify(made_file)}).then(({made_scene}) => console.log(made_scene(new Uint8Array(require("fs").readFileSync(process.argv[1]))).text))`;
-  assert.match(run(process.execPath, ['-e', in_page, file]), /moments_kg_m2 = .*[^]*\[\[stops\]\]/);
+  assert.match(String(run(process.execPath, ['-e', in_page, file])), /moments_kg_m2 = .*[^]*\[\[stops\]\]/);
 }
 
 check('makes an MP4 film with the frames of the native one', async (browser) => {

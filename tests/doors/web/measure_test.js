@@ -98,7 +98,7 @@ const csv_of = (rows) => `t,wx,wy,wz\n${rows.map((row) => row.join(',')).join('\
 /** Moments and flight are those that were thrown. */
 function assert_thrown(fit, flight) {
   fit.moments.forEach((moment, i) => assert.ok(Math.abs(moment - moments[i]) < 0.01, `moments ${fit.moments}`));
-  assert.ok(Math.abs(fit.axes[0][2]) > 0.99 && Math.abs(fit.axes[1][0]) > 0.99 && Math.abs(fit.axes[2][1]) > 0.99, `axes ${fit.axes}`);
+  assert.ok(Math.abs(fit.axes[2][0]) > 0.99 && Math.abs(fit.axes[0][1]) > 0.99 && Math.abs(fit.axes[1][2]) > 0.99, `axes ${fit.axes}`);
   if (!flight) return;
   assert.ok(Math.abs(flight.begin_s - 1.5) < 0.1 && Math.abs(flight.end_s - 2.3) < 0.1, `${flight.begin_s} to ${flight.end_s} s`);
 }

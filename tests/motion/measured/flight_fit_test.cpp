@@ -109,6 +109,16 @@ TEST(AttitudeFit, OfAVideoIsAsGoodAsItsNoise) {
     }
 }
 
+// Eleven minutes of a video: 4,000 rad, in which a small error of a moment loses count of the
+// turns.
+TEST(AttitudeFit, OfALongMotionGoesOnToTheMinimum) {
+    std::mt19937 random(8);
+    const FittedMotion fit = fit_motion(filmed({}, 660.0, 30.0, 0.005, random).rows);
+    EXPECT_NEAR(fit.residual, 0.005, 0.00006);
+    EXPECT_NEAR(fit.moments[1], 2.0 / 3.0, 5.0 * fit.moments_sd[1]);
+    EXPECT_NEAR(fit.moments[2], 1.0 / 3.0, 5.0 * fit.moments_sd[2]);
+}
+
 // The deviations are meant as they are said, at every rate and noise, with gaps and drag.
 TEST(AttitudeFit, DeviationsAreThoseOfTheNumbers) {
     std::mt19937 random(3);

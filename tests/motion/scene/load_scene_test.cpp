@@ -354,10 +354,34 @@ TEST(BadScene, PanelsThatDoNotFitAreRefused) {
 }
 
 TEST(BadScene, SyntaxErrorsKeepTheirPlace) {
-    EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0, 2.0\ntitle = 3\n")
-                  .rfind("scenes/a.toml:3:1: not valid TOML: parsing ", 0),
+    EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = 3.0, 2.0\n")
+                  .rfind("scenes/a.toml:2:20: not valid TOML: parsing ", 0),
               0u);
     EXPECT_EQ(refusal("title = \"a\"\ntitle = \"b\"\n").rfind("scenes/a.toml:2:", 0), 0u);
+}
+
+TEST(BadScene, AMissingBracketIsMarkedWhereItsArrayBegins) {
+    const std::string missing = "not valid TOML: this array has no closing ']'; write it";
+    EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0, 2.0\ntitle = 3\n"),
+              "scenes/a.toml:2:17: " + missing);
+    EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0, 2.0\n\n# ] in a comment\n[start]\n"),
+              "scenes/a.toml:2:17: " + missing);
+    EXPECT_EQ(
+        refusal("title = \"[ \\\" [\"\n[a]\nx = [ [1, 2], ']', \"\"\"\n]\"\"\",\n  [ 3\n y = 1\n"),
+        "scenes/a.toml:5:3: " + missing);
+    // In one line, the place itself is marked.
+    EXPECT_EQ(refusal("[body]\nmoments_kg_m2 = [3.0, 2.0 x]\n").rfind("scenes/a.toml:2:27: ", 0),
+              0u);
+}
+
+TEST(BadScene, ADecimalCommaIsNamed) {
+    const std::string points = "numbers have decimal points, as in 16.0, and commas separate them";
+    for (const std::string value : {"16,0", "[0,8; 0,9; 1,0]", "1,5 # s"}) {
+        const std::string said = refusal("[film]\nduration_s = " + value + "\n");
+        EXPECT_TRUE(said.starts_with("scenes/a.toml:2:") && said.ends_with(points)) << said;
+    }
+    const std::string other = refusal("[film]\nduration_s = 1 ; 2\n");
+    EXPECT_TRUE(other.ends_with("correct this line")) << other;
 }
 
 TEST(BadScene, OverrideNamesItself) {

@@ -91,6 +91,7 @@ const std::map<std::string, std::string>& accepted() {
 struct Faults {
     std::vector<std::string> lines;
     int n_names = 0;
+    int n_letters = 0, n_on_lines = 0;
 
     void add(const std::string& rule, const std::string& scene, std::string_view name,
              const std::string& where) {
@@ -107,6 +108,17 @@ double own_line_px(const View& view, const Label& label) {
             for (const VisiblePoint& point : outline_of(view, curve, 400))
                 inside_px += label_box(label).length_inside(point.before_px, point.px);
     return inside_px;
+}
+
+// The length of the visible strong curves inside of a letter's box, in its heights.
+double lines_under(const View& view, const Label& letter) {
+    const LabelBox box = label_box(letter);
+    double inside_px = 0.0;
+    for (const Curve& curve : view.curves)
+        if (curve.opacity > 0.5 && curve.occlusion != Occlusion::none)
+            for (const VisiblePoint& point : outline_of(view, curve, 700))
+                inside_px += box.length_inside(point.before_px, point.px);
+    return 0.5 * inside_px / box.half_px.y();
 }
 
 // The distance of a name from its thing's visible curve; none if it has no curve.
@@ -189,6 +201,10 @@ void look_at(const std::string& scene, const Drawing& drawing, const std::string
                     return (nearest - box.centre_px).norm() < drawing.width_px / 20.0;
                 });
             if (n_near > 7) faults.add("crowd", scene, label.name.element, where);
+            if (!is_thing(label.name.element) && label.mask->source.is_formula && label.at) {
+                ++faults.n_letters;
+                faults.n_on_lines += lines_under(view, label) > 0.4 ? 1 : 0;
+            }
             if (!is_thing(label.name.element)) continue;
             ++faults.n_names;
             const double em_px = label.mask->source.em_px;
@@ -256,6 +272,9 @@ TEST(LabelRules, HoldInStillsOfEverySize) {
     for (const std::string& line : faults.lines) all += line + "\n";
     EXPECT_TRUE(faults.lines.empty()) << faults.lines.size() << " faults\n" << all;
     EXPECT_GT(faults.n_names, is_whole() ? 5000 : 60);
+    // The letters of vectors keep off curves.
+    EXPECT_GT(faults.n_letters, 200);
+    EXPECT_LE(faults.n_on_lines, 0.01 * faults.n_letters) << faults.n_letters;
 }
 
 // The runs of frames at which a name is whole, fades and is absent, at 20 frames a second.

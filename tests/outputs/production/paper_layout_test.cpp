@@ -60,8 +60,8 @@ TEST(PaperLayout, TitleAndCaptionTakeAQuarterOfThePageAtMost) {
     }
 }
 
-// Hand-outs of the lecture, 160 mm wide with type of 11 pt, as `--slides` makes them: every arrow
-// has its name, and every axis of its own.
+// Hand-outs of the lecture, 160 mm wide, with type of 11 pt, which is larger than that of
+// `--slides`: every arrow has its name, and every axis of its own.
 TEST(PaperLayout, HandOutsOfTheLectureNameTheirArrows) {
     SessionRequest request{installed_fonts()};
     request.print.width_mm = 160.0;
@@ -104,15 +104,15 @@ TEST(PaperLayout, HandOutsOfTheLectureNameTheirArrows) {
                 EXPECT_EQ(n_names(element), 3) << stop.title << ": " << element;
             }
     }
-    // The fifth stop names the three half-axes.
-    const View view = view_at(session.scene.stops.at(4));
+    // The sixth stop names the three half-axes.
+    const View view = view_at(session.scene.stops.at(5));
     EXPECT_EQ(std::count_if(view.labels.begin(), view.labels.end(),
                             [](const Label& label) {
                                 return label.name.element == "half-axes" && label.opacity > 0.5;
                             }),
               3);
-    // The fourteenth has no plane, which the edges of the panel would cut.
-    const View from_above = view_at(session.scene.stops.at(13));
+    // The fifteenth has no plane, which the edges of the panel would cut.
+    const View from_above = view_at(session.scene.stops.at(14));
     EXPECT_TRUE(std::none_of(from_above.planes.begin(), from_above.planes.end(),
                              [](const Plane& plane) { return plane.opacity > 0.0; }));
 }

@@ -8,6 +8,9 @@
 #include <string>
 
 #include "drawing/stage/stage.h"
+#include "places.h"
+#include "production/session/picture_setting.h"
+#include "scene/files/load_scene.h"
 #include "scene/parse_scene.h"
 #include "typeset/files/installed_fonts.h"
 
@@ -49,6 +52,51 @@ TEST(StillMoment, IsOneAtWhichNoTwoArrowsCoincide) {
     // The same at every size, and each time.
     const Session small = session_with(racket + "[film]\nduration_s = 7.2\nsize = [640, 360]\n");
     EXPECT_EQ(still_moment(small, {}, StillTime::of_scene).time_s, chosen.time_s);
+}
+
+// A picture on paper has another shape, also where its panels stand in more rows.
+TEST(StillMoment, IsTheSameOnPaper) {
+    const std::string film = racket + "[film]\nduration_s = 7.2\n";
+    const double screen_s = still_moment(session_with(film), {}, StillTime::of_scene).time_s;
+    for (const char* size : {"[1004, 1400]", "[1280, 480]", "[720, 1280]"}) {
+        const Session session = session_with(film + "size = " + size + "\n");
+        EXPECT_EQ(still_moment(session, {}, StillTime::of_scene).time_s, screen_s) << size;
+    }
+}
+
+TEST(StillMoment, OfEverySuppliedSceneIsChosenByEye) {
+    for (const auto& file : supplied_scenes())
+        EXPECT_TRUE(load_scene(file, {}).film.still_s) << file;
+}
+
+// A trail of the entire film is entire in a still as well.
+TEST(StillMoment, AStillShowsTheWholeTrailOfItsFilm) {
+    const std::string text =
+        "[body]\nmoments_kg_m2 = [5.5, 4.5, 1.2]\n[start]\nomega_rad_s = [0.8, 0.9, 2.4]\n"
+        "[film]\nduration_s = 16\n[trail]\nherpolhode = ";
+    // The points of the herpolhode that a still at three seconds shows.
+    const auto shown = [](const Session& session) {
+        const FilmPlan film = film_plan(session);
+        PictureSpan span = span_of_instant(session, film, 3.0);
+        span.is_still = true;
+        const Stage stage = stage_of(session, span, setting_of(session.scene));
+        double px = 0.0;
+        const Drawing drawing = stage.at(moment_of_time(film.clock, 3.0));
+        for (const View& view : drawing.views)
+            for (const Curve& curve : view.curves)
+                if (curve.name == ShapeName{"herpolhode", 0, ""})
+                    for (std::size_t k = 1; k < curve.geometry->points.size(); ++k)
+                        if (static_cast<double>(k) <= curve.last &&
+                            static_cast<double>(k) > curve.first)
+                            px +=
+                                (curve.geometry->points[k] - curve.geometry->points[k - 1]).norm();
+        return px;
+    };
+    const double whole = shown(session_with(text + "\"whole\"\n"));
+    const double history = shown(session_with(text + "\"history\"\n"));
+    // Sixteen seconds instead of three.
+    EXPECT_GT(whole, 4.0 * history);
+    EXPECT_GT(history, 0.1);
 }
 
 TEST(StillMoment, IsTheLastOfTheFilmWhereArrowsAreApart) {

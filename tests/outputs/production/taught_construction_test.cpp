@@ -475,7 +475,8 @@ TEST(TaughtConstruction, ThePictureIsARotationOfTheMotion) {
     // Tips seen from two sides have known positions in space. The axes are right-handed, and each
     // tip moves along ω × r, with the drawn ω.
     const Turning body{{1.0, 2.0, 2.9}, {1.5, 0.3, 0.75}, 0.0};
-    const std::string scene = scene_of(body);
+    // Without letters, which have the colours of the axes.
+    const std::string scene = "labels = false\n" + scene_of(body);
     Pinhole left{-80.0, 18.0};
     Pinhole right{10.0, 28.0};
     left.distance = right.distance = 6.5;

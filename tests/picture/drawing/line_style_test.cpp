@@ -55,6 +55,7 @@ double thinnest_px(const Drawing& drawing) {
         for (const Ellipsoid& ellipsoid : view.ellipsoids) {
             take(ellipsoid.ruling_px);
             take(ellipsoid.section_px);
+            take(ellipsoid.contour_px);
         }
     }
     return px;
@@ -389,6 +390,66 @@ TEST(LineStyles, AnArrowInterruptsWhatIsBehindIt) {
     EXPECT_NEAR(0.5 * (behind.view.curves[1].first + behind.view.curves[0].last), 200.0, 0.3);
     EXPECT_EQ(Crossed(1.0, "gap").view.curves.size(), 1u);
     EXPECT_EQ(Crossed(-1.0, "through").view.curves.size(), 1u);
+}
+
+// Arrows over a wide line, and the hole that they leave in it, px.
+struct WideCrossed : Crossed {
+    static constexpr double width_px = 8.0;
+
+    // The tips of arrows at z = 0 that run through the mirror images of their tips.
+    explicit WideCrossed(const std::vector<std::pair<Eigen::Vector3d, double>>& arrows)
+        : Crossed(-1.0, "through") {
+        Arrow arrow = view.arrows.front();
+        view.arrows.clear();
+        for (const auto& [tip, aside] : arrows) {
+            const Eigen::Vector3d middle(aside, 0.0, 0.0);
+            arrow.tail = middle - tip;
+            arrow.tip = middle + tip;
+            view.arrows.push_back(arrow);
+        }
+        view.curves.front().width_px = width_px;
+        rules.crossings = "gap";
+    }
+    double hole_px() {
+        apply_line_style(rules, view);
+        double left = 0.0;
+        for (const Curve& part : view.curves) left += std::min(part.last, 400.0) - part.first;
+        return (400.0 - left) * pixels_per_point();
+    }
+};
+
+TEST(LineStyles, AFlatCrossingLeavesAHoleOfThreeWidths) {
+    // 0.98 rad to 0.17 rad between the lines.
+    for (const double rise : {1.5, 0.6, 0.3, 0.17}) {
+        WideCrossed crossed({{{1.0, rise, 0.0}, 0.0}});
+        const double hole_px = crossed.hole_px();
+        EXPECT_GT(hole_px, 8.0) << rise;
+        EXPECT_LE(hole_px, 3.0 * WideCrossed::width_px + 1e-6) << rise;
+    }
+}
+
+TEST(LineStyles, CrossingsInARowLeaveNoLongHole) {
+    // Twelve pixels apart: together they would leave 80 px.
+    std::vector<std::pair<Eigen::Vector3d, double>> arrows;
+    for (int k = 0; k < 6; ++k) arrows.emplace_back(Eigen::Vector3d(0.0, 1.0, 0.0), 0.12 * k);
+    WideCrossed crossed(arrows);
+    apply_line_style(crossed.rules, crossed.view);
+    ASSERT_GT(crossed.view.curves.size(), 1u);
+    for (std::size_t k = 1; k < crossed.view.curves.size(); ++k)
+        EXPECT_LE((crossed.view.curves[k].first - crossed.view.curves[k - 1].last) *
+                      crossed.pixels_per_point(),
+                  3.0 * WideCrossed::width_px + 1e-6);
+}
+
+TEST(LineStyles, AtTheContactPointEveryLineIsWhole) {
+    for (const double away_px : {0.0, 20.0, 60.0}) {
+        WideCrossed crossed({{{0.2, 1.0, 0.0}, 0.0}});
+        Dot& contact = crossed.view.dots.emplace_back();
+        contact.at = crossed.line.points[200] +
+                     Eigen::Vector3d(away_px / crossed.pixels_per_point() * 2.0 / 400.0, 0.0, 0.0);
+        contact.name = {"contact"};
+        EXPECT_EQ(crossed.hole_px() > 0.0, away_px > 50.0) << away_px;
+    }
 }
 
 // Both parts of a fading trail fade as the whole does.

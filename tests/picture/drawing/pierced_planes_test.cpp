@@ -1,4 +1,5 @@
-// What lies beyond a plane is paler and dashed, and a ring shows where an arrow pierces it.
+// What lies beyond a plane is dashed and in full strength, and a ring shows where an arrow pierces
+// it.
 #include "drawing/style/pierced_planes.h"
 
 #include <gtest/gtest.h>
@@ -45,7 +46,7 @@ struct Setting {
     }
 };
 
-TEST(PiercePlanes, ThePartBeyondIsPalerAndDashed) {
+TEST(PiercePlanes, ThePartBeyondIsDashedAndAsStrong) {
     const Eigen::Vector3d tail(0.3, 0.2, 1.0), tip(-0.1, 0.4, -1.0);
     Setting setting(3.0, tail, tip);
     const View& view = setting.pierced();
@@ -60,7 +61,8 @@ TEST(PiercePlanes, ThePartBeyondIsPalerAndDashed) {
     EXPECT_EQ(before.opacity, 1.0);
     EXPECT_EQ(before.dash_px, 0.0);
     EXPECT_LE(before.head_px, before.shaft_px);
-    EXPECT_LT(beyond.opacity, 0.85);
+    EXPECT_EQ(beyond.opacity, 1.0);
+    EXPECT_EQ(beyond.hidden_opacity, 1.0);
     EXPECT_GT(beyond.dash_px, 0.0);
     EXPECT_EQ(beyond.head_px, 16.0);
 }
@@ -103,7 +105,8 @@ TEST(PiercePlanes, AnArrowThatBeginsOnThePlaneIsBeyondItAsAWhole) {
     Setting setting(3.0, {0.2, 0.0, 0.0}, {0.4, 0.0, -1.0});
     const View& view = setting.pierced();
     ASSERT_EQ(view.arrows.size(), 1u);
-    EXPECT_LT(view.arrows[0].opacity, 0.85);
+    EXPECT_EQ(view.arrows[0].hidden_opacity, 1.0);
+    EXPECT_GT(view.arrows[0].dash_px, 0.0);
 }
 
 TEST(PiercePlanes, ArrowsAboveOrBesideThePlaneAreUnchanged) {
@@ -118,19 +121,26 @@ TEST(PiercePlanes, ArrowsAboveOrBesideThePlaneAreUnchanged) {
 }
 
 // From one picture of a film to the next, nothing jumps while a head goes through the plane.
-TEST(PiercePlanes, AHeadFadesAsItGoesThrough) {
-    double before = 1.0;
+TEST(PiercePlanes, AHeadKeepsItsStrengthAsItGoesThrough) {
+    double before = Arrow().hidden_opacity;
     int n_between = 0;
     for (int k = 0; k <= 400; ++k) {
         Setting setting(3.0, {0.0, 0.0, 1.0}, {0.0, 0.0, -0.0011 * k});
-        const double opacity = setting.pierced().arrows.back().opacity;
-        EXPECT_LE(opacity, before);
-        EXPECT_LT(before - opacity, 0.02);
-        n_between += opacity < 1.0 && opacity > 0.81 ? 1 : 0;
-        before = opacity;
+        const Arrow& last = setting.pierced().arrows.back();
+        EXPECT_EQ(last.opacity, 1.0);
+        EXPECT_GE(last.hidden_opacity, before);
+        EXPECT_LT(last.hidden_opacity - before, 0.05);
+        n_between += last.hidden_opacity < 1.0 && last.hidden_opacity > 0.5 ? 1 : 0;
+        before = last.hidden_opacity;
     }
     EXPECT_GT(n_between, 20);
-    EXPECT_LT(before, 0.81);
+    EXPECT_EQ(before, 1.0);
+}
+
+TEST(PiercePlanes, WhatIsOmittedWhereHiddenStaysSo) {
+    Setting setting(3.0, {0.0, 0.0, 1.0}, {0.0, 0.0, -1.0});
+    setting.view.arrows.front().hidden_opacity = -1.0;
+    EXPECT_LT(setting.pierced().arrows.back().hidden_opacity, 0.0);
 }
 
 }  // namespace

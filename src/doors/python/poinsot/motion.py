@@ -153,7 +153,8 @@ class Motion:
 
 times: in s, of any shape S. Returns an object with `.time_s` (S), `.omega_body` (S + (3,), rad/s, body axes),
 `.space_from_body` (S + (4,), unit quaternion (w, x, y, z)) and `.herpolhode` (S + (3,), ω perpendicular to L,
-rad/s, space axes). All are contiguous arrays of float64. Raises InputError for instants that are not finite.""",
+rad/s, space axes), and with `.rotation`, space_from_body as SciPy's Rotation, in a row for S of several dimensions.
+All but this are contiguous arrays of float64. Raises InputError for instants that are not finite.""",
     }
 
     def __init__(
@@ -277,12 +278,27 @@ rad/s, space axes). All are contiguous arrays of float64. Raises InputError for 
 
     @property
     def principal_axes(self) -> Numbers:
-        """The principal axes e1, e2, e3 as rows, in the axes of the tensor: unit vectors, shape (3, 3).
+        """The principal axes e1, e2, e3 as columns, in the axes of the tensor: a rotation, shape (3, 3).
 
-        Their order is that of `constants.half_axes`. With moments instead of a tensor they are (1, 0, 0),
-        (0, 1, 0) and (0, 0, 1).
+        v_body = principal_axes @ v_principal. Their order is that of `moments` and of `constants.half_axes`. With
+        moments instead of a tensor they are the columns of the unit matrix.
         """
         return self._native.principal_axes
+
+    @property
+    def moments(self) -> Numbers:
+        """The principal moments I1, I2, I3 in kg m², shape (3,), in the order of `principal_axes`."""
+        return self._native.moments
+
+    @property
+    def omega(self) -> Numbers:
+        """ω at t = 0 in body axes, rad/s, shape (3,)."""
+        return self.at(0.0).omega_body
+
+    @property
+    def attitude(self) -> Numbers:
+        """space_from_body at t = 0, a unit quaternion (w, x, y, z), shape (4,)."""
+        return self.at(0.0).space_from_body
 
     @property
     def constants(self) -> Constants:

@@ -431,7 +431,8 @@ export class Measure {
     const text = document.createElement('span');
     text.textContent = `${flight.begin_s.toFixed(2)}–${flight.end_s.toFixed(2)} s`;
     const size = document.createElement('small');
-    const [left, unit] = flight.residual_rad === undefined ? [flight.residual_rad_s, 'rad/s'] : [flight.residual_rad, 'rad'];
+    const left = flight.residual_rad ?? flight.residual_rad_s;
+    const unit = flight.residual_rad === undefined ? 'rad/s' : 'rad';
     size.textContent = `|ω| ${flight.rate_rad_s.toFixed(1)} rad/s${left === undefined ? '' : `, ${this.words.of('measure_residual')} ${left.toPrecision(2)} ${unit}`}`;
     row.append(button, name, text, size);
     return row;

@@ -33,8 +33,10 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
+#include <vector>
 
 #include "scene/scene_error.h"
 #include "text/numbers.h"
@@ -87,6 +89,61 @@ TomlValue plain(const toml::node& node, const std::string& file_name) {
     return value;
 }
 
+using LineAndColumn = std::pair<int, int>;
+
+// Where the innermost array begins that is open at a place; nothing if none is. Leaves out strings
+// and comments; source: TOML 1.0.
+std::optional<LineAndColumn> open_array_at(std::string_view text, LineAndColumn place) {
+    std::vector<LineAndColumn> open;
+    LineAndColumn at{1, 1};
+    std::string_view quotes;  // of the string that is open
+    for (std::size_t i = 0; i < text.size();) {
+        if (at >= place) break;
+        std::size_t n = 1;
+        const std::string_view rest = text.substr(i);
+        if (!quotes.empty()) {
+            if (quotes.front() == '"' && rest.front() == '\\' && rest.size() > 1 && rest[1] != '\n')
+                n = 2;
+            else if (rest.starts_with(quotes))
+                n = std::exchange(quotes, {}).size();
+            else if (quotes.size() == 1 && rest.front() == '\n')
+                quotes = {};
+        } else if (rest.front() == '"' || rest.front() == '\'') {
+            const std::string_view mark = rest.front() == '"' ? "\"\"\"" : "'''";
+            quotes = rest.starts_with(mark) ? mark : mark.substr(0, 1);
+            n = quotes.size();
+        } else if (rest.front() == '#') {
+            n = std::min(rest.find('\n'), rest.size());
+        } else if (rest.front() == '[') {
+            open.push_back(at);
+        } else if (rest.front() == ']' && !open.empty()) {
+            open.pop_back();
+        }
+        for (const char c : rest.substr(0, n)) {
+            constexpr unsigned continuation_mask = 0xC0u, continuation = 0x80u;
+            if (c == '\n')
+                at = {at.first + 1, 1};
+            else if ((static_cast<unsigned char>(c) & continuation_mask) != continuation)
+                ++at.second;
+        }
+        i += n;
+    }
+    return open.empty() ? std::nullopt : std::optional(open.back());
+}
+
+// Whether a comma between digits stands in this line where TOML takes none, as in "16,0" and
+// "0,8; 0,9".
+bool has_decimal_comma(std::string_view text, int line, std::string_view what) {
+    if (!what.ends_with("saw ','") && !what.ends_with("saw ';'")) return false;
+    for (int k = 1; k < line && text.find('\n') != std::string_view::npos; ++k)
+        text.remove_prefix(text.find('\n') + 1);
+    text = text.substr(0, text.find('\n'));
+    const auto is_digit = [](char c) { return c >= '0' && c <= '9'; };
+    for (std::size_t i = 1; i + 1 < text.size(); ++i)
+        if (text[i] == ',' && is_digit(text[i - 1]) && is_digit(text[i + 1])) return true;
+    return false;
+}
+
 }  // namespace
 
 std::string_view name_of(TomlValue::Type type) {
@@ -118,8 +175,19 @@ TomlValue parse_toml(std::string_view text, const std::string& file_name) {
         // "Error while parsing array: missing comma": "Error while " is removed.
         std::string_view what = error.description();
         if (what.starts_with("Error while ")) what.remove_prefix(12);
-        throw SceneError(location(error.source(), file_name),
-                         fmt::format("not valid TOML: {}; correct this line", printable(what)));
+        const SourceLocation where = location(error.source(), file_name);
+        // The next line begins something else.
+        if (what.find("closing ']'") != std::string_view::npos)
+            if (const auto open = open_array_at(text, {where.line, where.column});
+                open && open->first < where.line)
+                throw SceneError({file_name, open->first, open->second},
+                                 "not valid TOML: this array has no closing ']'; write it");
+        throw SceneError(
+            where,
+            fmt::format("not valid TOML: {}; {}", printable(what),
+                        has_decimal_comma(text, where.line, what)
+                            ? "numbers have decimal points, as in 16.0, and commas separate them"
+                            : "correct this line"));
     }
 }
 

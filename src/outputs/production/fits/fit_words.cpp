@@ -47,10 +47,9 @@ std::string with_sd(double value, double sd) {
 
 void add_fit(JsonObject& answer, const FittedMotion& fit) {
     const auto list = [](const Eigen::Vector3d& v) { return json_numbers(v[0], v[1], v[2]); };
-    const auto axis = [&fit, &list](int k) { return list(fit.instrument_from_principal.col(k)); };
     answer.add("rows", fit.n_rows).add("first_time_s", fit.first_time_s);
     answer.json("moments", list(fit.moments)).json("moments_sd", list(fit.moments_sd));
-    answer.json("axes", json_list(std::vector<std::string>{axis(0), axis(1), axis(2)}));
+    answer.json("axes", json_of(fit.instrument_from_principal));
     answer.json("axes_sd_rad", list(fit.axes_sd_rad));
     answer.json("omega_rad_s", list(fit.omega_rad_s))
         .json("omega_sd_rad_s", list(fit.omega_sd_rad_s));
@@ -67,6 +66,13 @@ void add_fit(JsonObject& answer, const FittedMotion& fit) {
     add_residual(answer, fit);
     answer.add(fit.attitude ? "noise_rad" : "noise_rad_s", fit.noise);
     answer.add("residual_correlation", fit.correlation);
+}
+
+std::string json_of(const Eigen::Matrix3d& matrix) {
+    std::vector<std::string> rows;
+    for (int i = 0; i < 3; ++i)
+        rows.push_back(json_numbers(matrix(i, 0), matrix(i, 1), matrix(i, 2)));
+    return json_list(rows);
 }
 
 void add_residual(JsonObject& answer, const FittedMotion& fit) {

@@ -15,6 +15,8 @@ namespace poinsot {
 // As many decimals as the standard deviation has a say in.
 std::string with_sd(double value, double sd);
 
+// A matrix row by row: principal axes are its columns.
+std::string json_of(const Eigen::Matrix3d& matrix);
 void add_fit(JsonObject& answer, const FittedMotion& fit);
 // The residual, under a name that has its unit.
 void add_residual(JsonObject& answer, const FittedMotion& fit);

@@ -3,12 +3,14 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include <algorithm>
 #include <set>
 #include <string_view>
 
 #include "drawing/stage/label_requests.h"
 #include "drawing/stage/stage_store.h"
 #include "drawing/style/picture_quality.h"
+#include "mechanics/torque_kinds.h"
 #include "scene/scene_error.h"
 #include "text/printable.h"
 
@@ -16,6 +18,18 @@ namespace poinsot {
 
 PictureSpan whole_film(const FilmPlan& film) {
     return {.first_time_s = film.time_of(0), .last_time_s = film.last_time_s()};
+}
+
+PictureSpan span_of_instant(const Session& session, const FilmPlan& film, double time_s) {
+    const TrailSpec& trail = session.scene.trail;
+    PictureSpan span{.first_time_s = std::min(film.start_s, time_s),
+                     .last_time_s = time_s,
+                     .first_shown_s = time_s};
+    // A polhode is one closed curve without a film, but for a body that loses energy.
+    const bool is_whole = trail.herpolhode == "whole" || trail.axis == "whole" ||
+                          (trail.polhode == "whole" && dissipates(session.motion.problem().torque));
+    if (is_whole) span.last_time_s = std::max(time_s, film.last_time_s());
+    return span;
 }
 
 PictureSetting setting_of(const Scene& scene, const PrintChoices& print) {

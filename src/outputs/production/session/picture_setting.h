@@ -24,6 +24,10 @@ struct PictureSpan {
 // The span of a whole film.
 PictureSpan whole_film(const FilmPlan& film);
 
+// The span of a picture of one instant: histories start with the film. They end at the instant,
+// or with the film if the scene wants a trail of the entire film.
+PictureSpan span_of_instant(const Session& session, const FilmPlan& film, double time_s);
+
 // Settings of a picture's quality; --quality selects some of these.
 struct PictureSetting {
     double curve_tolerance = 1.0;                // factor on half of the scene's accuracy_px

@@ -177,14 +177,15 @@ void add_comparison(const Session& session, const FilmPlan& film, std::vector<Su
                      fmt::format("{:.3g} of L", errors.momentum_relative)});
 }
 
-// Adds the directions of the principal axes, in words only where they are not the given ones.
+// Adds the principal axes as the columns of a matrix, in words only where they are not the given
+// ones.
 void add_principal_axes(const InertiaTensor& inertia, std::vector<SummaryLine>& lines) {
-    const Eigen::Matrix3d& axes = inertia.body_from_principal();
+    const Eigen::Matrix3d axes = inertia.body_from_principal().array() + 0.0;  // no negative zero
     std::vector<std::string> json;
     std::string words;
     for (int k = 0; k < 3; ++k) {
-        const Eigen::Vector3d e = axes.col(k).array() + 0.0;  // no negative zero
-        json.push_back(json_numbers(e[0], e[1], e[2]));
+        const Eigen::Vector3d e = axes.col(k);
+        json.push_back(json_numbers(axes(k, 0), axes(k, 1), axes(k, 2)));
         words += fmt::format("e{} = ({:.6g}, {:.6g}, {:.6g}){}", k + 1, e[0], e[1], e[2],
                              k < 2 ? ", " : " in the given axes");
     }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
 #include <vector>
 
 #include "drawing/stage/stage.h"
@@ -44,11 +43,10 @@ FilmTime clearest_moment(const Session& session) {
     const std::int64_t n_looks = std::min(most_looks, film.n_frames);
     if (n_looks <= 1) return film.moment_of(film.n_frames - 1);
 
+    // Of one shape, so that a picture on a screen and one on paper show the same instant.
     StageOptions options;
-    const FilmSpec& size = session.scene.film;
+    options.width_px = 1920;
     options.height_px = 1080;
-    options.width_px =
-        std::max(1, static_cast<int>(std::lround(1080.0 * size.width_px / size.height_px)));
     options.first_time_s = film.start_s;
     options.last_time_s = film.last_time_s();
     options.curve_px = 4.0;  // curves are not looked at

@@ -208,7 +208,7 @@ void write_deck(const Session& session, const DeckRequest& request, LazyRenderer
         Task told;
         told.say = [&, i](const std::string& line) {
             constexpr std::string_view note = "note: ";
-            if (line.starts_with(note))
+            if (line.starts_with("note: no room"))
                 task.say(
                     fmt::format("{}{}: {}", note, slide_file(i, ".pdf"), line.substr(note.size())));
         };

@@ -45,11 +45,8 @@ struct PictureRegions::Impl {
         if (record.time_s)
             moment = record.frame ? film.moment_of(*record.frame)
                                   : still_moment(session, record.time_s, StillTime::of_scene);
-        if (record.time_s && !record.film_frames) {
-            span.first_time_s = std::min(film.start_s, *record.time_s);
-            span.last_time_s = *record.time_s;
-            span.first_shown_s = record.time_s;
-        }
+        if (record.time_s && !record.film_frames)
+            span = span_of_instant(session, film, *record.time_s);
         const StillRequest still = request_of(record);
         span.is_still = record.time_s && !still.names_fade;
         const PrintChoices& print = still.print;

@@ -69,13 +69,10 @@ FilmTime moment_for(const Session& session, const StillRequest& request) {
     return still_moment(session, request.time_s, request.when);
 }
 
-// The histories start with the film. They end at the instant, or with the film of which the picture
-// is a frame.
+// The histories end at the instant, or with the film of which the picture is a frame.
 PictureSpan span_of(const Session& session, const StillRequest& request, double time_s) {
-    PictureSpan span{.first_time_s = std::min(film_plan(session).start_s, time_s),
-                     .last_time_s = time_s,
-                     .first_shown_s = time_s};
-    if (request.frame) span = whole_film(film_plan(session));
+    const FilmPlan film = film_plan(session);
+    PictureSpan span = request.frame ? whole_film(film) : span_of_instant(session, film, time_s);
     span.is_still = !request.names_fade;
     return span;
 }

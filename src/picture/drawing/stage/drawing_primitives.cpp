@@ -5,7 +5,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "drawing/style/colour_vision.h"
 #include "numerics/smooth_step.h"
+#include "numerics/srgb.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -91,7 +93,25 @@ Ellipsoid ellipsoid_of(const Panel& panel) {
     ellipsoid.line_colour = panel.stage->theme.ellipsoid_lines;
     ellipsoid.section_px = 1.7 * panel.px;
     ellipsoid.ruling_px = 0.9 * panel.px;
+    add_contour(panel, panel.stage->theme.ellipsoid_lines, ellipsoid);
     return ellipsoid;
+}
+
+void add_contour(const Panel& panel, const Colour& line, Ellipsoid& ellipsoid) {
+    // A line of one pixel that lies on two has half of its strength in each: 1.5 or more is left.
+    constexpr double wanted = 3.5, flare = 0.05, least_px = 1.0;
+    const Colour& ground = panel.stage->theme.halo;
+    const double behind = relative_luminance(ground), own = relative_luminance(line);
+    const double needed =
+        own < behind ? (behind + flare) / wanted - flare : (behind + flare) * wanted - flare;
+    const double share = std::clamp((needed - behind) / (own - behind), 0.0, 1.0);
+    const auto mixed = [share](double from, double to) {
+        const double light = linear_from_srgb(from);
+        return srgb_from_linear(light + share * (linear_from_srgb(to) - light));
+    };
+    ellipsoid.contour_colour = {mixed(ground.r, line.r), mixed(ground.g, line.g),
+                                mixed(ground.b, line.b)};
+    ellipsoid.contour_px = std::max(panel.px, least_px);
 }
 
 Dot dot_at(const Panel& panel, const Eigen::Vector3d& at, const Colour& colour, double radius_px) {

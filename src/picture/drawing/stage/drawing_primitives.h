@@ -56,6 +56,10 @@ inline Arrow arrow_to(const Panel& panel, const Eigen::Vector3d& tip, const Line
 // The inertia ellipsoid in the theme's style; its half-axes are left to the caller.
 Ellipsoid ellipsoid_of(const Panel& panel);
 
+// Gives an ellipsoid a fine contour in the hue of a line: as strong on the picture's ground as a
+// contrast of 3.5 requires, or as strong as the line if that is less.
+void add_contour(const Panel& panel, const Colour& line, Ellipsoid& ellipsoid);
+
 // Replaces arrows that point at the viewer by a ring with a dot, since only the disc of the head's
 // cone is visible of such an arrow. The ring appears gradually as the arrow turns towards the eye.
 void mark_arrows_at_viewer(const Panel& panel, View& view);

@@ -120,7 +120,8 @@ struct Stage::Impl {
         overlays = make_overlays(context, store, panels);
         check_targets(context, store, panels);
         const StageOptions& of = context.options;
-        const bool is_one_instant = of.first_shown_s && *of.first_shown_s == of.last_time_s;
+        const bool is_one_instant =
+            of.first_shown_s && (of.is_still || *of.first_shown_s == of.last_time_s);
         if (!is_one_instant) plan_all_names();
     }
 

@@ -198,6 +198,11 @@ struct Piece {
 class Crossing {
  public:
     Crossing(const View& view, double least_gap_px) : view_(view), least_gap_px_(least_gap_px) {
+        for (const Dot& dot : view.dots)
+            if (dot.name.element == "contact" && dot.opacity > 0.0) {
+                const Projected seen = project(view, dot.at);
+                if (seen.depth > 0.0) contacts_px_.push_back(seen.px);
+            }
         for (std::size_t k = 0; k < view.curves.size(); ++k) add_curve(static_cast<int>(k));
         for (const Arrow& arrow : view.arrows) add_arrow(arrow);
         find();
@@ -212,16 +217,18 @@ class Crossing {
             parts.push_back(whole);
             return;
         }
-        auto gaps = found->second;
+        std::vector<Gap> gaps = found->second;
         const auto range = range_of(whole);
         const double first = range.first, last = range.second;
         if (whole.geometry->closed && last - first == n_points(whole))
             for (std::size_t k = 0, n = gaps.size(); k < n; ++k) {
-                const auto [from, to] = gaps[k];
-                if (from < first) gaps.emplace_back(from + (last - first), last);
-                if (to > last) gaps.emplace_back(first, to - (last - first));
+                const auto [from, to, most] = gaps[k];
+                if (from < first) gaps.push_back({from + (last - first), last, most});
+                if (to > last) gaps.push_back({first, to - (last - first), most});
             }
-        std::sort(gaps.begin(), gaps.end());
+        std::sort(gaps.begin(), gaps.end(),
+                  [](const Gap& a, const Gap& b) { return a.from < b.from; });
+        drop_wide_runs(gaps);
         double at = first;
         const auto add = [&](double from, double to) {
             if (!(to > from)) return;
@@ -232,14 +239,35 @@ class Crossing {
             part.lasting = false;
             parts.push_back(part);
         };
-        for (const auto& [from, to] : gaps) {
-            add(at, std::min(from, last));
-            at = std::max(at, to);
+        for (const Gap& gap : gaps) {
+            add(at, std::min(gap.from, last));
+            at = std::max(at, gap.to);
         }
         add(at, last);
     }
 
  private:
+    // A range of a curve that is left out, and how long a hole there may be; in points.
+    struct Gap {
+        double from = 0.0, to = 0.0, most = 0.0;
+    };
+
+    // Where several lines cross one after the other, their gaps would join into a long hole: drops
+    // those that would make it longer than one crossing may.
+    static void drop_wide_runs(std::vector<Gap>& gaps) {
+        std::vector<Gap> kept;
+        double from = 0.0, to = -1e300;  // of the hole so far
+        for (const Gap& gap : gaps) {
+            const bool joins = gap.from <= to;
+            if (joins && std::max(to, gap.to) - from > std::max(gap.most, kept.back().most))
+                continue;
+            from = joins ? from : gap.from;
+            to = joins ? std::max(to, gap.to) : gap.to;
+            kept.push_back(gap);
+        }
+        gaps = std::move(kept);
+    }
+
     static double n_points(const Curve& curve) {
         return static_cast<double>(curve.geometry->points.size());
     }
@@ -334,11 +362,20 @@ class Crossing {
         const Piece& upper = p_is_lower ? q : p;
         if (lower.curve < 0) return;
         const double gap_px = std::max(least_gap_px_, 0.8 * lower.width_px);
-        const double half_px = (0.5 * upper.width_px + gap_px) / sine;
+        // A flat crossing would take a long piece out of the line.
+        constexpr double most_widths = 3.0;
+        const double straight_px = 0.5 * upper.width_px + gap_px;
+        const double most_px = std::max(straight_px, 0.5 * most_widths * lower.width_px);
+        const double half_px = std::min(straight_px / sine, most_px);
+        // At the contact point, where both curves and ω meet, every line is whole.
+        const Eigen::Vector2d at_px = p.a + s * u;
+        for (const Eigen::Vector2d& contact : contacts_px_)
+            if ((at_px - contact).norm() - half_px < most_widths * lower.width_px) return;
         const double length_px = (lower.b - lower.a).norm();
         const double there = lower.from + (p_is_lower ? s : t) * (lower.to - lower.from);
-        const double half = half_px * (lower.to - lower.from) / std::max(length_px, 1e-9);
-        gaps_[lower.curve].emplace_back(there - half, there + half);
+        const double per_px = (lower.to - lower.from) / std::max(length_px, 1e-9);
+        gaps_[lower.curve].push_back(
+            {there - half_px * per_px, there + half_px * per_px, 2.0 * most_px * per_px});
     }
 
     static constexpr double cell_px = 24.0;
@@ -346,7 +383,8 @@ class Crossing {
     double least_gap_px_;
     std::vector<Piece> pieces_;
     std::map<std::pair<int, int>, std::vector<int>> cells_;
-    std::map<int, std::vector<std::pair<double, double>>> gaps_;
+    std::map<int, std::vector<Gap>> gaps_;
+    std::vector<Eigen::Vector2d> contacts_px_;
 };
 
 void break_crossings(const LineStyleRules& rules, View& view) {
@@ -367,6 +405,7 @@ void thicken(double least_px, View& view) {
     for (Ellipsoid& ellipsoid : view.ellipsoids) {
         raise(ellipsoid.section_px, least_px);
         raise(ellipsoid.ruling_px, least_px);
+        raise(ellipsoid.contour_px, least_px);
     }
     for (Plane& plane : view.planes) raise(plane.grid_px, least_px);
     // A cone's rulings are thinner than its rim.

@@ -16,9 +16,6 @@ namespace {
 // Sizes in pixels at 1080 rows.
 constexpr double ring_radius_px = 10.0, ring_width_px = 1.6, dash_px = 7.0;
 
-// Opacity of what lies beyond the plane, in linear light: it reads as about two thirds as strong.
-constexpr double beyond_opacity = 0.8;
-
 // Where an arrow meets a plane.
 struct Piercing {
     double share = 0.0;      // of the arrow
@@ -72,17 +69,19 @@ bool has_dot_near(const View& view, const Eigen::Vector3d& at, double reach) {
 }
 
 // Adds the arrow as its part before the plane, if there is one, and its part beyond. Where the
-// plane cuts the head, the whole head belongs to the second part, and is the paler the more of it
-// is beyond.
+// plane cuts the head, the whole head belongs to the second part. That part is in full strength:
+// its dashes say where it is, and the head bears the arrow's name. While the head goes through, it
+// becomes so gradually.
 void add_parts(const LineStyleRules& rules, const View& view, const Arrow& arrow,
                const Piercing& piercing, std::vector<Arrow>& parts) {
     const double length_px = (arrow.tip - arrow.tail).norm() * unit_px_of(view);
     const double head = std::clamp(arrow.head_length_px / length_px, 1e-9, 1.0);
     const double cut = std::min(piercing.share, 1.0 - head);
-    const double paleness = piercing.presence * std::min((1.0 - piercing.share) / head, 1.0);
     Arrow beyond = arrow;
     beyond.tail = arrow.tail + cut * (arrow.tip - arrow.tail);
-    beyond.opacity *= 1.0 - (1.0 - beyond_opacity) * paleness;
+    const double passed = std::min((1.0 - piercing.share) / head, 1.0);
+    if (beyond.hidden_opacity >= 0.0)
+        beyond.hidden_opacity += piercing.presence * passed * (1.0 - beyond.hidden_opacity);
     constexpr double mostly_there = 0.5;
     if (piercing.presence > mostly_there) beyond.dash_px = dash_px * rules.px;
     if (cut > 0.0) {

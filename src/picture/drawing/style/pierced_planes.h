@@ -6,9 +6,9 @@
 
 namespace poinsot {
 
-// Where an arrow's tip lies on the far side of a plane, makes the part beyond the plane paler and
-// dashes its shaft, in proportion to how much of the plane is seen there. Adds an open ring on the
-// plane around the shaft, except where a dot marks the point.
+// Where an arrow's tip lies on the far side of a plane, dashes the shaft of the part beyond the
+// plane and lets it show through the plane in full, as far as the plane is seen there. Adds an open
+// ring on the plane around the shaft, except where a dot marks the point.
 void pierce_planes(const LineStyleRules& rules, View& view);
 
 // Pixels per view unit, at the depth at which the sizes of arrows apply.

@@ -27,12 +27,12 @@ constexpr Colour hex(std::uint32_t rgb) {
 // ω.
 const Theme light{
     .name = "light",
-    .summary = "for bright rooms, on a projector or screen; colour-blind safe",
+    .summary = "for pages, screens and bright rooms; colour-blind safe",
     .background = {.top = hex(0xe9eef5), .bottom = hex(0xfbfcfd), .alpha = 1.0},
     .light = {.towards = {0.3, -0.6, 0.8}, .key = 0.42, .sky = 0.78},
     .text = hex(0x1c2430),
     .halo = hex(0xfbfcfd),
-    .ellipsoid = hex(0xf5e0ba),
+    .ellipsoid = hex(0xfbe0a8),
     .ellipsoid_opacity = 0.66,
     .ellipsoid_lines = hex(0x8a5c1e),
     .plane = hex(0xd5dee9),
@@ -43,8 +43,8 @@ const Theme light{
     .polhode_weight = 1.3,
     .herpolhode_weight = 1.6,
     .momentum = hex(0x1c2430),
-    .omega = hex(0x7b1a73),
-    .rho = hex(0xaa3d56),
+    .omega = hex(0x581476),
+    .rho = hex(0xb81c68),
     .gradient = hex(0x7617f4),
     .torque = hex(0x7617f4),
     .axes = {hex(0x7d5100), hex(0x02483d), hex(0x0c71af)},
@@ -66,7 +66,7 @@ const Theme light{
 
 const Theme dark{
     .name = "dark",
-    .summary = "for dark rooms or dark slides; colour-blind safe",
+    .summary = "for films and slides; keeps the most contrast on a projector, in a lit hall too",
     .background = {.top = hex(0x11161d), .bottom = hex(0x1b222d), .alpha = 1.0},
     .light = {.towards = {0.3, -0.6, 0.8}, .key = 0.95, .sky = 0.26},
     .text = hex(0xe8edf3),
@@ -166,7 +166,7 @@ const Theme colour_blind{
     .polhode_weight = 1.2,
     .herpolhode_weight = 1.5,
     .momentum = hex(0x000000),
-    .omega = hex(0x7a0069),
+    .omega = hex(0x710f62),
     .rho = hex(0xb90a2d),
     .gradient = hex(0x7214e5),
     .torque = hex(0x7214e5),

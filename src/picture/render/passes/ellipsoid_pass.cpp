@@ -8,7 +8,7 @@
 namespace poinsot {
 
 EllipsoidPass::Variant::Variant(int n_members, bool rim)
-    : program("ellipsoid.frag", 3 + 14 * n_members,
+    : program("ellipsoid.frag", 3 + 15 * n_members,
               {"MEMBERS " + std::to_string(n_members), rim ? "RIM 1" : "RIM 0"}, "ellipsoid.vert",
               rim ? 1 : 3),
       sights(program.at("sights")) {}
@@ -80,6 +80,7 @@ void EllipsoidPass::draw_group(const ViewScene& scene, const int* members, int n
         constants.add(scale * scale * half_axes.cwiseAbs2().cwiseInverse(), shape.presence);
         constants.add(linear_from_srgb(shape.colour, shape.opacity));
         constants.add(linear_from_srgb(shape.line_colour, shape.section_px));
+        constants.add(linear_from_srgb(shape.contour_colour, shape.contour_px));
         box.add({q.outline.box.left, q.outline.box.top});
         box.add({q.outline.box.right, q.outline.box.bottom});
     }

@@ -261,6 +261,25 @@ void stroke_sections(const Canvas& canvas, std::size_t number, const PaperEllips
                      .also_behind = true});
 }
 
+PaperInk contour_ink(const Canvas& canvas, const Ellipsoid& ellipsoid,
+                     const Eigen::Vector2d& centre) {
+    if (canvas.shading != Shading::none) return {ellipsoid.contour_colour, ellipsoid.presence};
+    const bool has_lines = ellipsoid.section_px > 0.0 || ellipsoid.ruling_px > 0.0;
+    const Colour colour = has_lines ? ellipsoid.line_colour : ellipsoid.colour;
+    return {contour_colour(colour, canvas.ground(centre)), ellipsoid.presence};
+}
+
+// Zero if there is none.
+double contour_width_pt(const Canvas& canvas, const Ellipsoid& ellipsoid) {
+    if (canvas.shading != Shading::none) return canvas.line_pt(ellipsoid.contour_px);
+    // Without shading every surface has a contour, also one without lines of its own; that of a
+    // surface that is hardly there is thinner. Sections may be drawn as separate curves.
+    constexpr double faint = 0.25;
+    const double px = ellipsoid.section_px > 0.0 ? ellipsoid.section_px : ellipsoid.ruling_px;
+    return std::max(canvas.line_pt(1.5 * px),
+                    ellipsoid.opacity < faint ? least_line_pt : contour_pt);
+}
+
 }  // namespace
 
 Eigen::Vector3d through_ellipsoids(const Canvas& canvas, const std::vector<std::size_t>& numbers,
@@ -337,21 +356,13 @@ void draw_ellipsoid(const Canvas& canvas, const LitSheet& sheet) {
     }
     stroke_rulings(canvas, number, *outline);
     stroke_sections(canvas, number, *outline);
-    if (canvas.shading == Shading::none) {
-        // Every surface has a contour, also one without lines of its own; that of a surface that is
-        // hardly there is thinner.
-        constexpr double faint = 0.25;
-        const bool has_lines = ellipsoid.section_px > 0.0 || ellipsoid.ruling_px > 0.0;
-        const double px = ellipsoid.section_px > 0.0 ? ellipsoid.section_px : ellipsoid.ruling_px;
-        const Colour colour = has_lines ? ellipsoid.line_colour : ellipsoid.colour;
-        Stroke stroke;
-        stroke.path = canvas.path_of(*outline);
-        stroke.ink = {contour_colour(colour, canvas.ground(outline->centre)), ellipsoid.presence};
-        // Sections may be drawn as separate curves.
-        stroke.width_pt = std::max(canvas.line_pt(1.5 * px),
-                                   ellipsoid.opacity < faint ? least_line_pt : contour_pt);
-        canvas.add(std::move(stroke));
-    }
+    const double width_pt = contour_width_pt(canvas, ellipsoid);
+    if (!(width_pt > 0.0)) return;
+    Stroke stroke;
+    stroke.path = canvas.path_of(*outline);
+    stroke.ink = contour_ink(canvas, ellipsoid, outline->centre);
+    stroke.width_pt = width_pt;
+    canvas.add(std::move(stroke));
 }
 
 }  // namespace poinsot::vector

@@ -52,8 +52,9 @@ Drawing surfaces_of(const Canvas& canvas, double out_px, bool has_grid) {
     view.meshes = from.meshes;
     for (Plane& plane : view.planes) plane.grid_px = has_grid ? fine * plane.grid_px : 0.0;
     for (std::size_t k = 0; k < view.ellipsoids.size(); ++k) {
-        view.ellipsoids[k].section_px = view.ellipsoids[k].ruling_px = 0.0;
-        view.ellipsoids[k].half_axes *= grown(canvas, k, out_px, fine);
+        Ellipsoid& ellipsoid = view.ellipsoids[k];
+        ellipsoid.section_px = ellipsoid.ruling_px = ellipsoid.contour_px = 0.0;
+        ellipsoid.half_axes *= grown(canvas, k, out_px, fine);
     }
     for (Cone& cone : view.cones) {
         cone.rim_px = 0.0;

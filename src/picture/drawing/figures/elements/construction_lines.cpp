@@ -222,8 +222,9 @@ Drawer make_radius(const Panel& panel, StageStore& store) {
     return [&panel, type](const FrameInput& instant, ViewBuilder& builder) {
         const Eigen::Vector3d rho = picture_of(panel).contact(instant);
         const LineStyle& colour = panel.stage->theme.rho;
+        // The subject of the picture: in full strength through the body.
         Arrow arrow = arrow_to(panel, rho, colour, 1.3);
-        arrow.hidden_opacity = seen_through;
+        arrow.hidden_opacity = 1.0;
         builder.view.arrows.push_back(arrow);
         request_label_beside_line(panel, {.to = rho}, type, colour, builder);
     };

@@ -110,6 +110,7 @@ Drawer make_ghost(const Panel& panel, StageStore& store) {
     ellipsoid.section_px = 0.0;
     ellipsoid.ruling_px = 0.0;
     ellipsoid.casts_shadow = false;
+    add_contour(panel, panel.stage->theme.ghost, ellipsoid);
     const TextBlock type = set_ghost_label(panel, store, "\\boldsymbol{\\omega}");
     const bool beyond = is_shown(*panel.stage, "radius");
     return [&panel, ellipsoid, type, beyond](const FrameInput& instant, ViewBuilder& builder) {

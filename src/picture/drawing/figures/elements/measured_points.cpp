@@ -95,9 +95,8 @@ Drawer measured_track(const Panel& panel, StageStore& store,
         stretches.push_back(std::move(stretch));
     }
     const bool whole = stage.options.repeat_s > 0.0;  // a loop has no first instant
-    const Colour stage_halo = stage.theme.halo;
-    return [&panel, placement, dots, stretches, ink, stage_halo, whole](const FrameInput& instant,
-                                                                        ViewBuilder& builder) {
+    return [&panel, placement, dots, stretches, ink, whole](const FrameInput& instant,
+                                                            ViewBuilder& builder) {
         const Eigen::Affine3d place =
             raised(panel, builder.view.camera, 1.5 * dot_px * panel.px) * placement(instant);
         for (const MeasuredStretch& stretch : stretches) {
@@ -110,9 +109,8 @@ Drawer measured_track(const Panel& panel, StageStore& store,
         }
         for (const MeasuredDot& dot : dots) {
             if (!whole && dot.time_s > instant.time_s) break;
-            // Open: the exact curve is seen through rings that stand side by side.
-            Dot shown = dot_at(panel, place * dot.at, stage_halo, dot_px);
-            shown.rim_colour = ink;
+            // In the colour of their name; the rims part dots that stand side by side.
+            Dot shown = dot_at(panel, place * dot.at, ink, dot_px);
             shown.rim_px = rim_px * panel.px;
             shown.hidden_opacity = behind;
             builder.view.dots.push_back(shown);

@@ -105,8 +105,10 @@ std::vector<DirectionMarks> marks_on(const Panel& panel, StageStore& store,
     return marks;
 }
 
-// Opacity of the curves' parts behind the ellipsoid: so pale that they are read as lying there.
-constexpr double under_the_body = 0.45;
+// Opacities of the curves' parts behind the ellipsoid: paler than the parts in front of it, but so
+// strong that each curve is read as one closed line. The herpolhode's colour is the brighter.
+constexpr double polhode_under_the_body = 0.7;
+constexpr double herpolhode_under_the_body = 0.88;
 
 }  // namespace
 
@@ -138,7 +140,7 @@ Drawer make_polhode(const Panel& panel, StageStore& store) {
         curve_of(panel, keep(panel, store, std::move(geometry), off * per_rho, "the polhode"),
                  panel.stage->theme.polhode, 4.0 * panel.stage->theme.polhode_weight);
     curve.on_surface = first_ellipsoid;
-    curve.hidden_opacity = under_the_body;
+    curve.hidden_opacity = polhode_under_the_body;
     const StageContext& stage = *panel.stage;
     const auto first_contact = [&]() -> Eigen::Vector3d {
         const MotionSample sample =
@@ -200,7 +202,7 @@ Drawer make_herpolhode(const Panel& panel, StageStore& store) {
         panel, keep(panel, store, std::move(geometry), timed.off * per_rho, "the herpolhode"), ink,
         width_px);
     curve.on_plane = the_plane;
-    curve.hidden_opacity = under_the_body;
+    curve.hidden_opacity = herpolhode_under_the_body;
     const std::vector<DirectionMarks> marks =
         marks_on(panel, store, *curve.geometry, timed.trail.first_index(), false);
     const std::optional<AnnulusCurve> filled = annulus_of(

@@ -176,6 +176,7 @@ Ellipsoid momentum_sphere(const Panel& panel) {
     sphere.section_px = 0.0;
     sphere.ruling_px = 0.0;
     sphere.opacity = 0.6;
+    add_contour(panel, panel.stage->theme.rule, sphere);
     sphere.name = {surfaces_name, 0, ""};
     return sphere;
 }

@@ -182,6 +182,7 @@ Stand stand_of(const Panel& panel, const TopNutation& nutation) {
     stand.sphere.section_px = 0.0;
     stand.sphere.ruling_px = 0.0;
     stand.sphere.casts_shadow = false;
+    add_contour(panel, theme.rule, stand.sphere);
     stand.curves.push_back(latitude(panel, 0.5 * pi, theme.rule, 1.6));
     // Steady precession is along one circle; at the poles there is none.
     std::vector<double> ends{nutation.theta_min_rad};

@@ -3,9 +3,11 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
 #include "numerics/smooth_step.h"
 #include "shapes/identity.h"
+#include "shapes/outlines.h"
 #include "shapes/projection.h"
 
 namespace poinsot {
@@ -318,6 +320,77 @@ void move_apart(const std::vector<double>& weights, const std::vector<LabelBox>&
     }
 }
 
+// The lines of a view that a letter should not stand on.
+struct Lines {
+    struct Piece {
+        Eigen::Vector2d from, to;  // px
+        double weight = 1.0;
+    };
+    std::vector<Piece> pieces;
+
+    Lines(const View& view, const std::vector<Shaft>& shafts) {
+        // Shafts are thicker than curves, and name other things.
+        constexpr double of_shaft = 2.0;
+        constexpr int n_points = 512;
+        for (const Curve& curve : view.curves) {
+            if (curve.geometry == nullptr || curve.occlusion == Occlusion::none) continue;
+            for (const VisiblePoint& point : outline_of(view, curve, n_points))
+                pieces.push_back({point.before_px, point.px, std::clamp(curve.opacity, 0.0, 1.0)});
+        }
+        for (const Shaft& shaft : shafts)
+            pieces.push_back(
+                {shaft.from, shaft.from + shaft.length_px * shaft.along, of_shaft * shaft.opacity});
+    }
+    // In heights of the box.
+    double inside(const LabelBox& box) const {
+        double length = 0.0;
+        for (const Piece& piece : pieces)
+            length += piece.weight * box.length_inside(piece.from, piece.to);
+        return 0.5 * length / std::max(box.half_px.y(), 1e-9);
+    }
+};
+
+// In a still, puts letters that stand on lines beside these: at the place near the requested one
+// with the least of lines, of other text, and of way to go. A film's letters follow what they name
+// without such leaps.
+void step_off_lines(const Lines& lines, const std::vector<double>& weights,
+                    const std::vector<LabelBox>& fixed, const View& view,
+                    std::vector<PlacedBox>& placed) {
+    constexpr int n_directions = 16, n_steps = 5;
+    constexpr double step = 0.4, per_way = 0.3, per_text = 20.0, touching = 0.02;
+    const LabelBox whole_view{{view.x_px + 0.5 * view.width_px, view.y_px + 0.5 * view.height_px},
+                              {0.5 * view.width_px, 0.5 * view.height_px}};
+    for (std::size_t i = 0; i < placed.size(); ++i) {
+        const LabelBox asked = placed[i].box;
+        if (!(weights[i] > 0.0) || !(asked.half_px.minCoeff() > 0.0)) continue;
+        const double height_px = 2.0 * asked.half_px.y();
+        const auto cost_of = [&](const LabelBox& box) {
+            double text = 0.0;
+            for (const LabelBox& other : fixed) text += other.opacity * box.shared_with(other);
+            for (std::size_t k = 0; k < placed.size(); ++k)
+                if (k != i && weights[k] > 0.0) text += box.shared_with(placed[k].box);
+            const bool is_outside = ((box.centre_px - whole_view.centre_px).cwiseAbs() +
+                                     box.half_px - whole_view.half_px)
+                                        .maxCoeff() > 0.0;
+            return lines.inside(box) + per_text * (text + (is_outside ? 1.0 : 0.0)) +
+                   per_way * (box.centre_px - asked.centre_px).norm() / height_px;
+        };
+        if (lines.inside(asked) < touching) continue;
+        double least = cost_of(asked);
+        for (int n = 1; n <= n_steps; ++n)
+            for (int k = 0; k < n_directions; ++k) {
+                const double angle = 2.0 * std::numbers::pi * k / n_directions;
+                LabelBox box = asked;
+                box.centre_px +=
+                    n * step * height_px * Eigen::Vector2d(std::cos(angle), std::sin(angle));
+                const double cost = cost_of(box);
+                if (cost >= least) continue;
+                least = cost;
+                placed[i].box = box;
+            }
+    }
+}
+
 // The upper left corner of a label inside the view.
 Eigen::Vector2d corner_in_view(const LabelRequest& request, const LabelBox& box,
                                const LabelRules& rules, const View& view) {
@@ -370,6 +443,7 @@ std::vector<UnplacedLabel> place_labels(const std::vector<LabelRequest>& request
         weights.push_back(shown(request.opacity));
     }
     move_apart(weights, fixed, placed);
+    if (rules.is_still) step_off_lines(Lines(view, shafts), weights, fixed, view, placed);
 
     std::vector<UnplacedLabel> left_out;
     for (std::size_t i = 0; i < requests.size(); ++i) {
