@@ -27,7 +27,7 @@ function thrown(omega, length_s, rate = 0, from_s = 10) {
     if (next[1] * omega[1] < 0) flips.push(k * h);
     omega = next;
   }
-  return {rows, flips, story: throw_story({moments, axes: [[0, 0, 1], [1, 0, 0], [0, 1, 0]]}, rows, from_s, from_s + length_s)};
+  return {rows, flips, story: throw_story({moments, axes: [[0, 1, 0], [0, 0, 1], [1, 0, 0]]}, rows, from_s, from_s + length_s)};
 }
 
 test('counts the flips of a body about its middle axis', () => {
@@ -38,6 +38,9 @@ test('counts the flips of a body about its middle axis', () => {
     if (flips.length > 0) assert.ok(Math.abs(story.first_flip_s - flips[0]) < 0.01, `${story.first_flip_s}, not ${flips[0]}`);
     assert.ok(Math.abs(story.length_s - length_s) < 0.02);
   }
+  // Its middle axis comes within 35° of L, and ω only within 58° of that axis.
+  const wide = thrown([1, 6, 10], 3);
+  assert.equal(wide.story.n_flips, wide.flips.length);
   assert.ok(thrown([0.5, 9, 0.5], 4).flips.length > 1, 'one of them turns over more than once');
 });
 

@@ -71,6 +71,7 @@ const more = {
   controls: `${free}[motion]\nmethod = "splitting"\norder = 2\n[page]\ncontrols = ["start.omega_rad_s", "film.speed", "construction.plane", "labels", "motion.order"]\n`,
   offered: `${free}[page]\nelements = ["plane"]\n`,
   stop: `${free}[film]\nduration_s = 9\n[[stops]]\nat_s = 3\nloop_s = 1\nplanned_s = 60\nnote = "n"\n[[stops]]\nat_s = 5\n[[chapters]]\nat_s = 4\ntitle = "c"\n`,
+  slowed: `${free}[torque]\nkind = "dissipation"\nhalf_life_s = 100\n[motion]\nmethod = "dopri5"\n`,
   separatrix: '[body]\nmoments_kg_m2 = [3, 2, 1]\n[start]\nenergy_J = 1\nmomentum_kg_m2_s = 2\n',
 };
 

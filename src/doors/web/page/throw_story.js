@@ -6,13 +6,13 @@
  * @typedef {{axis: number, n_flips: number|null, first_flip_s: number|null, length_s: number, n_turns: number, lost: number}} ThrowStory
  */
 
-/** Within this angle of the middle axis ω must come, as in src/motion/construction/flips.h. */
-const flip_angle_rad = 0.5;
+/** Within this angle of L the middle axis must come, as in src/motion/construction/flips.h. */
+const flip_angle_rad = Math.PI / 4;
 
 /** @param {number[]} a @param {number[]} b */
 const dot = (a, b) => a.reduce((sum, x, k) => sum + x * (b[k] ?? 0), 0);
 
-/** How far from the middle axis ω is where the polhode comes nearest to it, and which axis the polhode encloses. @param {number[]} moments from the largest @param {number[]} omega along their axes */
+/** How far from the middle axis L is where it comes nearest to it, and which axis the polhode encloses. @param {number[]} moments from the largest @param {number[]} omega along their axes */
 function nearest_to_middle(moments, omega) {
   const [a, b, c] = /** @type {[number, number, number]} */ (moments);
   const twice_T = dot(moments, omega.map((w) => w * w));
@@ -22,11 +22,11 @@ function nearest_to_middle(moments, omega) {
   const other = axis === 2 ? c : a;
   const along_middle = (L_squared - other * twice_T) / (b * (b - other));
   const along_other = (L_squared - b * twice_T) / (other * (other - b));
-  return {axis, angle_rad: Math.atan2(Math.sqrt(Math.max(0, along_other)), Math.sqrt(Math.max(0, along_middle)))};
+  return {axis, angle_rad: Math.atan2(other * Math.sqrt(Math.max(0, along_other)), b * Math.sqrt(Math.max(0, along_middle)))};
 }
 
 /**
- * @param {{moments: number[], axes: number[][]}} fit as `poinsot fit --json` prints it
+ * @param {{moments: number[], axes: number[][]}} fit as `poinsot fit --json` prints it, with the axes as columns
  * @param {ArrayLike<number>} rows of the table, four numbers each: the time in s and ω in rad/s @param {number} begin_s of the flight @param {number} end_s
  * @returns {ThrowStory}
  */
@@ -36,7 +36,7 @@ export function throw_story(fit, rows, begin_s, end_s) {
   for (let k = 0; k + 3 < rows.length; k += 4) {
     const time_s = rows[k] ?? 0;
     const given = [rows[k + 1] ?? 0, rows[k + 2] ?? 0, rows[k + 3] ?? 0];
-    if (time_s >= begin_s - 1e-9 && time_s <= end_s + 1e-9) states.push({time_s, omega: fit.axes.map((axis) => dot(axis, given))});
+    if (time_s >= begin_s - 1e-9 && time_s <= end_s + 1e-9) states.push({time_s, omega: [0, 1, 2].map((k) => dot(fit.axes.map((row) => row[k] ?? 0), given))});
   }
   const first = states[0];
   const last = states[states.length - 1];
