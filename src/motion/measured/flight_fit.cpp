@@ -164,10 +164,13 @@ FoundFlight minimised(std::span<const MeasuredRow> rows, const Flight& start,
         for (Eigen::Index i = 0; i < gradient.size(); ++i)
             gradient[i] = sums.gradient[places[static_cast<std::size_t>(i)]];
         Eigen::MatrixXd damped = normal;
-        // A number that changes nothing stays. The others have a share of their own: in a long
-        // flight the squares of drag and start differ by more digits than a common one would leave.
+        // A number that changes nothing stays. A common floor keeps a few rows of ω in the valley
+        // that they leave; in a long flight of attitudes, the squares of drag and start differ by
+        // more digits than it would leave.
+        const double floor = flight.attitude ? 0.0 : 1e-12 * normal.diagonal().maxCoeff();
         for (Eigen::Index i = 0; i < damped.rows(); ++i)
-            damped(i, i) += normal(i, i) > 0.0 ? trust * normal(i, i) : 1.0;
+            damped(i, i) +=
+                normal(i, i) > 0.0 ? trust * normal(i, i) + floor : std::max(floor, 1.0);
         const Eigen::VectorXd step = solved(damped, -gradient);
         FlightChange by = FlightChange::Zero();
         for (Eigen::Index i = 0; i < step.size(); ++i)

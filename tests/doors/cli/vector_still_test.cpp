@@ -99,7 +99,7 @@ TEST(VectorStill, NoSceneTakesMoreRoomThanItsShapesNeed) {
             const std::string page = file.stem().string() + suffix;
             const bool is_svg = suffix == ".svg";
             EXPECT_LT(std::filesystem::file_size(folder.path() / page),
-                      is_large ? (is_svg ? 360'000u : 350'000u) : (is_svg ? 210'000u : 170'000u))
+                      is_large ? 360'000u : (is_svg ? 210'000u : 170'000u))
                 << page;
         }
     }
