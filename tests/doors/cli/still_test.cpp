@@ -284,8 +284,11 @@ TEST(PrintedStill, FigureKeepsItsShapeWithLargeText) {
     EXPECT_NEAR(bare, 85.0 / 25.4 * 150.0 * 9.0 / 16.0, 30.0);  // the row of the clock remains
     // A title of 10 pt, and at 85 mm two lines of caption instead of one.
     const double pt_px = 150.0 / 72.0;
-    EXPECT_GT(rows(""), bare + 10.0 * pt_px);
-    EXPECT_LT(rows(""), bare + 60.0 * pt_px);
+    const std::string two_lines =
+        "--set 'caption=\"Three equal moments: every rotation about any of its axes is steady for "
+        "ever.\"'";
+    EXPECT_GT(rows(two_lines), bare + 10.0 * pt_px);
+    EXPECT_LT(rows(two_lines), bare + 60.0 * pt_px);
     EXPECT_NEAR(rows("--height-mm 50"), 50.0 / 25.4 * 150.0, 1.0);
 }
 

@@ -90,9 +90,13 @@ TEST(TradeoffMotion, DriftsAreThoseThatTheMethodsAllow) {
 }
 
 TEST(TradeoffMotion, MoreEvaluationsAreNeededForSmallerSteps) {
-    for (const auto& [method, rows] : rows_by_method())
-        for (std::size_t i = 1; i < rows.size(); ++i)
-            EXPECT_GE(rows[i].evaluations_a_frame, rows[i - 1].evaluations_a_frame) << method;
+    // Of explicit methods; implicit ones iterate less often in small steps.
+    const auto rows = rows_by_method();
+    for (const char* method : {"euler", "rk4", "rkmk4"}) {
+        const std::vector<MotionTrade>& of = rows.at(method);
+        for (std::size_t i = 1; i < of.size(); ++i)
+            EXPECT_GT(of[i].evaluations_a_frame, of[i - 1].evaluations_a_frame) << method;
+    }
 }
 
 TEST(TradeoffMotion, TheTableOfNumbersHasEveryRow) {
