@@ -20,8 +20,9 @@ async function launched() {
   // Firefox has WebGL only with a display, and by Mesa's software renderer only if it is told so.
   if (is_firefox)
     return puppeteer.launch({browser: 'firefox', executablePath: file, headless: false, extraPrefsFirefox: {'webgl.force-enabled': true}});
+  // The sound server's library would leave a folder behind.
   return puppeteer.launch({executablePath: file, headless: true,
-    args: ['--no-sandbox', '--enable-unsafe-swiftshader', '--allow-file-access-from-files']});
+    args: ['--no-sandbox', '--disable-audio-output', '--enable-unsafe-swiftshader', '--allow-file-access-from-files']});
 }
 
 /** Runs a program that writes a page or the workbench. @param {string} program @param {string[]} options */
