@@ -70,6 +70,7 @@ void add_fit(JsonObject& answer, const FittedMotion& fit) {
 
 std::string json_of(const Eigen::Matrix3d& matrix) {
     std::vector<std::string> rows;
+    rows.reserve(3);
     for (int i = 0; i < 3; ++i)
         rows.push_back(json_numbers(matrix(i, 0), matrix(i, 1), matrix(i, 2)));
     return json_list(rows);
