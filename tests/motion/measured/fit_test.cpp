@@ -216,6 +216,7 @@ TEST(Fit, TakesLaminaeAndManyRows) {
     // 60,000 rows: every third is used; and 600,000 fast ones, of which the body turns too far from
     // one to the next if they are thinned to 20,000.
     EXPECT_EQ(outcome_of(lamina, 60.0, 60'000, 0.02), "near");
+    if (sanitized) return;
     const Truth fast{{1.0, 0.7, 0.3}, Eigen::Matrix3d::Identity(), {9.0, 21.0, 15.0}};
     EXPECT_EQ(outcome_of(fast, 600.0, 600'000, 0.1), "near");
 }
@@ -420,6 +421,8 @@ TEST(Fit, OfANearlySteadyTurnIsRightOrRefused) {
     for (const double wobble : {1e-4, 1e-3, 1e-2})
         for (const double share : {0.0, 1e-9, 1e-6, 1e-3})
             for (int i = 0; i < 2; ++i) {
+                // Each of these takes a sanitizer half a minute.
+                if (sanitized && (share == 1e-9 || share == 1e-6 || wobble == 1e-3)) continue;
                 Truth truth = random_truth(random);
                 const double rate = truth.omega.norm();
                 truth.omega = rate * (truth.axes.col(i % 2 * 2) + wobble * truth.axes.col(1));
@@ -435,7 +438,8 @@ TEST(Fit, OfANearlySteadyTurnIsRightOrRefused) {
                     EXPECT_NEAR(fit->moments[k], truth.moments[k], 5.0 * fit->moments_sd[k] + 1e-6)
                         << "wobble " << wobble << ", noise " << share;
             }
-    EXPECT_GE(n_answers, 12);  // of 24, of which a third hide the wobble in noise
+    // Of 24, of which a third hide the wobble in noise.
+    EXPECT_GE(n_answers, sanitized ? 3 : 12);
 }
 
 // A telephone that flies flat as a disc: Euler's equations lead some noises to a body of I2 = I3 =
