@@ -9,6 +9,7 @@
 #include "error/error.h"
 #include "image/png.h"
 #include "image/png_chunks.h"
+#include "image/zlib_stream.h"
 
 namespace poinsot {
 
@@ -43,17 +44,6 @@ png::Bytes rows_of(const Image& image, std::span<const Rgba8> palette) {
     return rows;
 }
 
-png::Bytes compressed(std::span<const std::uint8_t> raw) {
-    constexpr int smallest = 12;
-    const std::unique_ptr<libdeflate_compressor, void (*)(libdeflate_compressor*)> compressor(
-        libdeflate_alloc_compressor(smallest), libdeflate_free_compressor);
-    if (!compressor) throw EnvironmentError("no memory for a PNG file");
-    png::Bytes to(libdeflate_zlib_compress_bound(compressor.get(), raw.size()));
-    to.resize(
-        libdeflate_zlib_compress(compressor.get(), raw.data(), raw.size(), to.data(), to.size()));
-    return to;
-}
-
 }  // namespace
 
 std::vector<std::uint8_t> encode_palette_png(const Image& image, std::span<const Rgba8> palette) {
@@ -63,7 +53,7 @@ std::vector<std::uint8_t> encode_palette_png(const Image& image, std::span<const
     png::Bytes file = png::front({image.width(), image.height(), true, 8, true},
                                  largest_png_side_px, png::description({}));
     png::append_chunk(file, "PLTE", colours);
-    png::append_chunk(file, "IDAT", compressed(rows_of(image, palette)));
+    png::append_chunk(file, "IDAT", zlib_stream(rows_of(image, palette)));
     const png::Bytes back = png::back();
     file.insert(file.end(), back.begin(), back.end());
     return file;

@@ -9,6 +9,7 @@
 #include <iterator>
 #include <utility>
 
+#include "image/zlib_stream.h"
 #include "system/sha256.h"
 #include "text/json_text.h"
 #include "text/languages.h"
@@ -105,14 +106,16 @@ std::string files_json(const std::map<std::string, std::string>& files) {
     return "{" + text + "}";
 }
 
-std::string scene_json(const PageContents& contents) {
+// The texts of several scenes are in a block of their own, see scene_texts.
+std::string scene_json(const PageContents& contents, bool has_text) {
     std::vector<std::string> following;
     following.reserve(contents.following.size());
-    for (const PageContents& scene : contents.following) following.push_back(scene_json(scene));
+    for (const PageContents& scene : contents.following)
+        following.push_back(scene_json(scene, false));
     return JsonObject()
         .json("title", script_string(contents.title))
         .json("name", script_string(contents.scene_name))
-        .json("text", script_string(contents.scene_text))
+        .json("text", script_string(has_text ? contents.scene_text : ""))
         .json("overrides", list_of(contents.overrides))
         .json("files", files_json(contents.files))
         .json("controls", list_of(contents.controls))
@@ -128,6 +131,20 @@ std::string scene_json(const PageContents& contents) {
 
 std::string picture_url(const std::vector<std::uint8_t>& png) {
     return png.empty() ? "" : "data:image/png;base64," + base64(png);
+}
+
+// The texts of a page of several scenes as a block, packed: a lecture has 70 kB of them. Nothing
+// for a page of one scene.
+std::string scene_texts(const PageContents& contents) {
+    if (contents.following.empty()) return "";
+    std::vector<std::string> texts{contents.scene_text};
+    for (const PageContents& scene : contents.following) texts.push_back(scene.scene_text);
+    const std::string list = list_of(texts);
+    const std::vector<std::uint8_t> packed =
+        zlib_stream({reinterpret_cast<const std::uint8_t*>(list.data()), list.size()});
+    return fmt::format(
+        "<script id=\"scene-texts\" type=\"application/zlib\" data-bytes=\"{}\">{}</script>\n",
+        packed.size(), base94({reinterpret_cast<const char*>(packed.data()), packed.size()}));
 }
 
 using Values = std::vector<std::pair<std::string_view, std::string>>;
@@ -176,7 +193,7 @@ Values scene_values(const PageContents& contents) {
             {"title", escaped_markup(contents.title)},
             {"poster", picture_url(contents.poster_png)},
             {"no-script", escaped_markup(phrase_in(contents.language, no_scripts))},
-            {"scene", scene_json(contents)},
+            {"scene", scene_json(contents, contents.following.empty())},
             {"fonts", base94(page_fonts_lzma())},
             {"module", base94(page_module_lzma())},
             {"page-scripts", base94(page_scripts_lzma())},
@@ -190,15 +207,16 @@ Values operator+(Values values, Values more) {
 }
 
 // All values except the scene's.
-Values page_values() {
+Values page_values(std::string data = "") {
     return program_values(joined(scripts().plain), compact_script(page_file("page.css"))) +
-           Values{{"body", "page"}, {"before", ""}, {"data", ""}};
+           Values{{"body", "page"}, {"before", ""}, {"data", std::move(data)}};
 }
 
 }  // namespace
 
 std::string html_page(const PageContents& contents) {
-    return filled(page_file("index.html"), page_values() + scene_values(contents));
+    return filled(page_file("index.html"),
+                  page_values(scene_texts(contents)) + scene_values(contents));
 }
 
 namespace {

@@ -26,7 +26,18 @@ export function unpacked(id) {
   return unpacked_lzma(bytes_of_base94(block(id)));
 }
 
-/** @returns {SceneData} */
+/** The texts of several scenes come by `add_texts`. @returns {SceneData} */
 export function scene_data() {
   return JSON.parse(block('scene-data'));
+}
+
+/** Puts the texts of several scenes into their places. @param {SceneData[]} scenes */
+export async function add_texts(scenes) {
+  const script = document.getElementById('scene-texts');
+  if (!script) return;
+  const bytes = bytes_of_base94(script.textContent ?? '').slice(0, Number(script.dataset['bytes']));
+  const stream = new Blob([bytes]).stream().pipeThrough(new DecompressionStream('deflate'));
+  /** @type {string[]} */
+  const texts = await new Response(stream).json();
+  scenes.forEach((scene, k) => { scene.text = texts[k] ?? ''; });
 }

@@ -5,7 +5,7 @@ import {Bar, part, save_as} from './bar.js';
 import {Figure, message_of} from './figure.js';
 import {Grips} from './grips.js';
 import {action_of, is_for_field} from './keys.js';
-import {bytes_of_base64, scene_data, unpacked} from './loader.js';
+import {add_texts, bytes_of_base64, scene_data, unpacked} from './loader.js';
 import {Notes} from './notes.js';
 import {Options} from './options.js';
 import {ProgramError} from './program.js';
@@ -98,6 +98,10 @@ export class Page {
     document.body.classList.toggle('embedded', this.embedded);
     this.#colour(document.documentElement.dataset['ground'] ?? '#ffffff', null);
     this.figure.choices = this.address.read();
+    /** Until it is over, a page of several scenes has no texts; those may set colours, which the system's then do not replace. */
+    this.texts = add_texts(this.scenes).then(() => {
+      if (this.scenes.length > 1) this.figure.choices = this.address.read();
+    });
     this.#name();
     this.#wire();
     this.fit();
@@ -124,6 +128,7 @@ export class Page {
     part('bar').inert = true;
     part('sentence').hidden = true;
     try {
+      await this.texts;
       await this.figure.start(() => this.data, /** @type {SceneData} */ (this.scenes[0]));
       this.data = this.figure.data ?? this.data;
     } catch (error) {
